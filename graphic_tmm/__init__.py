@@ -1,0 +1,1 @@
+"""The drawing board of the theory of machines and mechanisms."""

@@ -1,0 +1,1 @@
+"""The drawing board: numpy only; knows no mechanisms and no paper."""

@@ -1,0 +1,100 @@
+"""Calculated lengths and quantities: steps too, each with its formula as its sentence.
+
+The formula is the docstring; the names in braces are the operation's arguments, so the same text gives the
+letters of the calculation note and, with readings put in, its numbers. Angular quantities follow from
+*signed* segments: the sense is the sign.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.values import Angle, Length, Number
+
+_ZERO_LENGTH = ("the length to divide by is zero", "деление на нулевую длину")
+
+
+@operation(formula=True, fails=_ZERO_LENGTH)
+def to_board(quantity: Number, mu: Number) -> Length:
+    """{quantity}/{mu}"""
+    return Length(quantity / mu)
+
+
+@operation(formula=True)
+def in_si(length: Length, mu: Number) -> Number:
+    """{length}·{mu}"""
+    return Number(length * mu)
+
+
+@operation(formula=True)
+def total(first: Length, second: Length) -> Length:
+    """{first} + {second}"""
+    return Length(first + second)
+
+
+@operation(formula=True)
+def difference(first: Length, second: Length) -> Length:
+    """|{first} − {second}|"""
+    return Length(np.abs(first - second))
+
+
+@operation(formula=True)
+def advance(zero: Angle, by: Angle) -> Angle:
+    """{zero} + {by}"""
+    return Angle(zero + by)
+
+
+@operation(formula=True)
+def product(omega: Number, length: Number) -> Number:
+    """{omega}·{length}"""
+    return Number(omega * length)
+
+
+@operation(formula=True)
+def product_of_squares(omega: Number, length: Number) -> Number:
+    """{omega}²·{length}"""
+    return Number(omega * omega * length)
+
+
+@operation(formula=True, fails=_ZERO_LENGTH)
+def rate(segment: Length, mu: Number, link: Length, mu_l: Number) -> Number:
+    """{segment}·{mu}/({link}·{mu_l})"""
+    return Number(segment * mu / (link * mu_l))
+
+
+@operation(formula=True, fails=_ZERO_LENGTH)
+def rate_turned(segment: Length, mu: Number, link: Length, mu_l: Number) -> Number:
+    """−{segment}·{mu}/({link}·{mu_l})"""
+    return Number(-segment * mu / (link * mu_l))
+
+
+@operation(formula=True, fails=_ZERO_LENGTH)
+def normal(segment: Length, mu_v: Number, link: Length, mu_l: Number, mu_a: Number) -> Length:
+    """({segment}·{mu_v})²/({link}·{mu_l})/{mu_a}"""
+    velocity = segment * mu_v
+    return Length(velocity * velocity / (link * mu_l) / mu_a)
+
+
+@operation(formula=True)
+def coriolis(omega: Number, segment: Length, mu_v: Number, mu_a: Number) -> Length:
+    """2·{omega}·{segment}·{mu_v}/{mu_a}"""
+    return Length(2.0 * omega * (segment * mu_v) / mu_a)
+
+
+@operation(formula=True)
+def swing_angle(ratio: Number) -> Angle:
+    """180°·({ratio} − 1)/({ratio} + 1)"""
+    return Angle(180.0 * (ratio - 1.0) / (ratio + 1.0))
+
+
+@operation(formula=True)
+def sine_of_half(length: Number, angle: Angle) -> Number:
+    """{length}·sin({angle}/2)"""
+    return Number(length * np.sin(np.radians(angle / 2.0)))
+
+
+@operation(formula=True)
+def half_chord(stroke: Number, angle: Angle) -> Number:
+    """{stroke}/(2·sin({angle}/2))"""
+    return Number(stroke / (2.0 * np.sin(np.radians(angle / 2.0))))

@@ -1,0 +1,79 @@
+"""The French curve: a C² curve through points that are equally spaced in the crank's angle.
+
+Through a closed row it is the periodic cubic spline; where some positions cannot be drawn, each run of
+drawable ones gets a natural spline of its own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.values import Complexes, Curve, Point
+
+
+@operation("Через точки {through} провести по лекалу плавную кривую {it}.", across=True)
+def french_curve(through: Point, *, row: int) -> Curve:
+    """Through the points {through} draw the smooth curve {it} with the French curve.
+
+    ``row``: how many positions make the closed row; the positions after them (extremes, extra angles)
+    stand outside the curve.
+    """
+    knots = np.asarray(through[:, :row])
+    tangents = np.full_like(knots, np.nan)
+    for trial in range(knots.shape[0]):
+        points = knots[trial]
+        drawn = np.isfinite(points)
+        if drawn.all():
+            tangents[trial] = _periodic(points)
+            continue
+        for run in _runs(drawn):
+            tangents[trial, run] = _natural(points[run])
+    return Curve(knots, tangents, True)
+
+
+def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
+    """Return the curve as runs of 3n + 1 control points (complex, mm), in the order of the row."""
+    knots, tangents = curve.knots[trial], curve.tangents[trial]
+    drawn = np.isfinite(knots) & np.isfinite(tangents)
+    if drawn.all():
+        runs = [np.append(np.arange(knots.size), 0)] if curve.closed else [np.arange(knots.size)]
+    else:
+        runs = _runs(drawn)
+    found = []
+    for run in runs:
+        p, m = knots[run], tangents[run] / 3
+        controls = np.empty(3 * len(run) - 2, dtype=np.complex128)
+        controls[0::3], controls[1::3], controls[2::3] = p, p[:-1] + m[:-1], p[1:] - m[1:]
+        found.append(controls)
+    return found
+
+
+def _runs(drawn: np.ndarray) -> list[np.ndarray]:
+    """Return the runs (at least two long) of neighbouring positions of a closed row that can be drawn."""
+    if not drawn.any():
+        return []
+    start = int(np.argmin(drawn))
+    order = (np.arange(drawn.size) + start) % drawn.size
+    cuts = np.flatnonzero(~drawn[order])
+    return [run[drawn[run]] for run in np.split(order, cuts) if drawn[run].sum() > 1]
+
+
+def _periodic(points: Complexes) -> Complexes:
+    n = points.size
+    if n < 3:
+        return np.zeros_like(points)
+    right = 3.0 * (np.roll(points, -1) - np.roll(points, 1))
+    return np.asarray(
+        np.fft.ifft(np.fft.fft(right) / (4.0 + 2.0 * np.cos(2.0 * np.pi * np.arange(n) / n)))
+    )
+
+
+def _natural(points: Complexes) -> Complexes:
+    n = points.size
+    matrix = 4.0 * np.eye(n) + np.eye(n, k=1) + np.eye(n, k=-1)
+    matrix[0, 0] = matrix[-1, -1] = 2.0
+    right = np.empty_like(points)
+    right[1:-1] = 3.0 * (points[2:] - points[:-2])
+    right[0], right[-1] = 3.0 * (points[1] - points[0]), 3.0 * (points[-1] - points[-2])
+    return np.asarray(np.linalg.solve(matrix, right))

@@ -1,0 +1,205 @@
+"""The log becomes numbers: a backward slice of it, in blocks of positions, for all trials at once.
+
+Pointwise steps run in blocks of positions, so that a million of them stay in cache and in memory; a step
+that works across positions (a French curve) runs on whole arrays, between two strata of pointwise steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Curve, given as as_value
+from graphic_tmm.errors import ConstructionError
+
+BLOCK = 4096
+"""Positions in one block: some fifty arrays of it fit into a second-level cache."""
+
+Values = dict[int, Any]
+
+
+class Reading(NamedTuple):
+    """The numbers of the marks asked for, by mark; ``positions`` is the length of the position axis."""
+
+    values: Mapping[int, Any]
+    positions: int
+
+    def __getitem__(self, mark: Mark) -> Any:  # type: ignore[override]
+        """Return the value of ``mark``, axes (trial, position), size 1 where it does not vary."""
+        return self.values[mark.index]
+
+    def __contains__(self, mark: object) -> bool:
+        """Whether the value of ``mark`` was asked for."""
+        return isinstance(mark, Mark) and mark.index in self.values
+
+
+def needed(construction: Construction, wanted: Iterable[Mark]) -> tuple[Step, ...]:
+    """Return the backward slice of the log: the steps that the wanted marks need, in order."""
+    alive = {mark.index for mark in wanted}
+    kept = []
+    for step in reversed(construction.steps):
+        if step.it.index in alive:
+            kept.append(step)
+            alive.update(mark.index for mark in step.uses)
+    return tuple(reversed(kept))
+
+
+class Program(NamedTuple):
+    """A slice of a log made ready to run: strata of pointwise steps, each ended by steps across positions."""
+
+    strata: tuple[tuple[tuple[Step, ...], tuple[Step, ...]], ...]
+    wanted: frozenset[int]
+    given: tuple[Mark, ...]
+
+    def run(
+        self, given: Mapping[Mark, object], *, hand: Hand = EXACT, block: int = BLOCK
+    ) -> Reading:
+        """Run at all positions of ``given``; see `execute`."""
+        values: Values = {}
+        for mark in self.given:
+            if mark not in given:
+                raise ConstructionError(f"{mark.view}: '{mark.letter}' was not given")
+            values[mark.index] = as_value(given[mark], mark.kind)
+        count = max((v.shape[1] for v in values.values()), default=1)
+        with np.errstate(all="ignore"):
+            for pointwise, across in self.strata:
+                _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise))
+                for step in across:
+                    spread = [_spread(values[mark.index], count) for mark in step.uses]
+                    values[step.it.index] = step.op.run(*spread, **step.choice)
+        return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
+
+    def _kept(self, stratum: Sequence[Step]) -> frozenset[int]:
+        if len(self.strata) == 1:
+            return self.wanted
+        made = {step.it.index for step in stratum}
+        used = {
+            mark.index
+            for pointwise, across in self.strata
+            for step in (*(pointwise if pointwise is not stratum else ()), *across)
+            for mark in step.uses
+        }
+        return frozenset(made & (used | self.wanted))
+
+
+def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
+    """Slice the log to what ``wanted`` needs (everything if None) and sort it into strata."""
+    asked = (
+        frozenset(range(construction.size))
+        if wanted is None
+        else frozenset(mark.index for mark in wanted)
+    )
+    everything = (*construction.given, *(step.it for step in construction.steps))
+    steps = needed(construction, (mark for mark in everything if mark.index in asked))
+    level: dict[int, int] = {}
+    for step in steps:
+        depth = max((level.get(mark.index, 0) for mark in step.uses), default=0)
+        level[step.it.index] = depth + 1 if step.op.across else depth
+    strata = []
+    for n in range(max(level.values(), default=0) + 1):
+        pointwise = tuple(s for s in steps if not s.op.across and level[s.it.index] == n)
+        across = tuple(s for s in steps if s.op.across and level[s.it.index] == n + 1)
+        strata.append((pointwise, across))
+    alive = asked | {mark.index for step in steps for mark in step.uses}
+    return Program(tuple(strata), asked, tuple(m for m in construction.given if m.index in alive))
+
+
+def execute(
+    construction: Construction,
+    given: Mapping[Mark, object],
+    wanted: Iterable[Mark] | None = None,
+    *,
+    hand: Hand = EXACT,
+    positions: Sequence[int] | None = None,
+    block: int = BLOCK,
+) -> Reading:
+    """Return the numbers of the wanted marks.
+
+    Parameters
+    ----------
+    construction
+        The log.
+    given
+        A value for each given mark that the slice needs: scalars, or arrays (trial, position).
+    wanted
+        The marks to find; None for all of them.
+    hand
+        Who draws and reads; the exact hand by default.
+    positions
+        Indices of the positions to run at; None for all. Not for steps across positions.
+    block
+        Positions a block.
+
+    Raises
+    ------
+    ConstructionError
+        If a value is missing, or a curve across positions is asked for at some positions only.
+    """
+    program = prepare(construction, wanted)
+    if positions is not None:
+        if len(program.strata) > 1:
+            raise ConstructionError("a curve across positions needs all positions of its row")
+        at = np.asarray(positions, dtype=np.intp)
+        given = {
+            mark: value[:, at] if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1 else value
+            for mark, value in given.items()
+        }
+    return program.run(given, hand=hand, block=block)
+
+
+def _run(steps: Sequence[Step], values: Values, read: Callable[[Any], Any] | None) -> None:
+    for op, it, uses, choice, _ in steps:
+        value = op.run(*[values[mark.index] for mark in uses], **choice)
+        values[it.index] = read(value) if read is not None and op.reads else value
+
+
+def _in_blocks(
+    steps: Sequence[Step], values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
+) -> None:
+    read = None if hand.ruler is None else hand.read
+    if count <= block:
+        _run(steps, values, read)
+        return
+    whole: Values = {}
+    for start in range(0, count, block):
+        part = slice(start, min(start + block, count))
+        local = {i: _part(value, part) for i, value in values.items()}
+        _run(steps, local, read)
+        for step in steps:
+            i = step.it.index
+            if i in kept:
+                _keep(whole, i, local[i], part, count)
+    values.update(whole)
+
+
+def _part(value: Any, part: slice) -> Any:
+    if isinstance(value, Curve):
+        return value
+    if isinstance(value, tuple):
+        return type(value)(*(_part(array, part) for array in value))
+    return value if value.shape[1] == 1 else value[:, part]
+
+
+def _keep(whole: Values, index: int, value: Any, part: slice, count: int) -> None:
+    """Put a block of a value into its whole array; a value that does not vary is kept as it is."""
+    if isinstance(value, tuple):
+        columns = [{} if index not in whole else {0: array} for array in whole.get(index, value)]
+        for column, array in zip(columns, value, strict=True):
+            _keep(column, 0, array, part, count)
+        whole[index] = type(value)(*(column[0] for column in columns))
+        return
+    if index not in whole:
+        varies = value.shape[1] > 1
+        whole[index] = np.empty((value.shape[0], count), value.dtype) if varies else value
+    if whole[index].shape[1] > 1:
+        whole[index][:, part] = value
+
+
+def _spread(value: Any, count: int) -> Any:
+    if isinstance(value, tuple):
+        return value if isinstance(value, Curve) else type(value)(*(_spread(v, count) for v in value))
+    return np.broadcast_to(value, (value.shape[0], count))

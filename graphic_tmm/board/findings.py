@@ -1,0 +1,105 @@
+"""What could not be drawn, and what was drawn at the edge of its possibility: named after the fact.
+
+A plan runs without a branch; a mark that cannot be drawn is NaN. Only then is the log run once more at the
+positions concerned, to name the step that failed while everything it used was there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import execute, needed
+from graphic_tmm.board.geometry import TANGENT
+from graphic_tmm.board.grammar import Gap
+from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import undefined
+
+DOUBTFUL = 1e8
+"""A step that magnifies errors more than this leaves half of the digits of a float at the best."""
+
+
+class Finding(NamedTuple):
+    """``kind``: "undrawn", "touching" or "doubtful"; the step; the positions (indices); mm, or condition."""
+
+    kind: str
+    step: Step
+    number: int
+    positions: tuple[int, ...]
+    amount: float
+    gap: Gap | None = None
+
+
+def step_number(construction: Construction, step: Step) -> int:
+    """Return the number of a step within its view, from 1."""
+    same = [s for s in construction.steps if s.it.view == step.it.view]
+    return same.index(step) + 1
+
+
+def examine(
+    construction: Construction,
+    given: Mapping[Mark, object],
+    wanted: Iterable[Mark],
+    *,
+    hand: Hand = EXACT,
+) -> tuple[Finding, ...]:
+    """Return what happened on the way to the wanted marks, in the order of the log."""
+    steps = needed(construction, wanted)
+    if not steps:
+        return ()
+    marks = {mark for step in steps for mark in (step.it, *step.uses)}
+    reading = execute(construction, given, marks, hand=hand)
+    found: list[Finding] = []
+    with np.errstate(all="ignore"):
+        for step in steps:
+            if step.op.across:
+                continue
+            values = [reading[mark] for mark in step.uses]
+            found += _of_step(construction, step, values, reading[step.it], reading.positions)
+    return tuple(found)
+
+
+def _of_step(
+    construction: Construction, step: Step, values: list[Any], result: Any, count: int
+) -> list[Finding]:
+    number = step_number(construction, step)
+    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, count), bool), *map(undefined, values)))
+    failed = fine & undefined(result)
+    found = []
+    if failed.any():
+        gap, amount = _worst_gap(step, values, failed)
+        found.append(Finding("undrawn", step, number, _where(failed), amount, gap))
+    for gap in step.op.gaps:
+        room = gap.measure(*values)
+        touching = fine & ~failed & (np.abs(room) <= 4 * TANGENT * _size(values))
+        if touching.any():
+            found.append(Finding("touching", step, number, _where(touching), 0.0, gap))
+    if step.op.condition is not None:
+        condition = step.op.condition(*values)
+        doubtful = fine & ~failed & (condition > DOUBTFUL)
+        if doubtful.any() and not any(f.kind == "touching" for f in found):
+            worst = float(np.max(np.where(doubtful, condition, 0.0)))
+            found.append(Finding("doubtful", step, number, _where(doubtful), worst))
+    return found
+
+
+def _worst_gap(step: Step, values: list[Any], failed: Any) -> tuple[Gap | None, float]:
+    """Return the gap that is missed by the most among the failed positions, and by how many mm."""
+    worst: tuple[Gap | None, float] = (None, 0.0)
+    for gap in step.op.gaps:
+        short = float(np.nanmax(np.where(failed, -gap.measure(*values), -np.inf)))
+        if short > worst[1]:
+            worst = (gap, short)
+    return worst
+
+
+def _size(values: list[Any]) -> Any:
+    parts = [part for value in values for part in (value if isinstance(value, tuple) else (value,))]
+    return sum(np.abs(part) for part in parts)
+
+
+def _where(mask: Any) -> tuple[int, ...]:
+    return tuple(int(i) for i in np.flatnonzero(mask.any(axis=0)))

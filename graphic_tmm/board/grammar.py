@@ -1,0 +1,105 @@
+"""What an operation is: an annotated function = geometry + kinds + sentence.
+
+To add an operation: write a pure function of values, annotate every argument and the result with kinds of
+`values`, let the docstring's first paragraph be the English sentence with the arguments' names (and ``{it}``,
+the mark it leaves) in braces, and give the Russian one to the decorator. Arguments after ``*`` are choices:
+constants of the construction, not marks. A calculated length or number gives a ``formula`` instead: its
+docstring is the formula, and the same text serves both languages.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeVar, get_type_hints
+
+from graphic_tmm.board.values import KINDS, Kind, Reals
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class Gap(NamedTuple):
+    """How far two figures are from not meeting: ``measure(*values)`` in mm, ≥ 0 where they meet.
+
+    ``en``, ``ru``: what is wrong where it is negative, with the argument names in braces.
+    """
+
+    measure: Callable[..., Reals]
+    en: str
+    ru: str
+
+
+class Operation(NamedTuple):
+    """One operation of the drawing board, as read off its function."""
+
+    name: str
+    run: Callable[..., Any]
+    takes: tuple[Kind, ...]
+    arguments: tuple[str, ...]
+    leaves: Kind
+    choices: tuple[str, ...]
+    en: str
+    ru: str
+    formula: str = ""
+    across: bool = False
+    reads: bool = False
+    condition: Callable[..., Reals] | None = None
+    fails_en: str = ""
+    fails_ru: str = ""
+    gaps: tuple[Gap, ...] = ()
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+OPERATIONS: dict[str, Operation] = {}
+"""Every operation by its name, in the order of writing."""
+
+
+def operation(
+    ru: str = "",
+    *,
+    formula: bool = False,
+    across: bool = False,
+    reads: bool = False,
+    condition: Callable[..., Reals] | None = None,
+    fails: tuple[str, str] = ("the figure cannot be drawn", "построение невозможно"),
+    gaps: tuple[Gap, ...] = (),
+) -> Callable[[F], Operation]:
+    """Turn an annotated function into an `Operation` and enter it into the table.
+
+    ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
+    ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
+    ``fails``: why there may be no answer, in English and Russian.
+    """
+
+    def enter(function: F) -> Operation:
+        hints = get_type_hints(function)
+        leaves = hints.pop("return")
+        parameters = inspect.signature(function).parameters.values()
+        marks = [p.name for p in parameters if p.kind is not p.KEYWORD_ONLY]
+        unknown = [name for name in marks if hints[name] not in KINDS]
+        if unknown or leaves not in KINDS:
+            raise TypeError(f"{function.__name__}: {unknown or 'the result'} has no kind of the board")
+        sentence = " ".join((inspect.getdoc(function) or "").split("\n\n")[0].split())
+        made = Operation(
+            function.__name__,
+            function,
+            tuple(hints[name] for name in marks),
+            tuple(marks),
+            leaves,
+            tuple(p.name for p in parameters if p.kind is p.KEYWORD_ONLY),
+            sentence,
+            sentence if formula else ru,
+            sentence if formula else "",
+            across,
+            reads,
+            condition,
+            *fails,
+            gaps,
+        )
+        if OPERATIONS.setdefault(made.name, made) is not made:
+            raise TypeError(f"the board has two operations called {made.name}")
+        return made
+
+    return enter

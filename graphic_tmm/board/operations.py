@@ -1,0 +1,269 @@
+"""The instruments: pencil, square, compass, ruler. One function = geometry + kinds + sentence.
+
+Lines and arcs are met in forms that stay accurate near tangency and near parallel lines (Kahan's form of
+Heron's formula, the wedge of unit directions), and each knows its own condition and its own gap.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.geometry import PARALLEL, along, cis, degrees, root, unit, wedge
+from graphic_tmm.board.grammar import Gap, operation
+from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Reals, Side
+
+_NO_LINE = ("the two points coincide", "точки совпадают")
+
+
+@operation("Через {start} и {end} провести прямую {it}.", fails=_NO_LINE)
+def join(start: Point, end: Point) -> Line:
+    """Draw the line {it} through {start} and {end}."""
+    return Line(start, unit(end - start))
+
+
+@operation("Из {start} провести луч {it} под углом {angle} к оси x.")
+def ray(start: Point, angle: Angle) -> Line:
+    """From {start} draw the ray {it} at the angle {angle} to the x axis."""
+    return Line(start, cis(angle))
+
+
+@operation("Через {through} провести {it} параллельно {to}.")
+def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
+    """Through {through} draw {it} parallel to {to}."""
+    return Line(through, to.along if sense > 0 else -to.along)
+
+
+@operation("Через {through} провести {it} перпендикулярно {to}.")
+def square(through: Point, to: Line, *, sense: int = 1) -> Line:
+    """Through {through} draw {it} square to {to}."""
+    return Line(through, to.along * (1j * sense))
+
+
+@operation("Через {through} провести {it} под углом {by} к {to}.")
+def incline(through: Point, to: Line, by: Angle) -> Line:
+    """Through {through} draw {it} at the angle {by} to {to}."""
+    return Line(through, to.along * cis(by))
+
+
+@operation("Параллельно {to} на расстоянии {by} слева от неё провести {it}.")
+def shift(to: Line, by: Length) -> Line:
+    """Parallel to {to}, at the distance {by} to its left, draw {it}."""
+    return Line(to.at + 1j * by * to.along, to.along)
+
+
+@operation("На {on} от её начала отложить {length}; отметить {it}.")
+def lay_off(on: Line, length: Length) -> Point:
+    """On {on} lay off {length} from its beginning; mark {it}."""
+    return Point(on.at + length * on.along)
+
+
+@operation("На {on} от её начала отложить {x} и перпендикулярно к ней влево {y}; отметить {it}.")
+def place(on: Line, x: Length, y: Length) -> Point:
+    """On {on} lay off {x} from its beginning and, square to it to the left, {y}; mark {it}."""
+    return Point(on.at + (x + 1j * y) * on.along)
+
+
+@operation("Из {centre} раствором циркуля {radius} провести дугу {it}.")
+def strike(centre: Point, radius: Length) -> Arc:
+    """With the compass at {centre} and the opening {radius} strike the arc {it}."""
+    return Arc(centre, radius)
+
+
+def _meet_condition(base: Line, other: Line) -> Reals:
+    return np.asarray(1.0 / np.abs(wedge(base.along, other.along)))
+
+
+@operation(
+    "На пересечении {base} и {other} отметить {it}.",
+    condition=_meet_condition,
+    fails=("the lines are parallel", "прямые параллельны"),
+)
+def meet(base: Line, other: Line) -> Point:
+    """Where {base} and {other} meet, mark {it}.
+
+    The point is found along ``base``: give the line that begins nearest to the answer.
+    """
+    sine = wedge(base.along, other.along)
+    sine = np.where(np.abs(sine) > PARALLEL, sine, np.nan)
+    return Point(base.at + wedge(other.at - base.at, other.along) / sine * base.along)
+
+
+def _cut_gap(line: Line, arc: Arc, side: Side) -> Reals:
+    return np.asarray(arc.radius - np.abs(wedge(line.along, arc.centre - line.at)))
+
+
+def _cut_condition(line: Line, arc: Arc, side: Side) -> Reals:
+    height = wedge(line.along, arc.centre - line.at)
+    half = np.sqrt(np.maximum((arc.radius - height) * (arc.radius + height), 0.0))
+    return np.asarray(arc.radius / half)
+
+
+@operation(
+    "На пересечении {line} с дугой {arc} отметить {it}.",
+    condition=_cut_condition,
+    fails=("the arc does not reach the line", "дуга не достигает прямой"),
+    gaps=(
+        Gap(
+            _cut_gap,
+            "the opening of the arc {arc} is too short to reach {line}",
+            "раствор дуги {arc} короче расстояния до {line}",
+        ),
+    ),
+)
+def cut(line: Line, arc: Arc, side: Side) -> Point:
+    """Where the arc {arc} cuts {line}, mark {it}.
+
+    ``side``: +1 for the point that lies along the line from the foot of the arc's centre.
+    """
+    to_centre = arc.centre - line.at
+    height = np.abs(wedge(line.along, to_centre))
+    gap = arc.radius - height
+    half = root(gap * (arc.radius + height), gap, arc.radius + height)
+    return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
+
+
+def _outer_gap(first: Arc, second: Arc, side: Side) -> Reals:
+    return np.asarray(first.radius + second.radius - np.abs(second.centre - first.centre))
+
+
+def _inner_gap(first: Arc, second: Arc, side: Side) -> Reals:
+    return np.asarray(np.abs(second.centre - first.centre) - np.abs(first.radius - second.radius))
+
+
+def _cross_condition(first: Arc, second: Arc, side: Side) -> Reals:
+    base = second.centre - first.centre
+    at = wedge(base, cross.run(first, second, side) - first.centre)
+    return np.asarray(first.radius * second.radius / np.abs(at))
+
+
+@operation(
+    "На пересечении дуг {first} и {second} отметить {it}.",
+    condition=_cross_condition,
+    fails=("the arcs do not meet", "дуги не пересекаются"),
+    gaps=(
+        Gap(
+            _outer_gap,
+            "the openings of {first} and {second} together are too short",
+            "растворы {first} и {second} вместе слишком коротки",
+        ),
+        Gap(
+            _inner_gap,
+            "the openings of {first} and {second} differ too much",
+            "растворы {first} и {second} слишком различны",
+        ),
+    ),
+)
+def cross(first: Arc, second: Arc, side: Side) -> Point:
+    """Where the arcs {first} and {second} meet, mark {it}.
+
+    ``side``: +1 for the point to the left when one goes from the first centre to the second.
+    The height over the base is twice the triangle's area by its base, the area in Kahan's stable form.
+    """
+    base = second.centre - first.centre
+    d, r, s = np.abs(base), first.radius, second.radius
+    high, low = np.maximum(r, s), np.minimum(r, s)
+    c = np.minimum(low, d)
+    a = np.maximum(high, d)
+    b = np.maximum(low, np.minimum(high, d))
+    gap = c - (a - b)
+    area = root((a + (b + c)) * gap * (c + (a - b)) * (a + (b - c)), gap, a)
+    foot = 0.5 * d + 0.5 * (r - s) / d * (r + s)
+    return Point(first.centre + (foot + 1j * side * (0.5 * area / d)) * (base / d))
+
+
+def _tangent_gap(through: Point, centre: Point, radius: Length, side: Side) -> Reals:
+    return np.asarray(np.abs(through - centre) - np.abs(radius))
+
+
+def _tangent_condition(through: Point, centre: Point, radius: Length, side: Side) -> Reals:
+    d = np.abs(through - centre)
+    return np.asarray(d / np.sqrt(np.maximum((d - radius) * (d + radius), 0.0)))
+
+
+_TANGENT_GAP = Gap(
+    _tangent_gap,
+    "{through} comes nearer to {centre} than the distance {radius} of the guide",
+    "{through} подходит к {centre} ближе, чем направляющая ({radius})",
+)
+
+
+@operation(
+    "Из {through} провести касательную {it} к окружности радиуса {radius} с центром {centre}.",
+    condition=_tangent_condition,
+    fails=("the point lies inside the circle", "точка лежит внутри окружности"),
+    gaps=(_TANGENT_GAP,),
+)
+def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
+    """From {through} draw the tangent {it} to the circle of the radius {radius} about {centre}.
+
+    ``radius`` is signed: the point lies that far to the left of the parallel through the centre. ``side``:
+    +1 if the line's direction leads from the centre towards the point.
+    """
+    base = through - centre
+    d = np.abs(base)
+    gap = d - np.abs(radius)
+    half = root(gap * (d + np.abs(radius)), gap, d)
+    return Line(through, base / d * ((side * half - 1j * radius) / d))
+
+
+def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
+    return np.asarray(np.abs(start - arc.centre) - arc.radius)
+
+
+@operation(
+    "Из {start} провести касательную к дуге {arc}; отметить точку касания {it}.",
+    fails=("the point lies inside the circle", "точка лежит внутри окружности"),
+    gaps=(
+        Gap(
+            _touch_gap,
+            "{start} lies inside the circle {arc}",
+            "{start} лежит внутри окружности {arc}",
+        ),
+    ),
+)
+def touch(start: Point, arc: Arc, side: Side) -> Point:
+    """From {start} draw the tangent to the arc {arc}; mark the point of contact {it}.
+
+    ``side``: +1 for the contact to the left when one goes from ``start`` to the centre.
+    """
+    base = start - arc.centre
+    d = np.abs(base)
+    gap = d - arc.radius
+    half = root(gap * (d + arc.radius), gap, d)
+    return Point(arc.centre + arc.radius * ((arc.radius - 1j * side * half) / d) * (base / d))
+
+
+@operation("На {base_a}{base_b} построить фигуру, подобную {A}{B}{S}; отметить {it}.")
+def similar(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Point:
+    """On {base_a}{base_b} build the figure similar to {A}{B}{S}, lettered in the same sense; mark {it}."""
+    return Point(base_a + (base_b - base_a) * ((S - A) / (B - A)))
+
+
+@operation("От {start} построить отрезок, относящийся к {Q}{E} как {a}{b} к {A}{B}; отметить {it}.")
+def homologous(start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E: Point) -> Point:
+    """From {start} draw the segment that is to {Q}{E} as {a}{b} is to {A}{B}, turned alike; mark {it}."""
+    return Point(start + (b - a) * ((E - Q) / (B - A)))
+
+
+@operation("Измерить {start}{end}.", reads=True)
+def measure(start: Point, end: Point) -> Length:
+    """Measure {start}{end}."""
+    return Length(np.abs(end - start))
+
+
+@operation("Измерить {start}{end} вдоль {on} (со знаком).", reads=True)
+def measure_along(start: Point, end: Point, on: Line) -> Length:
+    """Measure {start}{end} along {on}, with its sign."""
+    return Length(along(end - start, on.along))
+
+
+@operation("Определить угол {start}{end} с осью x.")
+def bearing(start: Point, end: Point) -> Angle:
+    """Find the angle of {start}{end} from the x axis."""
+    return Angle(degrees(end - start))
+
+
+@operation("В крайнем положении взять {extreme}, в остальных {regular}; это {it}.")
+def stand(regular: Angle, extreme: Angle, at: Number) -> Angle:
+    """At the extreme position take {extreme}, at the others {regular}; this is {it}."""
+    return Angle(np.where(at > 0, extreme, regular))

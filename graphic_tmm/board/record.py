@@ -1,0 +1,157 @@
+"""The log: marks, steps, views; and the Board that writes it.
+
+A mark is written once. Kinds are checked when a step is recorded. Nothing here holds a number of the
+drawing: a `Construction` is the same for every μ, every position and every hand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.values import KINDS, Kind
+from graphic_tmm.errors import ConstructionError
+
+
+class Mark(NamedTuple):
+    """What a plan's author holds: the place in the log, the letter, the kind, the view, the unit of a number."""
+
+    index: int
+    letter: str
+    kind: Kind
+    view: str
+    unit: str = ""
+
+
+class Step(NamedTuple):
+    """One operation done: it leaves the mark ``it`` and uses earlier marks; ``note`` is said before it."""
+
+    op: Operation
+    it: Mark
+    uses: tuple[Mark, ...]
+    choice: Mapping[str, int]
+    note: str
+
+
+class View(NamedTuple):
+    """A plan's own corner of the board: its name, its pole (if it has one) and its scale factor."""
+
+    name: str
+    pole: Mark | None
+    scale: Mark | None
+
+
+class Figure(NamedTuple):
+    """Marks that belong together as a body on the plan: ``kind`` says what (link, slider, guide ...)."""
+
+    view: str
+    kind: str
+    name: str
+    marks: tuple[Mark, ...]
+
+
+class Construction(NamedTuple):
+    """The log: what was given, what was done, the views it was done in, the figures it shows."""
+
+    given: tuple[Mark, ...]
+    steps: tuple[Step, ...]
+    views: tuple[View, ...]
+    figures: tuple[Figure, ...]
+    size: int
+
+    def view(self, name: str) -> View | None:
+        """Return the view of that name, or None."""
+        return next((view for view in self.views if view.name == name), None)
+
+    def mark(self, view: str, letter: str) -> Mark | None:
+        """Return the mark with that letter in that view, or None."""
+        marks = (*self.given, *(step.it for step in self.steps))
+        return next((m for m in marks if m.view == view and m.letter == letter), None)
+
+    def step(self, mark: Mark) -> Step | None:
+        """Return the step that left ``mark``; None for a given one."""
+        return next((step for step in self.steps if step.it == mark), None)
+
+
+class Board:
+    """Writes the log: take what is given, open a view, draw, say what is about to be done."""
+
+    def __init__(self) -> None:
+        self._given: list[Mark] = []
+        self._steps: list[Step] = []
+        self._views: list[View] = []
+        self._figures: list[Figure] = []
+        self._letters: set[tuple[str, str]] = set()
+        self._count = 0
+        self._view = ""
+        self._note = ""
+
+    def open(self, view: str) -> None:
+        """Begin (or go on with) the view of that name; marks made from now on are in it."""
+        self._view = view
+
+    def lay_out(self, pole: Mark | None, scale: Mark | None) -> None:
+        """Tell the pole and the scale factor of the view that is open."""
+        self._views.append(View(self._view, pole, scale))
+
+    def take(self, kind: Kind, letter: str, unit: str = "") -> Mark:
+        """Return a mark given before work begins."""
+        mark = self._mark(letter, kind, unit)
+        self._given.append(mark)
+        return mark
+
+    def say(self, note: str) -> None:
+        """Write a remark (a vector equation, a heading) that stands before the next step."""
+        self._note = f"{self._note}\n{note}" if self._note else note
+
+    def draw(
+        self, op: Operation, letter: str, *uses: Mark, unit: str = "", **choice: int
+    ) -> Mark:
+        """Record one operation and return the mark it leaves.
+
+        Raises
+        ------
+        ConstructionError
+            If the kinds of the marks are not those the operation takes, a choice is not one of its
+            choices, or the letter stands in this view already.
+        """
+        kinds = tuple(mark.kind for mark in uses)
+        if kinds != op.takes:
+            names = [", ".join(KINDS[kind] for kind in row) for row in (op.takes, kinds)]
+            raise ConstructionError(
+                f"{self._place(op, letter)} takes ({names[0]}), was given ({names[1]})"
+            )
+        if unknown := set(choice) - set(op.choices):
+            raise ConstructionError(f"{self._place(op, letter)} has no choice {sorted(unknown)}")
+        mark = self._mark(letter, op.leaves, unit)
+        self._steps.append(Step(op, mark, uses, choice, self._note))
+        self._note = ""
+        return mark
+
+    def figure(self, kind: str, name: str, *marks: Mark) -> None:
+        """Tell that marks belong together as a body on the plan."""
+        self._figures.append(Figure(self._view, kind, name, marks))
+
+    def construction(self) -> Construction:
+        """Return the log as it stands."""
+        return Construction(
+            tuple(self._given),
+            tuple(self._steps),
+            tuple(self._views),
+            tuple(self._figures),
+            self._count,
+        )
+
+    def _place(self, op: Operation, letter: str) -> str:
+        return f"{self._view}, step {len(self._steps) + 1}: {op.name} '{letter}'"
+
+    def _mark(self, letter: str, kind: Kind, unit: str) -> Mark:
+        if (self._view, letter) in self._letters:
+            raise ConstructionError(
+                f"{self._view}, step {len(self._steps) + 1}: the letter '{letter}' stands in this plan already"
+            )
+        self._letters.add((self._view, letter))
+        mark = Mark(self._count, letter, kind, self._view, unit)
+        self._count += 1
+        return mark

@@ -1,0 +1,113 @@
+"""What is given: links, guides, sliding pairs, the drive. SI units, degrees for angles, frozen.
+
+A point of a link is a complex number x + iy in the link's own axes (metres). A letter that stands on
+several links is a turning pair there. The frame is a link too, its own axes are those of the sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Side:
+    """Which of two assemblies a dyad keeps: a sign held for the whole turn, or flipped at stated angles.
+
+    For a dyad of three turning pairs ``left_of = ("A", "C")`` and ``sign = +1`` mean that the inner pin
+    lies to the left when one goes from A to C (-1: to the right). For a sliding pair ``left_of`` is None
+    and ``sign`` is the sense along the guide.
+
+    ``flips_at``: crank angles in degrees at which the sign changes; None if the scene does not speak of it.
+    """
+
+    sign: int
+    left_of: tuple[str, str] | None = None
+    flips_at: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A straight guide on a link: a point of it (m, own axes), its direction (degrees, own axes)."""
+
+    name: str
+    through: complex
+    angle: float
+
+
+@dataclass(frozen=True)
+class Slide:
+    """A sliding pair: this link slides along a guide of link ``on``.
+
+    The slider's own x axis is parallel to the guide turned by ``angle`` (degrees) and lies ``offset``
+    metres to its left (its origin does); the slider's own points are laid off from there.
+    """
+
+    on: int
+    guide: Guide
+    offset: float = 0.0
+    angle: float = 0.0
+    side: Side | None = None
+
+
+@dataclass(frozen=True)
+class Link:
+    """One link: its number, its points in its own axes (m), its guides and sliding pairs, mass and J (SI)."""
+
+    number: int
+    points: Mapping[str, complex]
+    guides: tuple[Guide, ...] = ()
+    slides: tuple[Slide, ...] = ()
+    name: str = ""
+    mass: float | None = None
+    inertia: float | None = None
+    centre: str | None = None
+    side: Side | None = None
+
+
+@dataclass(frozen=True)
+class Drive:
+    """The driving link: angular velocity (rad/s, counter-clockwise positive) and acceleration (rad/s²)."""
+
+    link: int
+    speed: float
+    acceleration: float = 0.0
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """The frame, the moving links in the order of the scene, and the drive."""
+
+    frame: Link
+    links: tuple[Link, ...]
+    drive: Drive
+    by_number: Mapping[int, Link] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(
+            self, "by_number", {link.number: link for link in (self.frame, *self.links)}
+        )
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The position in which ``point`` is as far as it comes: at "left", "right", "top" or "bottom"."""
+
+    point: str
+    at: str
+
+
+@dataclass(frozen=True)
+class Row:
+    """The row of positions: ``count`` equal steps of the crank from the zero position, and extras.
+
+    ``zero`` is the crank's angle (degrees) or an extreme position of a point; the zero position bears the
+    number ``first``. ``extra`` holds crank angles in degrees, or the word "other extreme".
+    ``accelerations`` names the positions that get an acceleration plan ("2", "6*", ...).
+    """
+
+    count: int = 12
+    first: int = 0
+    zero: float | Extreme = 0.0
+    extra: tuple[float | str, ...] = ()
+    accelerations: tuple[str, ...] = ()

@@ -1,0 +1,1 @@
+"""Ink: from the log to true millimetres on a sheet."""

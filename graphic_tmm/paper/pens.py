@@ -1,0 +1,76 @@
+"""Pens as data: widths, dashes and colours of the lines of a sheet (ГОСТ 2.303).
+
+The main line is s = 0.8 mm on A1 and 0.6 mm on A4 (ГОСТ 2.303 allows 0.5 ... 1.4 mm); every thin line is
+s/3, the lines of vectors are s/2, never finer than 0.2 mm. A dash-dot line begins and ends with a stroke:
+`fitted` stretches its pattern a little for that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+from graphic_tmm.errors import SheetError
+
+MAIN_WIDTH: Mapping[str, float] = MappingProxyType({"A1": 0.8, "A4": 0.6})
+"""Width s of the main line in mm, by format."""
+
+DASHED = (5.0, 1.5)
+CENTRE = (12.0, 1.5, 1.0, 1.5)
+PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
+
+
+class Pen(NamedTuple):
+    """A pen: width in mm, dash pattern (stroke, gap, ... in mm), colour, and the colour it fills with.
+
+    ``fill`` is "none" for a line; a pen that hides what lies under its closed strokes fills with "white".
+    """
+
+    width: float
+    dashes: tuple[float, ...] = ()
+    colour: str = "black"
+    fill: str = "none"
+
+
+def pens(format: str) -> Mapping[str, Pen]:
+    """Return the pens for a sheet of ``format`` ("A1", "A4"), in the order in which they are laid on it.
+
+    "thin" (construction, dimension and hatching lines), "dashed", "centre" (dash-dot), "phantom" (dash and two
+    dots), "medium" (vectors of plans), "main", "thick" (open section line, 1.5 s), "paper" (hides what lies
+    under it, draws no line), "joint" (a main line round a white inside: pins and sliders, uppermost).
+    """
+    if format not in MAIN_WIDTH:
+        known = ", ".join(MAIN_WIDTH)
+        raise SheetError(f"no pens for the format {format!r}: choose one of {known}")
+    s = MAIN_WIDTH[format]
+    thin = max(0.2, round(s / 3, 2))
+    return MappingProxyType(
+        {
+            "thin": Pen(thin),
+            "dashed": Pen(thin, DASHED),
+            "centre": Pen(thin, CENTRE),
+            "phantom": Pen(thin, PHANTOM),
+            "medium": Pen(round(s / 2, 2)),
+            "main": Pen(s),
+            "thick": Pen(round(1.5 * s, 2)),
+            "paper": Pen(0.0, (), "none", "white"),
+            "joint": Pen(s, (), "black", "white"),
+        }
+    )
+
+
+def fitted(dashes: tuple[float, ...], length: float, *, closed: bool = False) -> tuple[float, ...]:
+    """Return the pattern stretched so that a line of ``length`` mm begins and ends with a whole stroke.
+
+    A closed line gets a whole number of periods. A line too short for two strokes is drawn solid: ().
+    """
+    if not dashes:
+        return ()
+    period, first = sum(dashes), dashes[0]
+    tail = 0.0 if closed else first
+    count = round((length - tail) / period)
+    if count < 1:
+        return ()
+    stretch = length / (count * period + tail)
+    return tuple(stretch * dash for dash in dashes)

@@ -1,0 +1,1 @@
+"""The textbook: each file talks to a Board only."""

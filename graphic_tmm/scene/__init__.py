@@ -1,0 +1,1 @@
+"""scene.toml -> Scene: quantities with units, all faults at once with key path and line."""

@@ -1,0 +1,60 @@
+"""What a scene asks for, after reading: frozen records in SI, nothing of pydantic or TOML left."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from graphic_tmm.mechanism.records import Mechanism, Row
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What the scene fixes of its scale factors; None is left to the choice of a standard μ.
+
+    ``mu_l`` in m/mm, ``mu_v`` in (m/s)/mm, ``mu_a`` in (m/s²)/mm; ``mu_v_is_mu_l_omega`` asks for
+    μ_v = μ_l·ω1 (so that pa = OA). ``OA``, ``pa``, ``pi_a`` fix the drawn length in mm of the crank, of its
+    pin's velocity and of its pin's acceleration instead. At most one of each family is set.
+    """
+
+    mu_l: float | None = None
+    mu_v: float | None = None
+    mu_a: float | None = None
+    mu_v_is_mu_l_omega: bool = False
+    OA: float | None = None
+    pa: float | None = None
+    pi_a: float | None = None
+
+
+@dataclass(frozen=True)
+class SheetOrder:
+    """One sheet: its format ("A1", "A4"), and the plans placed on it, in order."""
+
+    format: str = "A1"
+    place: tuple[str, ...] = ("positions", "velocities", "accelerations")
+
+
+@dataclass(frozen=True)
+class Task:
+    """A mechanism found from a task: its kind ("rocker"), and what was given (SI)."""
+
+    kind: str
+    given: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on."""
+
+    source: str
+    title: str
+    language: str
+    mechanism: Mechanism
+    row: Row
+    turned: bool = False
+    trajectories: tuple[str, ...] = ()
+    scales: Scales = field(default_factory=Scales)
+    ruler: float | None = 0.1
+    sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
+    title_block: Mapping[str, str] = field(default_factory=dict)
+    task: Task | None = None
