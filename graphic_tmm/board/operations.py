@@ -206,6 +206,29 @@ def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
     return Line(through, base / d * ((side * half - 1j * radius) / d))
 
 
+def _rocker_gap(stone: Point, pivot: Point, side: Side) -> Reals:
+    return np.asarray(np.abs(stone - pivot))
+
+
+@operation(
+    "Через {pivot} и {stone} провести линию кулисы {it}.",
+    fails=("the stone stands on the rocker's pivot", "камень стоит на оси кулисы"),
+    gaps=(
+        Gap(
+            _rocker_gap,
+            "{stone} passes over {pivot}",
+            "{stone} проходит через {pivot}",
+        ),
+    ),
+)
+def rocker_line(stone: Point, pivot: Point, side: Side) -> Line:
+    """Through {pivot} and {stone} draw the line of the rocker {it}.
+
+    ``side``: +1 if the line's direction leads from the pivot towards the stone. It starts at the stone.
+    """
+    return Line(stone, side * unit(stone - pivot))
+
+
 def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
     return np.asarray(np.abs(start - arc.centre) - arc.radius)
 

@@ -129,6 +129,16 @@ class Board:
         self._note = ""
         return mark
 
+    def uses(self, mark: Mark) -> tuple[Mark, ...]:
+        """Return the marks that the step which left ``mark`` used."""
+        return next(step.uses for step in self._steps if step.it == mark)
+
+    def free(self, letter: str) -> str:
+        """Return the letter, primed as often as it takes to be new in the view that is open."""
+        while (self._view, letter) in self._letters:
+            letter += "′"
+        return letter
+
     def figure(self, kind: str, name: str, *marks: Mark) -> None:
         """Tell that marks belong together as a body on the plan."""
         self._figures.append(Figure(self._view, kind, name, marks))

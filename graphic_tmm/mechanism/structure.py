@@ -183,7 +183,10 @@ def _in_order(
         first, *rest = sorted(on, key=order.__getitem__)
         made += [Pair("R", letter, (min(first, k), max(first, k))) for k in rest]
     made += [pair for pair in pairs if pair.kind == "P"]
-    return tuple(sorted(made, key=lambda pair: (sorted(map(order.__getitem__, pair.links))[::-1], pair.kind == "P")))
+    def attached(pair: Pair) -> tuple[bool, list[int]]:
+        return pair.kind == "P", sorted(map(order.__getitem__, pair.links), reverse=True)
+
+    return tuple(sorted(made, key=attached))
 
 
 def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> None:

@@ -1,8 +1,8 @@
 """Pens as data: widths, dashes and colours of the lines of a sheet (ГОСТ 2.303).
 
-The main line is s = 0.8 mm on A1 and 0.6 mm on A4 (ГОСТ 2.303 allows 0.5 ... 1.4 mm); every thin line is
-s/3, the lines of vectors are s/2, never finer than 0.2 mm. A dash-dot line begins and ends with a stroke:
-`fitted` stretches its pattern a little for that.
+The main line is s = 0.8 mm on A1 and 0.6 mm on A4 (ГОСТ 2.303 allows 0.5 ... 1.4 mm); every thin
+line is s/3, the lines of vectors are s/2, never finer than 0.2 mm. A dash-dot line begins and ends
+with a stroke: `fitted` stretches its pattern a little for that.
 """
 
 from __future__ import annotations
@@ -22,9 +22,10 @@ PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
 
 
 class Pen(NamedTuple):
-    """A pen: width in mm, dash pattern (stroke, gap, ... in mm), colour, and the colour it fills with.
+    """A pen: width in mm, dash pattern (stroke, gap, ... in mm), colour, colour of its filling.
 
-    ``fill`` is "none" for a line; a pen that hides what lies under its closed strokes fills with "white".
+    ``fill`` is "none" for a line; a pen that hides what lies under its closed strokes fills with
+    "white".
     """
 
     width: float
@@ -34,11 +35,12 @@ class Pen(NamedTuple):
 
 
 def pens(format: str) -> Mapping[str, Pen]:
-    """Return the pens for a sheet of ``format`` ("A1", "A4"), in the order in which they are laid on it.
+    """Return the pens for a ``format`` ("A1", "A4"), in the order in which they are laid on it.
 
-    "thin" (construction, dimension and hatching lines), "dashed", "centre" (dash-dot), "phantom" (dash and two
-    dots), "medium" (vectors of plans), "main", "thick" (open section line, 1.5 s), "paper" (hides what lies
-    under it, draws no line), "joint" (a main line round a white inside: pins and sliders, uppermost).
+    "thin" (construction, dimension and hatching lines), "dashed", "centre" (dash-dot), "phantom"
+    (dash and two dots), "medium" (vectors of plans), "main", "thick" (open section line, 1.5 s),
+    "paper" (hides what lies under it, draws no line), "joint" (a main line round a white inside:
+    pins and sliders, uppermost).
     """
     if format not in MAIN_WIDTH:
         known = ", ".join(MAIN_WIDTH)
@@ -61,9 +63,10 @@ def pens(format: str) -> Mapping[str, Pen]:
 
 
 def fitted(dashes: tuple[float, ...], length: float, *, closed: bool = False) -> tuple[float, ...]:
-    """Return the pattern stretched so that a line of ``length`` mm begins and ends with a whole stroke.
+    """Return the pattern stretched so that a line of ``length`` mm begins and ends with a stroke.
 
-    A closed line gets a whole number of periods. A line too short for two strokes is drawn solid: ().
+    A closed line gets a whole number of periods. A line too short for two strokes is drawn solid:
+    ().
     """
     if not dashes:
         return ()

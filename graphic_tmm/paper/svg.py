@@ -1,8 +1,9 @@
-"""A sheet as SVG in true millimetres: the only place where y is turned over, and where svgwrite is used.
+"""A sheet as SVG in true millimetres: only here is y turned over, only here is svgwrite used.
 
-A drawing becomes a group with its title; in it every pen has a group that carries the style, and the strokes
-of one pen are one path, except those that a page must find (a title, data). Lettering is drawn as strokes; the
-words themselves lie as white text under everything, where a search finds them.
+A drawing becomes a group with its title; in it every pen has a group that carries the style, and
+the strokes of one pen are one path, except those that a page must find (a title, data). Lettering
+is drawn as strokes; the words themselves lie as white text under everything, where a search finds
+them.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import cmath
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
@@ -50,7 +52,7 @@ def clean(text: str) -> str:
 
 
 def svg(sheet: Sheet) -> str:
-    """Return the sheet as SVG text: millimetres, one element a line, nothing outside it referred to.
+    """Return the sheet as SVG text: millimetres, one element a line, no outside references.
 
     Raises SheetError for a coordinate that is not finite, an unknown pen, or an unfit data name.
     """
@@ -100,7 +102,7 @@ class _Writer:
         return group
 
     def pen(self, key: str, pen: Pen, strokes: Sequence[Ink]) -> Any:
-        """Return the group of one pen: the merged paths first drawn, the strokes with data one by one."""
+        """Return the group of one pen: merged paths, and the strokes with data one by one."""
         group = self.page.g(
             class_=f"pen {key}",
             fill=pen.fill,
@@ -109,7 +111,7 @@ class _Writer:
             stroke_linecap="butt" if pen.dashes else "round",
             stroke_linejoin="round",
         )
-        merged: dict[tuple[str | bool, ...], Any] = {}
+        merged: dict[tuple[object, ...], Any] = {}
         for stroke in strokes:
             style = _style(pen, stroke)
             shape = (*style.values(), _turn(stroke))
@@ -168,8 +170,12 @@ class _Writer:
 def path_data(stroke: Ink, height: float) -> str:
     """Return the path data of a stroke on a page ``height`` mm high, y downward."""
     if isinstance(stroke, Bezier):
+        if len(stroke.controls) % 3 != 1:
+            raise SheetError(f"a curve of cubic arcs has 3n + 1 points, not {len(stroke.controls)}")
         first, *rest = (f"{number(z.real)} {number(height - z.imag)}" for z in stroke.controls)
         return f"M{first}C{' '.join(rest)}"
+    if not stroke.path:
+        raise SheetError(f"a stroke of the pen {stroke.pen!r} has no points")
     x, y, _ = stroke.path[0]
     parts = [f"M{number(x)} {number(height - y)}"]
     parts += [_segment(a, b, height) for a, b in _segments(stroke)]
@@ -177,10 +183,10 @@ def path_data(stroke: Ink, height: float) -> str:
 
 
 def _segment(a: Vertex, b: Vertex, height: float) -> str:
-    """Return a line or an arc; an arc goes in pieces of 90° at most, so that rounding keeps its centre."""
+    """Return a line or an arc, in pieces of 90° at most so that rounding keeps its centre."""
     start, end, bulge = complex(*a[:2]), complex(*b[:2]), a[2]
     chord = end - start
-    if abs(bulge * chord) / 2 < FLAT:
+    if bulge == 0 or abs(bulge * chord) / 2 < FLAT:
         return f"L{number(end.real)} {number(height - end.imag)}"
     centre = (start + end) / 2 + 1j * chord * (1 - bulge * bulge) / (4 * bulge)
     angle = 4 * math.atan(bulge)
@@ -194,9 +200,9 @@ def _segment(a: Vertex, b: Vertex, height: float) -> str:
 
 
 def _segments(stroke: Stroke) -> list[tuple[Vertex, Vertex]]:
-    """Return the pairs of vertices that a stroke joins; the last segment of a closed one if it is an arc or not."""
+    """Return the pairs of vertices that a stroke joins, for a closed one back to its start."""
     path = stroke.path
-    pairs = list(zip(path, path[1:], strict=False))
+    pairs = list(pairwise(path))
     return [*pairs, (path[-1], path[0])] if stroke.closed else pairs
 
 
@@ -204,7 +210,7 @@ def _length(stroke: Ink) -> float:
     """Return the length of a stroke in mm; of a curve by its chords."""
     if isinstance(stroke, Bezier):
         points = _samples(stroke.controls)
-        return sum(abs(b - a) for a, b in zip(points, points[1:], strict=False))
+        return sum(abs(b - a) for a, b in pairwise(points))
     total = 0.0
     for (x, y, bulge), (u, v, _) in _segments(stroke):
         chord, angle = math.hypot(u - x, v - y), 4 * math.atan(abs(bulge))
@@ -233,7 +239,7 @@ def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
 
 
 def _turn(stroke: Ink) -> bool:
-    """Tell whether a filled shape runs clockwise: overlapping shapes of both turns in one path leave a hole."""
+    """Tell whether a filled shape runs clockwise: both turns in one path would leave holes."""
     if isinstance(stroke, Bezier) or not stroke.filled:
         return False
     area = sum(a[0] * b[1] - b[0] * a[1] + _bow(a, b) for a, b in _segments(stroke))
@@ -241,12 +247,12 @@ def _turn(stroke: Ink) -> bool:
 
 
 def _bow(a: Vertex, b: Vertex) -> float:
-    """Return the sign and size (twice, roughly: 4/3 of the triangle) of the area between an arc and its chord."""
+    """Return twice the area between an arc and its chord, taken as a parabola."""
     return (4 / 3) * a[2] * ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) / 2
 
 
 def _by_width(labels: Iterable[Label]) -> dict[float, list[Label]]:
-    """Return the labels that have something to write, grouped by the width of their pen, as first met."""
+    """Return the labels grouped by the width of their pen, in the order first met."""
     groups: dict[float, list[Label]] = {}
     for label in labels:
         groups.setdefault(letters.letter(label.text, size=label.size).pen, []).append(label)
@@ -270,7 +276,7 @@ def _attribute(name: str) -> str:
 
 
 def _slug(text: str) -> str:
-    """Return text as a word fit for an id or a class: letters and digits, everything else as one '-'."""
+    """Return text as a word fit for an id: Latin letters and digits, everything else as one '-'."""
     return re.sub("[^0-9a-z]+", "-", text.lower()).strip("-") or "x"
 
 

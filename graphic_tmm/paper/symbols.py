@@ -1,8 +1,9 @@
 """Symbols of kinematic diagrams (ГОСТ 2.770), in millimetres on the paper, y upward.
 
-The standard shows the shapes; its sizes are left to the draughtsman and stand here as constants. Every
-function returns a tuple of strokes in sheet coordinates. Points and directions are complex, angles are in
-degrees, counter-clockwise. Pins and sliders are drawn with the pen "joint", which hides the lines under it.
+The standard shows the shapes; its sizes are left to the draughtsman and stand here as constants.
+Every function returns a tuple of strokes in sheet coordinates. Points and directions are complex,
+angles are in degrees, counter-clockwise. Pins and sliders are drawn with the pen "joint", which
+hides the lines under it.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ def turning_pair(at: complex) -> Strokes:
 
 
 def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
-    """Return a pivot on the frame: pin, two legs, base line, hatching; ``angle`` turns the foot about the pin."""
+    """Return a pivot on the frame: pin, legs, base line, hatching; ``angle`` turns its foot."""
     turn = cmath.rect(1.0, math.radians(angle))
     feet = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-FOOT_WIDTH / 2, FOOT_WIDTH / 2)]
     ends = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-GROUND_LENGTH / 2, GROUND_LENGTH / 2)]
@@ -41,7 +42,7 @@ def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
 
 
 def hatching(start: complex, end: complex, side: int) -> Strokes:
-    """Return short strokes at 45° along a line: ``side`` +1 to the left of start -> end, -1 to the right.
+    """Return strokes at 45° along a line: ``side`` +1 to the left of start -> end, -1 right.
 
     The strokes stay between the ends; they are 1.5 mm apart along the line.
     """
@@ -57,13 +58,13 @@ def hatching(start: complex, end: complex, side: int) -> Strokes:
 
 
 def guide(start: complex, end: complex, *, sides: Sequence[int] = (-1,)) -> Strokes:
-    """Return a fixed guide: a main line hatched on ``sides`` (+1 left of start -> end, -1 right)."""
+    """Return a fixed guide: a main line hatched on ``sides`` (+1 left of it, -1 right)."""
     hatched = (stroke for side in sides for stroke in hatching(start, end, side))
     return (line("main", start, end), *hatched)
 
 
 def channel(at: complex, angle: float, length: float, *, width: float = SLIDER_WIDTH) -> Strokes:
-    """Return two guides ``width`` mm apart, hatched outside, centred at a point: a slider runs between them."""
+    """Return two guides ``width`` mm apart, hatched outside: a slider runs between them."""
     turn = cmath.rect(1.0, math.radians(angle))
     half, gap = turn * length / 2, 1j * turn * width / 2
     upper = guide(at - half + gap, at + half + gap, sides=(1,))
@@ -78,7 +79,7 @@ def slider(
     width: float = SLIDER_WIDTH,
     pin: bool = True,
 ) -> Strokes:
-    """Return a slider: a rectangle about ``at``, its long side at ``angle``; ``pin`` adds its turning pair."""
+    """Return a slider: a rectangle turned by ``angle``; ``pin`` adds a turning pair."""
     turn = cmath.rect(0.5, math.radians(angle))
     corners = ((-length, -width), (length, -width), (length, width), (-length, width))
     box = line("joint", *(at + turn * complex(x, y) for x, y in corners), closed=True)
@@ -91,9 +92,10 @@ def stone(at: complex, angle: float = 0.0, *, pin: bool = True) -> Strokes:
 
 
 def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:
-    """Return the filled corner that joins two rods rigidly; ``first``, ``second``: their directions from ``at``.
+    """Return the filled corner that joins two rods rigidly, given their directions from ``at``.
 
-    Where the rods are in one line (a pin in the middle of a rod) the corner lies on the left of ``first``.
+    Where the rods are in one line (a pin in the middle of a rod) the corner lies on the left of
+    ``first``.
     """
     u, v = first / abs(first), second / abs(second)
     sine = (u.conjugate() * v).imag
@@ -107,7 +109,7 @@ def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:
 
 
 def plate(*corners: complex) -> Strokes:
-    """Return a link of three pairs or more: a main outline and thin hatching at 45° inside (convex or not)."""
+    """Return a link of three pairs or more: a main outline, thin hatching at 45° inside."""
     turned = [z * cmath.rect(1.0, -math.pi / 4) for z in corners]
     low, high = min(z.imag for z in turned), max(z.imag for z in turned)
     back = cmath.rect(1.0, math.pi / 4)
@@ -137,7 +139,7 @@ def arrowhead(
     length: float = ARROW_LENGTH,
     width: float = ARROW_WIDTH,
 ) -> Strokes:
-    """Return a filled arrowhead with its point at ``tip``, pointing along ``direction`` (any length but 0)."""
+    """Return a filled arrowhead with its point at ``tip``, pointing along ``direction`` (not 0)."""
     u = direction / abs(direction)
     base = tip - length * u
     wing = 1j * u * width / 2
@@ -147,9 +149,10 @@ def arrowhead(
 def round_arrow(
     centre: complex, radius: float, start: float, sweep: float, *, pen: str = "thin"
 ) -> Strokes:
-    """Return the arrow of an angular velocity: an arc from ``start`` over ``sweep`` (degrees), headed at its end.
+    """Return the arrow of an angular velocity: an arc over ``sweep`` degrees, headed at its end.
 
-    The head is a chord of the arc, so that it follows the turn; it is shortened to half of a short arc.
+    The head is a chord of the arc, so that it follows the turn; it is shortened to half of a short
+    arc.
     """
     sense = math.copysign(1.0, sweep)
     head = min(2 * math.asin(min(1.0, ARROW_LENGTH / (2 * radius))), math.radians(abs(sweep)) / 2)

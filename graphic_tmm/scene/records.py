@@ -13,8 +13,8 @@ class Scales:
     """What the scene fixes of its scale factors; None is left to the choice of a standard μ.
 
     ``mu_l`` in m/mm, ``mu_v`` in (m/s)/mm, ``mu_a`` in (m/s²)/mm; ``mu_v_is_mu_l_omega`` asks for
-    μ_v = μ_l·ω1 (so that pa = OA). ``OA``, ``pa``, ``pi_a`` fix the drawn length in mm of the crank, of its
-    pin's velocity and of its pin's acceleration instead. At most one of each family is set.
+    μ_v = μ_l·ω1 (so that pa = OA). ``OA``, ``pa``, ``pi_a`` fix the drawn length in mm of the
+    crank, of its pin's velocity and its acceleration instead. At most one of each family is set.
     """
 
     mu_l: float | None = None

@@ -1,0 +1,61 @@
+"""A step that owns a smaller construction, run a fixed number of times: refinement on the board.
+
+The draughtsman tries a row of positions, sees between which two the sign changes, and tries again between
+them. Sixteen parts a pass and fourteen passes leave less than the last bit of an angle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.values import Angle, Reals
+
+PARTS = 16
+PASSES = 14
+
+
+def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
+    """Return where ``tried`` changes its sign between ``low`` and ``high``, both (trial, 1).
+
+    ``tried`` takes and returns arrays (trial, position). NaN where the signs at both ends agree.
+    """
+    share = np.linspace(0.0, 1.0, PARTS + 1)[None, :]
+    for _ in range(PASSES):
+        row = low + (high - low) * share
+        value = tried(row)
+        positive = np.broadcast_to(value, row.shape) > 0
+        changes = positive[:, 1:] != positive[:, :-1]
+        at = np.argmax(changes, axis=1)[:, None]
+        found = np.take_along_axis(changes, at, axis=1)
+        low = np.where(found, np.take_along_axis(row, at, axis=1), np.nan)
+        high = np.where(found, np.take_along_axis(row, at + 1, axis=1), np.nan)
+        exact = np.abs(value) == 0.0
+        if exact.any(axis=1).all():
+            return np.take_along_axis(row, np.argmax(exact, axis=1)[:, None], axis=1)
+    return np.asarray((low + high) / 2.0)
+
+
+def refinement(tried: Callable[[Reals], Reals], en: str, ru: str) -> Operation:
+    """Return the operation that finds, between two angles, where a smaller construction changes its sign.
+
+    ``tried`` runs the smaller construction at a row of angles (degrees) and returns its last reading.
+    """
+
+    def refine(low: Angle, high: Angle) -> Angle:
+        return Angle(narrow(tried, low, high))
+
+    return Operation(
+        "refine",
+        refine,
+        (Angle, Angle),
+        ("low", "high"),
+        Angle,
+        (),
+        en,
+        ru,
+        fails_en="no change of sign between the two angles",
+        fails_ru="знак между двумя углами не меняется",
+    )

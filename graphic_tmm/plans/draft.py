@@ -1,0 +1,41 @@
+"""A board together with the values of what was given on it, in SI: what every plan is drawn on.
+
+The values never touch the log; they are kept here because a plan knows what it asks for.
+"""
+
+from __future__ import annotations
+
+from graphic_tmm.board.calculations import to_board
+from graphic_tmm.board.record import Board, Mark
+from graphic_tmm.board.values import Angle, Kind, Length, Number
+
+ROUNDING = 1e-12
+"""A coordinate below this share of its link counts as zero: a step for it would draw nothing."""
+
+
+class Draft:
+    """The board, the given values so far, and the scale factor of lengths once it is taken."""
+
+    def __init__(self) -> None:
+        self.board = Board()
+        self.given: dict[Mark, object] = {}
+        self.mu_l: Mark | None = None
+
+    def take(self, kind: Kind, letter: str, value: object, unit: str = "") -> Mark:
+        """Take a given mark and keep its value."""
+        mark = self.board.take(kind, letter, unit)
+        self.given[mark] = value
+        return mark
+
+    def angle(self, letter: str, degrees: float) -> Mark:
+        """Take a given angle, degrees."""
+        return self.take(Angle, self.board.free(letter), degrees, "°")
+
+    def length(self, letter: str, metres: float) -> Mark:
+        """Take a real length l (m) and calculate the length on the board: AB = l_AB/μ_l."""
+        assert self.mu_l is not None, "the scale factor of lengths is taken first"
+        letter = self.board.free(letter)
+        real = self.take(Number, f"l_{{{letter}}}", metres, "m")
+        mark = self.board.draw(to_board, letter, real, self.mu_l)
+        assert mark.kind is Length
+        return mark

@@ -1,0 +1,132 @@
+"""A whole project on one board: where the crank stands, then the plans that the scene asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board.curve import french_curve
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Mechanism, Row
+from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.plans.accelerations import draw_accelerations
+from graphic_tmm.plans.assembly import Assembly, check_assembly
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.motion import Motion
+from graphic_tmm.plans.positions import Positions, draw_frame, draw_positions, side_record, side_values
+from graphic_tmm.plans.row import draw_row
+from graphic_tmm.plans.survey import survey
+from graphic_tmm.plans.velocities import draw_velocities
+
+
+@dataclass(frozen=True)
+class Project:
+    """The log of a project and what is given on it but for the scale factors.
+
+    ``names`` and ``angles`` (degrees) run along the position axis; ``accelerated`` holds the indices of the
+    positions that get an acceleration plan.
+    """
+
+    mechanism: Mechanism
+    structure: Structure
+    assembly: Assembly
+    construction: Construction
+    given: dict[Mark, object]
+    mu_l: Mark
+    names: tuple[str, ...]
+    angles: tuple[float, ...]
+    accelerated: tuple[int, ...]
+    positions: Positions
+    velocities: Motion
+    accelerations: Motion | None
+
+    def scale(self, plan: str) -> Mark:
+        """Return the mark of a plan's μ."""
+        view = self.construction.view(plan)
+        assert view is not None
+        assert view.scale is not None
+        return view.scale
+
+    def marks(self, plan: str) -> list[Mark]:
+        """Return the marks of the steps drawn in a view, in order."""
+        return [step.it for step in self.construction.steps if step.it.view == plan]
+
+
+def draw_project(
+    mechanism: Mechanism,
+    row: Row,
+    *,
+    turned: bool = False,
+    trajectories: Sequence[str] = (),
+    plans: Sequence[str] = ("positions", "velocities", "accelerations"),
+) -> Project:
+    """Record the plans of a mechanism; a plan that is not asked for records no step.
+
+    Raises
+    ------
+    StructureError
+        If the mechanism cannot be drawn, or a position or point is named that does not exist.
+    """
+    structure = dissect(mechanism)
+    tried = survey(mechanism, structure)
+    assembly = check_assembly(tried)
+    draft = Draft()
+    frame = draw_frame(draft, mechanism, structure)
+    numbered = draw_row(draft, tried, frame, row)
+    positions = draw_positions(draft, mechanism, structure, frame, numbered.phi)
+    _draw_trajectories(draft, positions, trajectories, row.count)
+    velocities = accelerations = None
+    if "velocities" in plans or "accelerations" in plans:
+        velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
+    accelerated = _places(row, numbered.names) if "accelerations" in plans else ()
+    if accelerated and velocities is not None:
+        accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
+    given = dict(draft.given)
+    for group in structure.groups:
+        side = side_record(mechanism, group)
+        if group.name in positions.sides and side is not None:
+            given[positions.sides[group.name]] = side_values(side, numbered.angles)
+    assert draft.mu_l is not None
+    return Project(
+        mechanism,
+        structure,
+        assembly,
+        draft.board.construction(),
+        given,
+        draft.mu_l,
+        numbered.names,
+        tuple(_angle(a) for a in np.ravel(numbered.angles)),
+        accelerated,
+        positions,
+        velocities,
+        accelerations,
+    )
+
+
+def _angle(degrees: float) -> float:
+    """Return an angle in [0, 360), free of the last bits."""
+    return round(float(degrees), 9) % 360.0 + 0.0
+
+
+def _places(row: Row, names: tuple[str, ...]) -> tuple[int, ...]:
+    if row.accelerations == ("all",):
+        return tuple(range(len(names)))
+    missing = [name for name in row.accelerations if name not in names]
+    if missing:
+        raise StructureError(
+            f"accelerations: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+        )
+    return tuple(sorted(names.index(name) for name in set(row.accelerations)))
+
+
+def _draw_trajectories(
+    draft: Draft, positions: Positions, letters: Sequence[str], count: int
+) -> None:
+    for letter in letters:
+        if not any(letter in body.marks for body in positions.bodies.values()):
+            raise StructureError(f"trajectories: there is no point {letter} on the plan")
+        name = draft.board.free(f"({letter}–{letter})")
+        draft.board.draw(french_curve, name, positions.point(letter), row=count)

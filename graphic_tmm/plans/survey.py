@@ -1,0 +1,84 @@
+"""The mechanism tried at any crank angles before the sheet is begun: an own small board, exact hand.
+
+Extreme positions, the range of the crank that assembles, and the choice of μ are all found from here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.operations import measure_along, ray
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Angle, Reals
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.motion import Motion
+from graphic_tmm.plans.positions import (
+    Positions,
+    draw_frame,
+    draw_positions,
+    side_record,
+    side_values,
+)
+from graphic_tmm.plans.velocities import draw_velocities
+
+STEPS = 1440
+"""Crank angles tried over a turn: every quarter of a degree."""
+
+
+@dataclass(frozen=True)
+class Survey:
+    """The plan of positions and velocities over a crank angle that is given freely, drawn at 1 m to 1 mm."""
+
+    mechanism: Mechanism
+    structure: Structure
+    construction: Construction
+    given: dict[Mark, object]
+    positions: Positions
+    velocities: Motion
+    axes: dict[tuple[str, str], Mark]
+
+    def at(self, angles: Reals, wanted: Iterable[Mark]) -> Reading:
+        """Run at crank angles, degrees (trial, position)."""
+        given = self.given | {self.positions.phi: angles}
+        for group in self.structure.groups:
+            side = side_record(self.mechanism, group)
+            if group.name in self.positions.sides and side is not None:
+                given[self.positions.sides[group.name]] = side_values(side, angles)
+        return execute(self.construction, given, wanted)
+
+    def turn(self, wanted: Iterable[Mark]) -> tuple[Reals, Reading]:
+        """Run over a whole turn; return the angles (1, n) and the reading."""
+        angles = np.arange(STEPS, dtype=np.float64)[None, :] * (360.0 / STEPS)
+        return angles, self.at(angles, wanted)
+
+
+def survey(mechanism: Mechanism, structure: Structure) -> Survey:
+    """Draw the mechanism on a small board of its own."""
+    draft = Draft()
+    frame = draw_frame(draft, mechanism, structure)
+    phi = draft.board.take(Angle, "φ", "°")
+    positions = draw_positions(draft, mechanism, structure, frame, phi)
+    velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
+    pole = velocities.images.pole
+    x = draft.board.draw(ray, "(px)", pole, draft.angle("0°", 0.0))
+    y = draft.board.draw(ray, "(py)", pole, draft.angle("90°", 90.0))
+    axes = {}
+    for number, body in positions.bodies.items():
+        for letter in body.link.points:
+            image = velocities.images.by_letter[number][letter]
+            if image == pole or (letter, "x") in axes:
+                continue
+            for name, axis in (("x", x), ("y", y)):
+                free = draft.board.free(f"{image.letter}{name}")
+                axes[letter, name] = draft.board.draw(measure_along, free, pole, image, axis)
+    assert draft.mu_l is not None
+    given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
+    return Survey(
+        mechanism, structure, draft.board.construction(), given, positions, velocities, axes
+    )

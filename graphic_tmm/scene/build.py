@@ -1,0 +1,128 @@
+"""From the checked sections of a file to the records of a scene."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
+from graphic_tmm.scene import geometry
+from graphic_tmm.scene import models as m
+from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
+from graphic_tmm.scene.sections import Parts
+from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
+
+
+def scene(parts: Parts, source: str) -> Scene:
+    """Return the scene of sections in which no fault was found.
+
+    Parameters
+    ----------
+    parts : Parts
+        All of them understood.
+    source : str
+        The file they come from.
+    """
+    head, frame, drive = parts.head, parts.frame, parts.drive
+    plans, scales, hand, block = parts.plans, parts.scales, parts.hand, parts.title_block
+    assert head is not None
+    assert frame is not None
+    assert drive is not None
+    assert plans is not None
+    assert scales is not None
+    assert hand is not None
+    assert block is not None
+    links = [link for link in parts.links if link is not None]
+    sheets = [sheet for sheet in parts.sheets if sheet is not None] or [m.SheetTable()]
+    return Scene(
+        source=source,
+        title=head.title,
+        language=head.language,
+        mechanism=_mechanism(frame, links, drive),
+        row=_row(drive),
+        turned=plans.velocities == "turned",
+        trajectories=plans.trajectories,
+        scales=_scales(scales),
+        ruler=hand.ruler,
+        sheets=tuple(SheetOrder(sheet.format, sheet.place) for sheet in sheets),
+        title_block=MappingProxyType({key: text for key, text in block if text}),
+        task=_task(parts.task) if parts.task else None,
+    )
+
+
+def _mechanism(frame: m.FrameTable, links: list[m.LinkTable], drive: m.DriveTable) -> Mechanism:
+    bodies: dict[int, m.FrameTable | m.LinkTable] = {link.number: link for link in links}
+    bodies[frame.number] = frame
+    fixed = Link(frame.number, MappingProxyType(frame.points), _guides(frame.guides))
+    sign = _sign(drive)
+    return Mechanism(
+        frame=fixed,
+        links=tuple(_link(link, bodies, frame.number) for link in links),
+        drive=Drive(drive.link, sign * drive.speed, sign * drive.acceleration),
+    )
+
+
+def _sign(drive: m.DriveTable) -> int:
+    return -1 if drive.turns == CLOCKWISE else 1
+
+
+def _guides(tables: dict[str, m.GuideTable]) -> tuple[Guide, ...]:
+    return tuple(Guide(name, table.through, table.angle) for name, table in tables.items())
+
+
+def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], frame: int) -> Link:
+    centres = [letter for letter in table.points if letter.startswith("S")]
+    side = Side(*table.side, flips_at=table.flips_at) if table.side else None
+    return Link(
+        number=table.number,
+        points=MappingProxyType(table.points),
+        guides=_guides(table.guides),
+        slides=tuple(_slide(slide, bodies, frame) for slide in table.pairs),
+        name=table.name,
+        mass=table.mass,
+        inertia=table.J,
+        centre=table.centre or (centres[0] if len(centres) == 1 else None),
+        side=side,
+    )
+
+
+def _slide(table: m.SlideTable, bodies: dict[int, m.FrameTable | m.LinkTable], frame: int) -> Slide:
+    on = frame if isinstance(table.on, str) else table.on
+    line = geometry.guide(table.along, bodies[on].points, bodies[on].guides)
+    side = None
+    if table.side is not None:
+        sign = geometry.sense(table.side, line, fixed=on == frame)
+        side = Side(sign, flips_at=table.flips_at)
+    return Slide(on, line, table.offset, table.angle, side)
+
+
+def _row(drive: m.DriveTable) -> Row:
+    zero = drive.zero
+    accelerations = drive.accelerations
+    if accelerations == ("all",):
+        numbers = range(drive.first, drive.first + drive.positions)
+        accelerations = tuple(str(number) for number in numbers)
+    return Row(
+        count=drive.positions,
+        first=drive.first,
+        zero=Extreme(zero.point, zero.at) if isinstance(zero, m.ExtremeTable) else zero,
+        extra=drive.extra,
+        accelerations=accelerations,
+    )
+
+
+def _scales(table: m.ScalesTable) -> Scales:
+    by_crank = table.mu_v == MU_L_OMEGA
+    return Scales(
+        mu_l=table.mu_l,
+        mu_v=table.mu_v if isinstance(table.mu_v, float) else None,
+        mu_a=table.mu_a,
+        mu_v_is_mu_l_omega=by_crank,
+        OA=table.OA,
+        pa=table.pa,
+        pi_a=table.pi_a,
+    )
+
+
+def _task(table: m.TaskTable) -> Task:
+    given = {"K_v": table.K_v, "stroke": table.stroke, "OB": table.OB}
+    return Task(table.kind, MappingProxyType(given))

@@ -1,0 +1,110 @@
+"""What a file says against itself: places, sides, positions and scales that cannot go together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+
+from graphic_tmm.scene import geometry
+from graphic_tmm.scene.faults import Found
+from graphic_tmm.scene.lines import Path
+from graphic_tmm.scene.models import DriveTable, ExtremeTable, LinkTable, ScalesTable, SlideTable
+from graphic_tmm.scene.sections import Parts, pairing
+from graphic_tmm.scene.values import OTHER_EXTREME
+
+
+def check(parts: Parts) -> Iterator[Found]:
+    """Every contradiction in the sections that could be understood."""
+    if parts.frame is not None:
+        yield from _places(("frame",), parts.frame.points)
+    for path, link in pairing(parts.links, "link"):
+        yield from _places((*path, "points"), link.points)
+        yield from _masses(path, link)
+        yield from _flips(path, link)
+        for at, slide in slides_of(path, link):
+            yield from _flips(at, slide)
+            yield from _sense(at, slide, parts)
+    if parts.drive is not None:
+        yield from _row(parts.drive)
+    if parts.scales is not None:
+        yield from _scales(parts.scales)
+
+
+def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
+    """Return the sliding pairs of a link, each with its path."""
+    if isinstance(link.slides, SlideTable):
+        return [((*path, "slides"), link.slides)]
+    return [((*path, "slides", i), slide) for i, slide in enumerate(link.slides)]
+
+
+def _places(path: Path, points: Mapping[str, complex]) -> Iterator[Found]:
+    """Two letters of one link at one place; a mass centre (S...) may lie on another letter."""
+    kept = [(letter, place) for letter, place in points.items() if not letter.startswith("S")]
+    for (first, place), (second, other) in combinations(kept, 2):
+        if abs(place - other) < geometry.SAME_PLACE:
+            says = (
+                f"{first} and {second} lie at the same place, so the length {first}{second} is zero"
+            )
+            yield Found((*path, second), f"{says}; move one, or use one letter for both")
+
+
+def _masses(path: Path, link: LinkTable) -> Iterator[Found]:
+    centres = [letter for letter in link.points if letter.startswith("S")]
+    if link.centre is None and len(centres) > 1 and (link.mass is not None or link.J is not None):
+        listed = " or ".join(f'"{letter}"' for letter in centres)
+        yield Found((*path, "centre"), f"it is missing; say which is the mass centre, {listed}")
+
+
+def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:
+    if owner.flips_at and owner.side is None:
+        yield Found((*path, "flips_at"), 'it needs a side to flip; write "side" as well')
+
+
+def _sense(path: Path, slide: SlideTable, parts: Parts) -> Iterator[Found]:
+    """Whether the word for the side tells the two senses of the guide apart."""
+    frame = parts.frame
+    if slide.side is None or frame is None:
+        return
+    fixed = slide.on in ("frame", frame.number)
+    owners = [link for link in parts.links if link is not None and link.number == slide.on]
+    owner = frame if fixed else owners[0] if owners else None
+    if owner is None:
+        return
+    try:
+        line = geometry.guide(slide.along, owner.points, owner.guides)
+    except (KeyError, ValueError):
+        return
+    try:
+        geometry.sense(slide.side, line, fixed=fixed)
+    except ValueError as error:
+        yield Found((*path, "side"), str(error))
+
+
+def _row(drive: DriveTable) -> Iterator[Found]:
+    """Positions named for acceleration plans, and extras, that the row does not have."""
+    last = drive.first + drive.positions - 1
+    extreme = isinstance(drive.zero, ExtremeTable)
+    if OTHER_EXTREME in drive.extra and not extreme:
+        says = 'the other extreme of what? write zero = { point = "D", at = "left" }'
+        yield Found(("drive", "extra"), says)
+    if drive.accelerations == ("all",):
+        return
+    for i, name in enumerate(drive.accelerations):
+        path: Path = ("drive", "accelerations", i)
+        if not drive.first <= int(name.rstrip("*")) <= last:
+            yield Found(
+                path, f"there is no position {name}; the row goes from {drive.first} to {last}"
+            )
+        elif name.endswith("*") and not drive.extra:
+            yield Found(
+                path, f'there is no position {name}; name it first, extra = ["{OTHER_EXTREME}"]'
+            )
+        elif name in drive.accelerations[:i]:
+            yield Found(path, f"position {name} is named twice; leave one out")
+
+
+def _scales(scales: ScalesTable) -> Iterator[Found]:
+    for factor, drawn in (("mu_l", "OA"), ("mu_v", "pa"), ("mu_a", "pi_a")):
+        if getattr(scales, factor) is not None and getattr(scales, drawn) is not None:
+            says = f"{drawn} and {factor} both fix the same scale; leave one of them out"
+            yield Found(("scales", drawn), says)

@@ -1,0 +1,88 @@
+"""Guides and sides of a scene: directions from letters, words for a sense turned into signs."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+
+from graphic_tmm.mechanism.records import Guide
+from graphic_tmm.scene import letters
+from graphic_tmm.scene.models import GuideTable
+
+SAME_PLACE = 1e-9
+_SQUARE = 1e-6
+_WORDS = {"right": (1, 0), "left": (-1, 0), "above": (0, 1), "below": (0, -1)}
+
+
+def direction(start: complex, end: complex) -> float:
+    """Return the angle of the way from ``start`` to ``end``, degrees in [0, 360)."""
+    way = end - start
+    if way.imag == 0 or way.real == 0:
+        quarter = (0 if way.real > 0 else 2) if way.imag == 0 else (1 if way.imag > 0 else 3)
+        return 90.0 * quarter
+    return math.degrees(cmath.phase(way)) % 360
+
+
+def guide(name: str, points: Mapping[str, complex], guides: Mapping[str, GuideTable]) -> Guide:
+    """Return the guide that ``along`` names on a link: one of its own, or the line of two letters.
+
+    Parameters
+    ----------
+    name : str
+        A guide's name, or two letters of the link, such as ``"BC"``.
+    points : mapping of str to complex
+        The link's points in its own axes, m.
+    guides : mapping of str to GuideTable
+        The link's guides.
+
+    Returns
+    -------
+    Guide
+        In the link's own axes, m and degrees.
+    """
+    if name in guides:
+        return Guide(name, guides[name].through, guides[name].angle)
+    pair = letters.split(name)
+    if pair is None:
+        raise ValueError(f'"{name}" is neither a guide nor two letters')
+    start, end = (points[letter] for letter in pair)
+    return Guide(name, start, direction(start, end))
+
+
+def sense(word: str, line: Guide, *, fixed: bool) -> int:
+    """Return the sign along a guide that a word for a side means.
+
+    Parameters
+    ----------
+    word : str
+        "+" or "-" along the guide; for a guide of the frame also "right", "left", "above", "below".
+    line : Guide
+        The guide, its angle in the axes of its link.
+    fixed : bool
+        Whether the guide belongs to the frame.
+
+    Returns
+    -------
+    int
+        +1 or -1.
+
+    Raises
+    ------
+    ValueError
+        If the word does not tell one sense of the guide from the other.
+    """
+    if word in ("+", "-"):
+        return 1 if word == "+" else -1
+    if not fixed:
+        raise ValueError(
+            f'"{word}" tells nothing on a guide that moves; '
+            f'write "+" or "-": along {line.name}, or against it'
+        )
+    along = cmath.rect(1, math.radians(line.angle))
+    x, y = _WORDS[word]
+    shared = along.real * x + along.imag * y
+    if abs(shared) < _SQUARE:
+        others = '"above" or "below"' if x else '"left" or "right"'
+        raise ValueError(f'the guide {line.name} lies square to "{word}"; write {others}')
+    return 1 if shared > 0 else -1

@@ -1,0 +1,106 @@
+"""The letters of points, and texts that are drawn: what may be written on a plan.
+
+A letter has one to four characters: a Latin, Russian or Greek letter, then digits or primes. Plans
+write the images of points with small letters and their poles as p and π, so capitals and small
+letters, and letters that look alike in two alphabets, may not stand side by side in one mechanism.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+
+from graphic_tmm.scene import quantities
+
+_LETTER = re.compile(r"[A-Za-zА-Яа-яЁёΑ-Ωα-ω][0-9′]{0,3}")
+_POLES = "PpΠπ"
+_ALIKE = str.maketrans(
+    "АВЕКМНОРСТУХаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧο",
+    "ABEKMHOPCTYXaeopcyxABEZHIKMNOPTYXo",
+)
+LONGEST_TEXT = 200
+
+
+def letter_fault(letter: str, *, pole: bool = True) -> str:
+    """Return what is wrong with a letter; empty if nothing.
+
+    Parameters
+    ----------
+    letter : str
+        As written in the scene.
+    pole : bool
+        Whether the letters of the poles are refused (they are for points, not for guides).
+    """
+    if not _LETTER.fullmatch(letter):
+        return (
+            f'"{letter[:20]}" is not a letter for a point or guide: one to four characters, '
+            "first a Latin, Russian or Greek letter, then digits or ′, such as A, S2 or C′"
+        )
+    if pole and letter in _POLES:
+        kind = "velocity" if letter in "Pp" else "acceleration"
+        return f'"{letter}" is kept for the pole of the {kind} plan; choose another letter'
+    return ""
+
+
+def folded(letter: str) -> str:
+    """Return what a letter looks like on a plan: small, one for look-alikes of two alphabets."""
+    return letter.translate(_ALIKE).casefold()
+
+
+def clash(first: str, second: str) -> str:
+    """Why two different letters may not stand in one mechanism; empty if they may."""
+    if first == second or folded(first) != folded(second):
+        return ""
+    if first.casefold() == second.casefold():
+        return (
+            f'"{second}" and "{first}" would both be "{second.casefold()}" on a plan, '
+            "which writes small letters; rename one of them"
+        )
+    return (
+        f'"{second}" ({alphabet(second)}) looks like "{first}" ({alphabet(first)}) and would be '
+        "taken for it on a plan; write both with one keyboard, or rename one of them"
+    )
+
+
+def alphabet(letter: str) -> str:
+    """Latin, Russian or Greek, by the first character."""
+    name = unicodedata.name(letter[0], "")
+    return "Russian" if name.startswith("CYRILLIC") else name.split(" ")[0].capitalize()
+
+
+def split(pair: str) -> tuple[str, str] | None:
+    """Two letters written together, ``"BC"`` or ``"S3C"``, apart; None if they are not two."""
+    found = _LETTER.findall(pair)
+    return (found[0], found[1]) if len(found) == 2 and "".join(found) == pair else None
+
+
+def unknown(word: str, known: Iterable[str], what: str) -> str:
+    """``"AX" ...; did you mean "AB"?; letters of link 3 are A, B, C``."""
+    names = sorted(set(known))
+    alike = [name for name in names if folded(name) == folded(word)]
+    near = alike[0] if alike else quantities.near(word, names)
+    meant = f'; did you mean "{near}"' if near else ""
+    if alike and alphabet(alike[0]) != alphabet(word):
+        meant += f" ({alphabet(alike[0])}, not {alphabet(word)})"
+    listed = ", ".join(names) if names else "none"
+    return f"{meant}{'?' if meant else ''}; {what} {'is' if len(names) == 1 else 'are'} {listed}"
+
+
+def text_fault(text: str) -> str:
+    """Return what is wrong with a text to be drawn; empty if nothing."""
+    if len(text) > LONGEST_TEXT:
+        return f"a text of {len(text)} characters; at most {LONGEST_TEXT} can be drawn, shorten it"
+    for character in text:
+        if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp"):
+            return f"the control character U+{ord(character):04X} cannot be drawn; take it out"
+    return ""
+
+
+def undrawable(text: str, missing: str) -> list[str]:
+    """One sentence for each character of ``text`` that is among ``missing``, in order."""
+    return [
+        f'the character "{character}" (U+{ord(character):04X}) cannot be lettered; replace it'
+        for character in dict.fromkeys(text)
+        if character in missing
+    ]

@@ -1,0 +1,190 @@
+"""On which line of a TOML text each key and each item stands; tomllib does not tell.
+
+The text is taken to be good TOML (tomllib has read it before); whatever cannot be followed ends the
+walk, and a key that was not reached falls back on the nearest table above it.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from contextlib import suppress
+
+Path = tuple[str | int, ...]
+
+_SPACE = re.compile(r"[ \t]*")
+_BLANK = re.compile(r"(?:[ \t\r\n]+|#[^\n]*)*")
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+_STRING = re.compile(
+    r'"""(?:\\.|[^\\])*?"{3,5}(?!")'
+    r"|'''(?:.)*?'{3,5}(?!')"
+    r'|"(?:\\.|[^"\\\n])*"'
+    r"|'[^'\n]*'",
+    re.DOTALL,
+)
+_SCALAR = re.compile(r"[^,\]}#\r\n]+")
+
+
+def locate(text: str) -> dict[Path, int]:
+    """Map every key path of a TOML text to its line, counted from 1.
+
+    Parameters
+    ----------
+    text : str
+        A TOML document.
+
+    Returns
+    -------
+    dict of tuple to int
+        ``("link", 0, "points", "A") -> 7``; items are counted from 0, as in the parsed document.
+    """
+    walk = _Walk(text)
+    with suppress(_Lost, RecursionError):
+        walk.document()
+    return walk.lines
+
+
+def line_of(lines: Mapping[Path, int], path: Path) -> int:
+    """Return the line of a path, or of the nearest table or key above it; 0 if there is none."""
+    for length in range(len(path), 0, -1):
+        if path[:length] in lines:
+            return lines[path[:length]]
+    return 0
+
+
+class _Lost(Exception):
+    """The walk does not understand the text."""
+
+
+class _Walk:
+    """A cursor over the text that notes where each key begins."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+        self.lines: dict[Path, int] = {}
+        self.items: dict[Path, int] = {}
+        self._line, self._counted = 1, 0
+
+    def document(self) -> None:
+        table: Path = ()
+        self.skip(_BLANK)
+        while self.at < len(self.text):
+            table = self.header() if self.text[self.at] == "[" else self.pair(table)
+            self.skip(_BLANK)
+
+    def header(self) -> Path:
+        """``[a.b]`` or ``[[a.b]]``: the path of the table that the next keys belong to."""
+        line = self.line()
+        several = self.text.startswith("[[", self.at)
+        self.at += 2 if several else 1
+        *above, last = self.key()
+        self.expect("]]" if several else "]")
+        path: Path = ()
+        for part in above:
+            path = self.latest(self.note((*path, part), line))
+        path = self.note((*path, last), line)
+        if not several:
+            return path
+        number = self.items.get(path, -1) + 1
+        self.items[path] = number
+        return self.note((*path, number), line)
+
+    def latest(self, path: Path) -> Path:
+        """Return an array of tables in the way stands for its latest table."""
+        return (*path, self.items[path]) if path in self.items else path
+
+    def pair(self, table: Path) -> Path:
+        """``key = value`` in a table, which is handed back."""
+        line = self.line()
+        path = table
+        for part in self.key():
+            path = self.note((*path, part), line)
+        self.expect("=")
+        self.value(path)
+        return table
+
+    def key(self) -> list[str]:
+        parts = [self.part()]
+        while self.text.startswith(".", self.at):
+            self.at += 1
+            parts.append(self.part())
+        return parts
+
+    def part(self) -> str:
+        self.skip(_SPACE)
+        match = _BARE.match(self.text, self.at) or _STRING.match(self.text, self.at)
+        if match is None:
+            raise _Lost
+        self.at = match.end()
+        self.skip(_SPACE)
+        return _spoken(match.group())
+
+    def value(self, path: Path) -> None:
+        self.skip(_SPACE)
+        match = _STRING.match(self.text, self.at)
+        if match is not None:
+            self.at = match.end()
+        elif self.text.startswith("[", self.at):
+            self.array(path)
+        elif self.text.startswith("{", self.at):
+            self.table(path)
+        else:
+            self.skip(_SCALAR)
+        self.skip(_SPACE)
+
+    def array(self, path: Path) -> None:
+        self.at += 1
+        number = 0
+        self.skip(_BLANK)
+        while not self.text.startswith("]", self.at):
+            self.note((*path, number), self.line())
+            self.value((*path, number))
+            self.skip(_BLANK)
+            self.separator("]")
+            number += 1
+        self.at += 1
+
+    def table(self, path: Path) -> None:
+        self.at += 1
+        self.skip(_BLANK)
+        while not self.text.startswith("}", self.at):
+            self.pair(path)
+            self.skip(_BLANK)
+            self.separator("}")
+        self.at += 1
+
+    def separator(self, end: str) -> None:
+        if not self.text.startswith(end, self.at):
+            self.expect(",")
+            self.skip(_BLANK)
+
+    def expect(self, token: str) -> None:
+        if not self.text.startswith(token, self.at):
+            raise _Lost
+        self.at += len(token)
+
+    def skip(self, pattern: re.Pattern[str]) -> None:
+        match = pattern.match(self.text, self.at)
+        if match is not None:
+            self.at = match.end()
+
+    def line(self) -> int:
+        self._line += self.text.count("\n", self._counted, self.at)
+        self._counted = self.at
+        return self._line
+
+    def note(self, path: Path, line: int) -> Path:
+        self.lines.setdefault(path, line)
+        return path
+
+
+def _spoken(raw: str) -> str:
+    """Return a key without its quotes and escapes."""
+    if raw[0] not in "\"'":
+        return raw
+    try:
+        return next(iter(tomllib.loads(f"{raw} = 0")))
+    except tomllib.TOMLDecodeError as error:
+        raise _Lost from error

@@ -1,0 +1,264 @@
+"""The shape of a scene file, section by section, and the JSON Schema that editors read."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+from pydantic.fields import FieldInfo
+
+from graphic_tmm.scene import values as v
+
+
+class Table(BaseModel):
+    """A table of the file: a key that it does not know is a fault."""
+
+    model_config = ConfigDict(extra="forbid")
+
+
+def _key(says: str, example: Any = None, default: Any = ...) -> Any:
+    return Field(default, description=says, examples=None if example is None else [example])
+
+
+def _place(value: object) -> str:
+    return "guide*" if isinstance(value, dict) else "point*"
+
+
+def _slides(value: object) -> str:
+    return "several*" if isinstance(value, list) else "one*"
+
+
+def _zero(value: object) -> str:
+    return "extreme*" if isinstance(value, dict) else "angle*"
+
+
+TAGS = frozenset({"guide*", "point*", "several*", "one*", "extreme*", "angle*"})
+
+
+class GuideTable(Table):
+    """A straight guide of a link or of the frame."""
+
+    through: v.Point = _key("a point of the guide", [0, 0])
+    angle: v.Angle = _key("its direction from the x axis", "0 deg")
+
+
+class FrameTable(BaseModel):
+    """The fixed link: every key but number is a fixed point's letter or a guide's name."""
+
+    model_config = ConfigDict(extra="allow")
+    __pydantic_extra__: dict[
+        str,
+        Annotated[
+            Annotated[v.Point, Tag("point*")] | Annotated[GuideTable, Tag("guide*")],
+            Discriminator(_place),
+        ],
+    ] = Field(init=False)
+
+    number: v.LinkNumber = _key("the number of the fixed link", 6, 0)
+
+    @property
+    def points(self) -> dict[str, complex]:
+        """The fixed points, m."""
+        return {key: p for key, p in self.__pydantic_extra__.items() if isinstance(p, complex)}
+
+    @property
+    def guides(self) -> dict[str, GuideTable]:
+        """The fixed guides."""
+        return {key: g for key, g in self.__pydantic_extra__.items() if isinstance(g, GuideTable)}
+
+
+class SlideTable(Table):
+    """A sliding pair: on which link, along which guide, and which way the pin lies along it."""
+
+    on: v.Target = _key('the number of the link it slides on, or "frame"', 3)
+    along: v.Text = _key("two letters of that link, from the first to the second, or a guide", "BC")
+    offset: v.Length = _key(
+        "how far the slider's own x axis lies to the left of the guide", None, 0.0
+    )
+    angle: v.Angle = _key("by how much the slider's own x axis is turned from the guide", None, 0.0)
+    side: v.Sense | None = _key("which way the pin lies along the guide", "+", None)
+    flips_at: v.Angles | None = _key("crank angles at which the side changes", ["90 deg"], None)
+
+
+class LinkTable(Table):
+    """A moving link."""
+
+    number: v.LinkNumber = _key("the number of the link", 1)
+    name: v.Text = _key("what the link is called", "crank", "")
+    points: dict[str, v.Point] = Field(
+        default_factory=dict, description="letters and their places in the link's own axes"
+    )
+    guides: dict[str, GuideTable] = Field(
+        default_factory=dict, description="guides that move with the link"
+    )
+    slides: Annotated[
+        Annotated[SlideTable, Tag("one*")] | Annotated[list[SlideTable], Tag("several*")],
+        Discriminator(_slides),
+    ] = Field(default_factory=list, description="its sliding pairs: a table, or a list of tables")
+    side: v.LinkSide | None = _key(
+        "where the inner pin of a dyad of turning pairs lies", "left of AC", None
+    )
+    flips_at: v.Angles | None = _key("crank angles at which the side changes", ["90 deg"], None)
+    mass: v.Mass | None = _key("its mass", "25 kg", None)
+    J: v.Inertia | None = _key("its moment of inertia about the mass centre", "0.02 kg*m^2", None)
+    centre: v.Text | None = _key("the letter of its mass centre", "S2", None)
+
+    @property
+    def pairs(self) -> list[SlideTable]:
+        """The sliding pairs as a list."""
+        return [self.slides] if isinstance(self.slides, SlideTable) else self.slides
+
+
+class TaskTable(Table):
+    """A task that gives the lengths of a mechanism."""
+
+    kind: v.TaskKind = _key("the kind of mechanism", "rocker")
+    K_v: v.Ratio = _key("ratio of the mean speeds of the two strokes", 1.45)
+    stroke: v.PositiveLength = _key("the stroke of the slider", "95 mm")
+    OB: v.PositiveLength = _key("the distance of the fixed pivots", "480 mm")
+
+
+class ExtremeTable(Table):
+    """The position in which a point is as far as it comes."""
+
+    point: v.Text = _key("the letter of the point", "D")
+    at: v.At = _key("where it is then", "left")
+
+
+class DriveTable(Table):
+    """The driving link, its motion, and the row of positions."""
+
+    link: v.LinkNumber = _key("the number of the driving link", 1)
+    speed: v.Speed = _key("its angular speed, positive", "380 rpm")
+    acceleration: v.Spin = _key(
+        "its angular acceleration, positive when it speeds up", "20 rad/s^2", 0.0
+    )
+    turns: v.Turns = _key("which way it turns", "clockwise", v.COUNTERCLOCKWISE)
+    positions: v.Count = _key("how many positions there are in a turn", 12, 12)
+    first: v.First = _key("the number of the zero position", 1, 0)
+    extra: v.Extra = _key(
+        'positions beside the row: "other extreme", or crank angles', [v.OTHER_EXTREME], ()
+    )
+    accelerations: v.Accelerations = _key("the positions with an acceleration plan", [2, 6], ())
+    zero: Annotated[
+        Annotated[v.Angle, Tag("angle*")] | Annotated[ExtremeTable, Tag("extreme*")],
+        Discriminator(_zero),
+    ] = _key("the zero position: a crank angle, or an extreme of a point", None, 0.0)
+
+
+class PlansTable(Table):
+    """What is drawn, and how."""
+
+    velocities: v.Velocities = _key("velocity plans as they are, or turned by 90°", None, "direct")
+    trajectories: v.Letters = _key("points whose paths are drawn", ["C"], ())
+
+
+class ScalesTable(Table):
+    """Scale factors that are fixed; the rest are chosen from the standard row."""
+
+    mu_l: v.MuL | None = _key('m/mm, or "1:5"', "0.005 m/mm", None)
+    mu_v: v.MuV | None = _key(f'(m/s)/mm, or "{v.MU_L_OMEGA}"', "0.25 (m/s)/mm", None)
+    mu_a: v.MuA | None = _key("(m/s²)/mm", "12.5 (m/s^2)/mm", None)
+    OA: v.Drawn | None = _key("drawn length of the crank, instead of mu_l", "60 mm", None)
+    pa: v.Drawn | None = _key("drawn velocity of the crank pin, instead of mu_v", "60 mm", None)
+    pi_a: v.Drawn | None = _key(
+        "drawn acceleration of the crank pin, instead of mu_a", "60 mm", None
+    )
+
+
+class HandTable(Table):
+    """How well lengths are read."""
+
+    ruler: v.Ruler = _key('the division that lengths are read to, or "exact"', "0.1 mm", 0.1)
+
+
+class SheetTable(Table):
+    """A sheet, and what is placed on it, in order."""
+
+    format: v.Format = _key("the format of the sheet", "A1", "A1")
+    place: v.Places = _key("the plans on it", ["positions", "velocities"], v.PLACES)
+
+
+class TitleBlockTable(Table):
+    """What is written into the title block."""
+
+    designation: v.Text = ""
+    name: v.Text = ""
+    organisation: v.Text = ""
+    drawn_by: v.Text = ""
+    checked_by: v.Text = ""
+    standards_by: v.Text = ""
+    approved_by: v.Text = ""
+    material: v.Text = ""
+    letter: v.Text = ""
+    mass: v.Text = ""
+    scale: v.Text = ""
+
+
+class Head(Table):
+    """The keys before the first section."""
+
+    title: v.Title = _key("what the mechanism is", "Кривошипно-ползунный механизм")
+    language: v.Language = _key("the language of the sheets", "en", "ru")
+
+
+class SceneFile(Head):
+    """A scene of graphic_tmm: a mechanism, its drive, and what is drawn of it."""
+
+    lengths: dict[str, v.PlainLength] = Field(default_factory=dict, description="named lengths")
+    task: TaskTable | None = _key("lengths found from a task", None, None)
+    frame: FrameTable
+    link: list[LinkTable] = _key("the moving links, in order")
+    drive: DriveTable
+    plans: PlansTable = Field(default_factory=PlansTable)
+    scales: ScalesTable = Field(default_factory=ScalesTable)
+    hand: HandTable = Field(default_factory=HandTable)
+    sheet: list[SheetTable] = Field(default_factory=list, description="the sheets")
+    title_block: TitleBlockTable = Field(default_factory=TitleBlockTable)
+
+
+_TABLES: dict[str, type[BaseModel]] = {
+    "frame": FrameTable,
+    "link": LinkTable,
+    "slides": SlideTable,
+    "task": TaskTable,
+    "drive": DriveTable,
+    "zero": ExtremeTable,
+    "plans": PlansTable,
+    "scales": ScalesTable,
+    "hand": HandTable,
+    "sheet": SheetTable,
+    "title_block": TitleBlockTable,
+}
+
+
+def keys_of(path: tuple[str | int, ...]) -> dict[str, FieldInfo]:
+    """Return the keys of the table at a path (of a guide, if the table has no name of its own)."""
+    names = [part for part in path if isinstance(part, str)]
+    model = _TABLES.get(names[-1], GuideTable) if names else SceneFile
+    return model.model_fields
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON Schema of a scene file, as shipped in ``scene.schema.json``."""
+    found = _without_null(SceneFile.model_json_schema())
+    assert isinstance(found, dict)
+    return found
+
+
+def _without_null(node: Any) -> Any:
+    """TOML has no null: a key is there or it is not."""
+    if isinstance(node, list):
+        return [_without_null(item) for item in node if item != {"type": "null"}]
+    if not isinstance(node, dict):
+        return node
+    kept = {
+        key: _without_null(item)
+        for key, item in node.items()
+        if not (key == "default" and item is None)
+    }
+    alternatives = kept.get("anyOf")
+    if isinstance(alternatives, list) and len(alternatives) == 1:
+        del kept["anyOf"]
+        kept = alternatives[0] | kept
+    return kept

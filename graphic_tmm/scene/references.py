@@ -1,0 +1,210 @@
+"""Names that a file uses: letters, link numbers and guides have to exist, and may not be confused.
+
+These checks look at the parsed document itself, so that a fault elsewhere hides none of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple, TypeGuard
+
+from graphic_tmm.scene import letters
+from graphic_tmm.scene.faults import Found
+from graphic_tmm.scene.lines import Path
+from graphic_tmm.scene.sections import Document, raw_links, table, texts
+from graphic_tmm.scene.values import link_side
+
+
+class Body(NamedTuple):
+    """A link as far as names go: its place in the file, its letters, the names of its guides."""
+
+    path: Path
+    letters: tuple[str, ...]
+    guides: tuple[str, ...]
+
+
+class Outline(NamedTuple):
+    """The names of a file: its links by number (the frame too), and the number of the frame."""
+
+    frame: int
+    bodies: dict[int, Body]
+
+    @property
+    def letters(self) -> list[str]:
+        """Every letter of a point, in the order of the file, each once."""
+        return list(dict.fromkeys(name for body in self.bodies.values() for name in body.letters))
+
+    @property
+    def moving(self) -> list[str]:
+        """The letters of points that do not stand on the frame."""
+        fixed = self.bodies[self.frame].letters
+        return [letter for letter in self.letters if letter not in fixed]
+
+
+def outline(doc: Document) -> Outline:
+    """Return the names of a file, whatever else is wrong; of two links of one number the first."""
+    frame = table(doc.get("frame"))
+    number = frame.get("number", 0)
+    fixed: int = number if _is_whole(number) else 0
+    places = _places(doc)
+    guides = tuple(key for key, value in places.items() if isinstance(value, dict))
+    points = tuple(key for key in places if key not in guides)
+    bodies = {fixed: Body(("frame",), points, guides)}
+    for path, link in raw_links(doc):
+        if _is_whole(link.get("number")):
+            body = Body(path, tuple(table(link.get("points"))), tuple(table(link.get("guides"))))
+            bodies.setdefault(link["number"], body)
+    return Outline(fixed, bodies)
+
+
+def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Found]:
+    """Everything that is wrong with the names of a file.
+
+    Parameters
+    ----------
+    doc : dict
+        The parsed document.
+    missing : callable
+        text -> those of its characters that cannot be lettered.
+    """
+    names = outline(doc)
+    yield from _numbers(doc, names)
+    for path, text in texts(doc):
+        yield from (Found(path, says) for says in letters.undrawable(text, missing(text)))
+    yield from _letters(doc)
+    for path, link in raw_links(doc):
+        yield from _slides(path, link, names)
+        yield from _sides(path, link, names)
+        yield from _centre(path, link)
+    yield from _drive(table(doc.get("drive")), names)
+    yield from _trajectories(table(doc.get("plans")).get("trajectories"), names)
+
+
+def _places(doc: Document) -> Document:
+    """Return the points and guides of the frame."""
+    frame = table(doc.get("frame"))
+    return {key: value for key, value in frame.items() if isinstance(value, (list, dict))}
+
+
+def _is_whole(value: object) -> TypeGuard[int]:
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
+    for path, link in raw_links(doc):
+        number = link.get("number")
+        if not _is_whole(number) or names.bodies[number].path == path:
+            continue
+        taken = "the frame" if number == names.frame else "another link"
+        free = next(n for n in range(1, 2000) if n not in names.bodies)
+        yield Found(
+            (*path, "number"), f"{number} is the number of {taken}; write {free} or another"
+        )
+
+
+def _letters(doc: Document) -> Iterator[Found]:
+    """Faults of single letters, then of letters that are confused with an earlier one."""
+    seen: dict[str, str] = {}
+    for path, letter, is_point in _written(doc):
+        if says := letters.letter_fault(letter, pole=is_point):
+            yield Found(path, says)
+        elif is_point:
+            first = seen.setdefault(letters.folded(letter), letter)
+            if says := letters.clash(first, letter):
+                yield Found(path, says)
+
+
+def _written(doc: Document) -> Iterator[tuple[Path, str, bool]]:
+    """Every letter with its path, and whether it is a point (else a guide)."""
+    for key, value in _places(doc).items():
+        yield ("frame", key), key, not isinstance(value, dict)
+    for path, link in raw_links(doc):
+        for part in ("points", "guides"):
+            for key in table(link.get(part)):
+                yield (*path, part, key), key, part == "points"
+
+
+def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
+    slides = link.get("slides", [])
+    several = isinstance(slides, list)
+    for i, slide in enumerate(slides if several else [slides]):
+        at: Path = (*path, "slides", i) if several else (*path, "slides")
+        on = table(slide).get("on")
+        number = names.frame if on == "frame" else on
+        if not _is_whole(number):
+            continue
+        if number not in names.bodies:
+            yield Found((*at, "on"), _no_link(number, names))
+        elif number == link.get("number"):
+            yield Found((*at, "on"), f"link {number} cannot slide on itself; write another number")
+        else:
+            yield from _along((*at, "along"), slide.get("along"), number, names)
+
+
+def _no_link(number: Any, names: Outline) -> str:
+    listed = ", ".join(str(n) for n in sorted(names.bodies))
+    return f"there is no link {number}; links are {listed} ({names.frame} is the frame)"
+
+
+def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[Found]:
+    body = names.bodies[number]
+    if not isinstance(along, str) or along in body.guides:
+        return
+    of = "the frame" if number == names.frame else f"link {number}"
+    pair = letters.split(along)
+    if pair is None:
+        known = f"guides of {of}"
+        hint = letters.unknown(along, body.guides, known)
+        yield Found(path, f'"{along}" is neither a guide of {of} nor two of its letters{hint}; '
+                    f"letters are {', '.join(body.letters) or 'none'}")  # fmt: skip
+    elif pair[0] == pair[1]:
+        yield Found(path, f'"{along}" names one letter twice; name two letters of {of}')
+    else:
+        yield from _known(path, pair, body.letters, of)
+
+
+def _known(path: Path, wanted: tuple[str, ...], known: tuple[str, ...], of: str) -> Iterator[Found]:
+    for letter in wanted:
+        if letter not in known:
+            hint = letters.unknown(letter, known, f"letters of {of}")
+            yield Found(path, f'"{letter}" is not a letter of {of}{hint}')
+
+
+def _sides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
+    try:
+        pair = link_side(link["side"])[1] if "side" in link else ()
+    except ValueError:
+        return
+    yield from _known((*path, "side"), pair, tuple(names.letters), "the mechanism")
+
+
+def _centre(path: Path, link: Document) -> Iterator[Found]:
+    if isinstance(link.get("centre"), str) and isinstance(link.get("points", {}), dict):
+        known = tuple(link.get("points", {}))
+        yield from _known((*path, "centre"), (link["centre"],), known, "this link")
+
+
+def _drive(drive: Document, names: Outline) -> Iterator[Found]:
+    number = drive.get("link")
+    if _is_whole(number) and number not in names.bodies:
+        yield Found(("drive", "link"), _no_link(number, names))
+    elif number == names.frame and _is_whole(number):
+        yield Found(
+            ("drive", "link"), f"link {number} is the frame, which does not turn; name the crank"
+        )
+    point = table(drive.get("zero")).get("point")
+    if isinstance(point, str):
+        yield from _moving(("drive", "zero", "point"), point, names)
+
+
+def _trajectories(items: object, names: Outline) -> Iterator[Found]:
+    for i, letter in enumerate(items if isinstance(items, list) else []):
+        if isinstance(letter, str):
+            yield from _moving(("plans", "trajectories", i), letter, names)
+
+
+def _moving(path: Path, letter: str, names: Outline) -> Iterator[Found]:
+    if letter not in names.moving and letter in names.letters:
+        yield Found(path, f'"{letter}" stands on the frame and does not move; name a moving point')
+    else:
+        yield from _known(path, (letter,), tuple(names.letters), "the mechanism")

@@ -1,0 +1,85 @@
+"""What is wrong with a text that is not TOML, for people: the line, and what to write instead."""
+
+from __future__ import annotations
+
+import re
+
+from graphic_tmm.errors import Fault
+
+_AT = re.compile(r"\s*\((?:at line ([0-9]+), column ([0-9]+)|at end of document)\)")
+_TWICE = (
+    "Cannot overwrite a value",
+    "Duplicate inline table key",
+    "Cannot declare",
+    "Cannot mutate",
+)
+
+
+def syntax_fault(text: str, message: str) -> Fault:
+    """Return the fault that tomllib's message speaks of.
+
+    Parameters
+    ----------
+    text : str
+        The whole file.
+    message : str
+        What ``tomllib.loads`` said, in English, with "(at line 3, column 7)" at its end.
+    """
+    match = _AT.search(message)
+    lines = text.replace("\r\n", "\n").split("\n")
+    number = int(match.group(1)) if match and match.group(1) else len(lines)
+    line = lines[number - 1] if number <= len(lines) else ""
+    said = _AT.sub("", message)
+    if said.startswith(_TWICE):
+        return _twice(said, number, line, match, lines)
+    key = _key(line)
+    return Fault(key, number, f"this is not TOML ({said}){_remedy(line)}")
+
+
+def _twice(
+    said: str, number: int, line: str, match: re.Match[str] | None, lines: list[str]
+) -> Fault:
+    """Return the fault of a key or a section that stands twice."""
+    quoted = re.search(r"key '([^']*)'", said)
+    declared = re.findall(r"'([^']*)'", said)
+    if quoted:
+        key = quoted.group(1)
+    elif said.startswith("Cannot declare"):
+        key = ".".join(declared)
+        return Fault(
+            key, number, f"the section [{key}] stands twice; put its keys into one section"
+        )
+    else:
+        column = int(match.group(2)) if match and match.group(2) else len(line)
+        key = _key(line[:column])
+    return Fault(key, number, f'"{key}" stands twice in one table; take one out, or rename it')
+
+
+def _key(line: str) -> str:
+    found = re.findall(r"([\w.′\"'-]+)\s*=", line)
+    return found[0].strip("\"'") if found else ""
+
+
+def _remedy(line: str) -> str:
+    """Return what to do about the commonest mistakes, as far as the line shows them."""
+    name, sign, value = line.partition("=")
+    value = value.strip()
+    if re.search(r"[«»“”„]", line):
+        return '; write straight quotes: "..."'
+    if not sign and re.match(r"\s*\[", line):
+        return "; a section is written [frame], or [[link]] for one of several"
+    if not sign:
+        return "; write key = value"
+    if re.search(r"[^\x00-\x7f]", name.split("#")[0]) and '"' not in name:
+        return f'; a key that is not Latin stands in quotes: "{name.strip()}" = ...'
+    if re.search(r"[{,]\s*[^\x00-\x7f\s\"]+\s*=", value):
+        return '; a key that is not Latin stands in quotes: { "Д" = [0, 0] }'
+    if re.match(r"[-+]?[0-9]+,[0-9]", value):
+        return f"; the decimal sign of a number is a point: {value.replace(',', '.', 1)}"
+    if re.match(r"[-+]?[0-9][0-9.,]*\s*[^\W\d_]", value):
+        return f'; a value with a unit stands in quotes: {name.strip()} = "{value}"'
+    if value.count("{") > value.count("}"):
+        return "; a table in { } stands on one line"
+    if re.match(r"[^\W\d_]", value):
+        return f'; a text stands in quotes: {name.strip()} = "{value}"'
+    return ""

@@ -1,0 +1,138 @@
+"""Tables read off the log: segments in mm, times μ, in SI; the links' rates; the structure.
+
+Segments are magnitudes; the sense of a link's ω and ε is the sign of its value.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Length, Number, Reals
+
+UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
+RATES = {"ω": "omega", "ε": "epsilon"}
+
+
+class Column(NamedTuple):
+    """One row of figures along the positions: mm on the sheet (None where nothing is measured) and SI."""
+
+    plan: str
+    segment: str
+    letter: str
+    unit: str
+    mm: tuple[float | None, ...]
+    value: tuple[float | None, ...]
+
+
+def segment_name(letter: str) -> str:
+    """Return a letter of the log as machines read it: n_{ab} -> nab, ω_2 -> omega2."""
+    if letter[0] in RATES:
+        return RATES[letter[0]] + letter[1:].strip("_{}")
+    return letter.translate({ord(sign): None for sign in "_{}"})
+
+
+def columns(
+    construction: Construction,
+    reading: Reading,
+    plan: str,
+    places: Sequence[int],
+    count: int,
+    shared: dict[int, Mark] | None = None,
+) -> tuple[Column, ...]:
+    """Return the columns of one plan.
+
+    Parameters
+    ----------
+    reading
+        The numbers, at the positions ``places`` (indices) out of ``count``.
+    shared
+        The rate mark of every turning link of this plan; links that turn alike share a mark.
+    """
+    view = construction.view(plan)
+    if view is None or view.scale is None:
+        return ()
+    mu = reading[view.scale]
+    made = []
+    for step in construction.steps:
+        if step.it.view == plan and _is_segment(step):
+            mm = np.abs(reading[step.it])
+            made.append(
+                Column(
+                    plan,
+                    segment_name(step.it.letter),
+                    step.it.letter,
+                    UNITS[plan],
+                    _row(mm, places, count),
+                    _row(mm * mu, places, count),
+                )
+            )
+    for link, mark in sorted((shared or {}).items()):
+        if mark.letter.startswith("(") or reading[mark] is None:
+            continue
+        symbol = "ω" if plan == "velocities" else "ε"
+        letter = f"{symbol}_{link}"
+        empty = (None,) * count
+        values = _row(reading[mark], places, count)
+        made.append(Column(plan, segment_name(letter), letter, mark.unit, empty, values))
+    return tuple(made)
+
+
+def _is_segment(step: Step) -> bool:
+    if step.it.kind is not Length:
+        return False
+    return step.op.reads or step.it.view != "positions"
+
+
+def _row(values: Reals, places: Sequence[int], count: int) -> tuple[float | None, ...]:
+    row: list[float | None] = [None] * count
+    spread = np.broadcast_to(values[0], (len(places),))
+    for place, value in zip(places, spread, strict=True):
+        row[place] = float(value) if np.isfinite(value) else None
+    return tuple(row)
+
+
+def as_json(
+    scene: str,
+    scales: dict[str, dict[str, Any]],
+    positions: Sequence[tuple[str, float]],
+    table: Sequence[Column],
+    results: dict[str, Any],
+) -> str:
+    """Return the tables as one JSON object (see the README); null where a position cannot be drawn."""
+    document = {
+        "scene": scene,
+        "scales": scales,
+        "positions": [{"number": name, "angle_deg": angle} for name, angle in positions],
+        "columns": [
+            {"plan": c.plan, "segment": c.segment, "unit": c.unit, "mm": _tidy(c.mm), "value": _tidy(c.value)}
+            for c in table
+        ],
+        "results": results,
+    }
+    return json.dumps(document, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def as_csv(positions: Sequence[tuple[str, float]], table: Sequence[Column]) -> str:
+    """Return the tables as CSV: a line for each segment and position."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["plan", "position", "angle_deg", "segment", "mm", "value", "unit"])
+    for column in table:
+        for (name, angle), mm, value in zip(positions, _tidy(column.mm), _tidy(column.value), strict=True):
+            if value is not None or mm is not None:
+                cells = [column.plan, name, angle, column.segment, mm, value, column.unit]
+                writer.writerow(["" if cell is None else cell for cell in cells])
+    return out.getvalue()
+
+
+def _tidy(row: Sequence[float | None]) -> list[float | None]:
+    """Return figures without the noise of the last bits: 12 significant digits, no -0."""
+    return [None if x is None else float(f"{x:.12g}") + 0.0 for x in row]

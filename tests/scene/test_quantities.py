@@ -1,0 +1,175 @@
+"""Units: every spelling, wrong dimensions, and what can be read in two ways."""
+
+import math
+from decimal import Decimal
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from graphic_tmm.scene.quantities import LARGEST, UNITS, parse, plain
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("95 mm", "length", 0.095),
+        ("117.6 mm", "length", 0.1176),
+        ("117,6мм", "length", 0.1176),
+        ("12 см", "length", 0.12),
+        ("1e-3 m", "length", 0.001),
+        ("−3 mm", "length", -0.003),
+        ("+.5 м", "length", 0.5),
+        ("2 in", "length", 0.0508),
+        ("1\u00a0км", "length", 1000.0),
+        ("0,125 m", "length", 0.125),
+        ("30°", "angle", 30.0),
+        ("30 град", "angle", 30.0),
+        ("2 рад", "angle", 360 / math.pi),
+        ("380 rpm", "angular speed", 380 * math.pi / 30),
+        ("380 об/мин", "angular speed", 380 * math.pi / 30),
+        ("380 об / мин", "angular speed", 380 * math.pi / 30),
+        ("30 1/min", "angular speed", math.pi),
+        ("50 1/s", "angular speed", 50.0),
+        ("50 1/с", "angular speed", 50.0),
+        ("50 s^-1", "angular speed", 50.0),
+        ("50 с-1", "angular speed", 50.0),
+        ("50 s⁻¹", "angular speed", 50.0),
+        ("50 рад/с", "angular speed", 50.0),
+        ("180 deg/s", "angular speed", math.pi),
+        ("20 rad/s^2", "angular acceleration", 20.0),
+        ("20 1/s²", "angular acceleration", 20.0),
+        ("20 рад/с2", "angular acceleration", 20.0),
+        ("20 s**-2", "angular acceleration", 20.0),
+        ("0,05 m/s", "speed", 0.05),
+        ("0,05 м/с", "speed", 0.05),
+        ("250 mm/s", "speed", 0.25),
+        ("9.81 m/s^2", "acceleration", 9.81),
+        ("20 ms", "time", 0.02),
+        ("2 мин", "time", 120.0),
+        ("250 g", "mass", 0.25),
+        ("2 т", "mass", 2000.0),
+        ("1 kgf*s^2/m", "mass", 9.80665),
+        ("1 кгс·с²/м", "mass", 9.80665),
+        ("190 Н", "force", 190.0),
+        ("1.5 kN", "force", 1500.0),
+        ("2 кгс", "force", 19.6133),
+        ("300 kPa", "pressure", 3e5),
+        ("3 бар", "pressure", 3e5),
+        ("1 kgf/cm2", "pressure", 98066.5),
+        ("12 N*m", "moment", 12.0),
+        ("12 Н м", "moment", 12.0),
+        ("1 kgf·m", "moment", 9.80665),
+        ("0.02 kg*m^2", "moment of inertia", 0.02),
+        ("0.02 kg m2", "moment of inertia", 0.02),
+        ("0,02 кг·м²", "moment of inertia", 0.02),
+        ("1 kgf*m*s^2", "moment of inertia", 9.80665),
+        ("0.005 m/mm", "scale of lengths", 0.005),
+        ("0.25 (m/s)/mm", "scale of velocities", 0.25),
+        ("0.25 ( м / с ) / мм", "scale of velocities", 0.25),
+        ("12.5 (m/s^2)/mm", "scale of accelerations", 12.5),
+    ],
+)
+def test_reads(text, dimension, value):
+    assert parse(text, dimension) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize(("number", "value"), [(3, 3.0), (0.25, 0.25), (-1, -1.0)])
+def test_a_number_is_si(number, value):
+    found = parse(number, "length")
+    assert found == value
+    assert isinstance(found, float)
+
+
+def test_a_number_for_an_angle_is_in_degrees():
+    assert parse(90, "angle") == 90.0
+
+
+def test_wrong_dimension_says_what_is_wanted():
+    with pytest.raises(ValueError, match="wanted") as error:
+        parse("95 kg", "length")
+    assert str(error.value) == '"95 kg" is a mass; a length is wanted here, for example "95 mm"'
+
+
+def test_a_weight_for_a_mass_is_explained():
+    with pytest.raises(ValueError, match=r'a weight of 17.1 kgf is a mass of "17.1 kg"'):
+        parse("17.1 kgf", "mass")
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ("1 000 mm", "two ways.*one piece"),
+        ("1\u00a0000 mm", "two ways.*one piece"),
+        ("1_000 mm", "two ways"),
+        ("1'000 mm", "two ways"),
+        ("1,000 mm", r"decimal comma.*1\.000.*1000"),
+        ("1.000,5 mm", "two ways"),
+        ("1/2 m", "fraction; write it as a decimal"),
+        ("95", 'has no unit; write "95 mm"'),
+        ("", "not a number with a unit"),
+        ("mm", "not a number with a unit"),
+        ("nan mm", "not a number"),
+        ("1e400 mm", "not a finite number"),
+        ("1e308 km", "too large"),
+        ("9" * 150 + " mm", "too large"),
+        ("9" * 500 + " mm", "not a number"),
+        ("95 mn", 'did you mean "mm"'),
+        ("٣ mm", "not a number"),
+        ("5 рад/c", "unit"),
+        (math.nan, "not a finite"),
+        (math.inf, "not a finite"),
+        (10**400, "too large"),
+        (True, "true .*a length is wanted"),
+        ([1], "list"),
+        ({}, "table"),
+    ],
+)
+def test_refuses(value, words):
+    with pytest.raises(ValueError, match=words):
+        parse(value, "length")
+
+
+def test_two_alphabets_in_one_unit_are_pointed_out():
+    with pytest.raises(ValueError, match='mixes Latin and Russian letters; did you mean "рад/с"'):
+        parse("5 рад/c", "angular speed")
+
+
+def test_every_spelling_is_its_own_plain_form():
+    assert [spelling for spelling in UNITS if plain(spelling) != spelling] == []
+
+
+@given(
+    st.sampled_from(sorted(UNITS)),
+    st.decimals(-(10**4), 10**4, places=3),
+    st.sampled_from(["", " ", "\u00a0", "\u202f"]),
+    st.booleans(),
+)
+def test_round_trip(spelling, number, space, comma):
+    dimension, factor = UNITS[spelling]
+    text = f"{number:f}".replace(".", "," if comma else ".")
+    space = space or (" " if spelling[0] == "1" else "")
+    if comma and abs(number) >= 1 and abs(number) < 1000:
+        with pytest.raises(ValueError, match="two ways"):  # 1,250: a thousand or a comma?
+            parse(text + space + spelling, dimension)
+        return
+    due = float(number) * factor if isinstance(factor, float) else float(number * factor)
+    if abs(due) > LARGEST:
+        return
+    assert parse(text + space + spelling, dimension) == due
+
+
+@given(st.text(max_size=30))
+def test_never_anything_but_a_value_error(text):
+    try:
+        found = parse(text, "length")
+    except ValueError:
+        return
+    assert math.isfinite(found)
+
+
+def test_decimal_factors_are_correctly_rounded():
+    assert all(
+        parse(f"{n}.{n % 10} mm", "length") == float(Decimal(f"{n}.{n % 10}") / 1000)
+        for n in range(1000)
+    )

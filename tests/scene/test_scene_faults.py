@@ -1,0 +1,203 @@
+"""Scenes that are wrong: every fault with its key, its line and the remedy, all at once."""
+
+import copy
+import tomllib
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from graphic_tmm.errors import SceneError
+from graphic_tmm.scene import references, sections
+from graphic_tmm.scene.read import read
+
+SHEETS = Path(__file__).parents[2] / "sheets"
+GOOD = """title = "T"
+language = "ru"
+[lengths]
+r = "0.1 m"
+[frame]
+number = 0
+O = [0, 0]
+x = { through = [0, 0], angle = 0 }
+v = { through = [0, 0], angle = 90 }
+[[link]]
+number = 1
+points = { O = [0, 0], A = ["r", 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = ["3 r", 0] }
+mass = "2 kg"
+[[link]]
+number = 3
+points = { B = [0, 0] }
+slides = { on = "frame", along = "x", side = "right" }
+[drive]
+link = 1
+speed = "380 rpm"
+positions = 12
+accelerations = [2, 6]
+[scales]
+mu_l = 0.005
+[plans]
+trajectories = ["B"]
+[[sheet]]
+format = "A1"
+[title_block]
+name = "N"
+"""
+
+
+def faults_of(tmp_path, text, **options):
+    file = tmp_path / "scene.toml"
+    file.write_bytes(text.encode() if isinstance(text, str) else text)
+    with pytest.raises(SceneError) as error:
+        read(file, **options)
+    assert error.value.path == str(file)
+    return error.value.faults
+
+
+def test_the_example_is_good(tmp_path):
+    (tmp_path / "scene.toml").write_text(GOOD, encoding="utf-8")
+    assert read(tmp_path).title == "T"
+
+
+L3 = "link 3, "
+CASES = [
+    # what is replaced, by what, key, line of the replacement, words of the message
+    ('title = "T"\n', "", "title", 0, '"title" is missing; write for example title = '),
+    ('"T"', '" "', "title", 1, "title is empty"),
+    ('"T"', "5", "title", 1, "the number 5 stands here; a text in quotes"),
+    ('"T"', '"%s"' % ("x" * 201), "title", 1, "at most 200"),
+    ('"T"', '"a\\u0007"', "title", 1, "control character U+0007"),
+    ("language", "langauge", "langauge", 2, 'did you mean "language"'),
+    ('"ru"', '"de"', "language", 2, 'one of "ru", "en"'),
+    ('r = "0.1 m"', 'r = "0.1 kg"', "lengths.r", 4, "is a mass; a length is wanted"),
+    ('r = "0.1 m"', 'r = "0.1 m"\nmm = 1', "lengths.mm", 5, "is a unit of length; choose another"),
+    ('r = "0.1 m"', 'r = "0.1 m"\n"a b" = 1', "lengths.a b", 5, "cannot name a length"),
+    ("number = 0", "nubmer = 6", "frame.nubmer", 6, 'did you mean "number"'),
+    ("number = 0", 'number = "0"', "frame.number", 6, "whole number is wanted, without quotes"),
+    ("number = 0", "number = 2", "link (the 2nd in the file), number", 14, "number of the frame"),
+    ("O = [0, 0]\nx", "O = [0, 0, 0]\nx", "frame.O", 7, "a list of 3.*list of two lengths"),
+    ("O = [0, 0]\nx", 'O = [0, "5 kg"]\nx', "frame.O", 7, "y: .*is a mass; a length is wanted"),
+    ("O = [0, 0]\nx", "O = [true, 0]\nx", "frame.O", 7, "x: true"),
+    ("O = [0, 0]\nx", "O = [nan, 0]\nx", "frame.O", 7, "x: nan is not a finite number"),
+    ("x = {", 'P = [1, 1]\nx = {', "frame.P", 8, "pole of the velocity plan; choose another"),
+    ("x = {", '"π" = [1, 1]\nx = {', "frame.π", 8, "pole of the acceleration plan"),
+    ("x = {", "Ax = [1, 1]\nx = {", "frame.Ax", 8, "is not a letter.*such as A, S2"),
+    ("x = {", "Q = [0, 0]\nx = {", "frame.Q", 8, "O and Q lie at the same place.*move one"),
+    ("x = {", "a = [1, 0]\nx = {", "link 1, points.A", 13, 'both be "a" on a plan.*rename'),
+    ("x = {", '"А" = [1, 0]\nx = {', "link 1, points.A", 13, "looks like .*Russian"),
+    ("angle = 0 }", 'angle = "1 mm" }', "frame.x.angle", 8, "is a length; an angle is wanted"),
+    (", angle = 0 }", " }", "frame.x.angle", 8, '"angle" is missing; write for example angle'),
+    ("angle = 0 }", "angel = 0 }", "frame.x.angel", 8, 'did you mean "angle"'),
+    ("number = 1\n", "", "link (the 1st in the file), number", 10, '"number" is missing'),
+    ("number = 1\n", "number = true\n", "link (the 1st in the file), number", 11, "whole number"),
+    ("number = 1\n", "number = -1\n", "link -1, number", 11, "whole number 0 to 999"),
+    ("number = 3\n", "number = 2\n", "link (the 3rd in the file), number", 18,
+     "number of another link; write 3"),
+    ('["r", 0]', '["R0", 0]', "link 1, points.A", 12, "x: 'R0' is neither.*named lengths are r"),
+    ('["r", 0]', "[0, 0]", "link 1, points.A", 12, "length OA is zero"),
+    ('["r", 0]', '["1 000 mm", 0]', "link 1, points.A", 12, "two ways; write the number"),
+    ('points = { B', 'point = { B', L3 + "point", 19, 'did you mean "points"'),
+    ("points = { B = [0, 0] }", "points = 5", L3 + "points", 19, "a table is wanted, for example"),
+    ('mass = "2 kg"', 'mass = "2 N"', "link 2, mass", 16, "is a force; a mass is wanted"),
+    ('mass = "2 kg"', 'mass = "-2 kg"', "link 2, mass", 16, "is less than 0"),
+    ('mass = "2 kg"', "mass = false", "link 2, mass", 16, "false .*a mass is wanted"),
+    ('mass = "2 kg"', 'J = "2 kg"', "link 2, J", 16, "is a mass; a moment of inertia is wanted"),
+    ('mass = "2 kg"', 'centre = "S"', "link 2, centre", 16, '"S" is not a letter of this link'),
+    ('mass = "2 kg"', 'side = "left AC"', "link 2, side", 16, 'write "left of AC"'),
+    ('mass = "2 kg"', 'side = "left of AC"', "link 2, side", 16,
+     '"C" is not a letter of the mechanism.*are A, B, O'),
+    ('mass = "2 kg"', "flips_at = [90]", "link 2, flips_at", 16, 'write "side" as well'),
+    ('mass = "2 kg"', 'flips_at = ["1 m"]', "link 2, flips_at", 16, "an angle is wanted"),
+    ('B = ["3 r", 0] }', 'B = ["3 r", 0], S1 = [0, 0], S2 = [0, 0] }', "link 2, centre", 13,
+     'say which is the mass centre, "S1" or "S2"'),
+    ('on = "frame"', "on = 7", L3 + "slides.on", 20, r"no link 7; links are 0, 1, 2, 3"),
+    ('on = "frame"', 'on = "ground"', L3 + "slides.on", 20, 'number of a link, or "frame"'),
+    ('on = "frame"', "on = 3", L3 + "slides.on", 20, "cannot slide on itself"),
+    ('along = "x"', 'along = "X"', L3 + "slides.along", 20, 'did you mean "x"'),
+    ('along = "x"', 'along = "OC"', L3 + "slides.along", 20, '"C" is not a letter of the frame'),
+    ('along = "x"', 'along = "OO"', L3 + "slides.along", 20, "names one letter twice"),
+    ('along = "x", ', "", L3 + "slides.along", 20, '"along" is missing'),
+    ('side = "right"', 'side = "rihgt"', L3 + "slides.side", 20, 'did you mean "right"'),
+    ('side = "right"', 'side = "above"', L3 + "slides.side", 20,
+     'guide x lies square to "above"; write "left" or "right"'),
+    ('"x", side = "right"', '"v", side = "слева"', L3 + "slides.side", 20,
+     'lies square to "left"; write "above" or "below"'),
+    ('on = "frame", along = "x"', 'on = 2, along = "AB"', L3 + "slides.side", 20,
+     'on a guide that moves; write "\\+" or "-"'),
+    ('side = "right" }', 'sied = "right" }', L3 + "slides.sied", 20, 'did you mean "side"'),
+    ('side = "right" }', 'offset = "OX" }', L3 + "slides.offset", 20, "neither a named length"),
+    ('side = "right" }', "flips_at = [90] }", L3 + "slides.flips_at", 20, 'write "side" as well'),
+    ("link = 1\n", "link = 9\n", "drive.link", 22, "no link 9; links are 0, 1, 2, 3"),
+    ("link = 1\n", "link = 0\n", "drive.link", 22, "is the frame, which does not turn"),
+    ("link = 1\n", "", "drive.link", 21, '"link" is missing; write for example link = 1'),
+    ('"380 rpm"', "0", "drive.speed", 23, 'stands still moves nothing; write "380 rpm"'),
+    ('"380 rpm"', "-5", "drive.speed", 23, 'negative; write it positive and turns = "clockwise"'),
+    ('"380 rpm"', '"380 m/s"', "drive.speed", 23, "is a speed; an angular speed is wanted"),
+    ('"380 rpm"', '"380"', "drive.speed", 23, 'has no unit; write "380 rpm"'),
+    ('"380 rpm"', '"1e400 rpm"', "drive.speed", 23, "not a finite number"),
+    ('"380 rpm"', '"380 rpm"\nturns = "left"', "drive.turns", 24, 'one of "counterclockwise"'),
+    ('"380 rpm"', '5\nacceleration = "1 rpm"', "drive.acceleration", 24,
+     "an angular acceleration is wanted"),
+    ('"380 rpm"', '5\nzero = { point = "K", at = "left" }', "drive.zero.point", 24,
+     '"K" is not a letter of the mechanism'),
+    ('"380 rpm"', '5\nzero = { point = "O", at = "left" }', "drive.zero.point", 24,
+     "stands on the frame and does not move"),
+    ('"380 rpm"', '5\nzero = { point = "B", at = "lefft" }', "drive.zero.at", 24,
+     'did you mean "left"'),
+    ('"380 rpm"', '5\nzero = "left"', "drive.zero", 24, "an angle is wanted"),
+    ('"380 rpm"', "5\nfirst = 2", "drive.first", 24, "whole number 0 to 1"),
+    ('"380 rpm"', '5\nextra = ["other extreme"]', "drive.extra", 24, "other extreme of what"),
+    ('"380 rpm"', '5\nextra = "105 deg"', "drive.extra", 24, "a list is wanted"),
+    ("positions = 12", "positions = 0", "drive.positions", 24, "whole number 1 to 100000"),
+    ("positions = 12", "positions = 100001", "drive.positions", 24, "whole number 1 to 100000"),
+    ("positions = 12", "positions = 12.0", "drive.positions", 24, "whole number is wanted"),
+    ("[2, 6]", "[2, 12]", "drive.accelerations[2]", 25, "no position 12; .* from 0 to 11"),
+    ("[2, 6]", '[2, "6*"]', "drive.accelerations[2]", 25, "no position 6\\*; name it first, extra"),
+    ("[2, 6]", "[2, 2]", "drive.accelerations[2]", 25, "named twice"),
+    ("[2, 6]", "[2, 2.5]", "drive.accelerations", 25, "a position is a number, 6, or a text"),
+    ("[2, 6]", "2", "drive.accelerations", 25, 'list of positions, .* or "all"'),
+    ("mu_l = 0.005", 'mu_l = "1:0"', "scales.mu_l", 27, "cannot be a scale factor"),
+    ("mu_l = 0.005", 'mu_l = "5 mm"', "scales.mu_l", 27, "a scale of lengths is wanted"),
+    ("mu_l = 0.005", "OA = 60", "scales.OA", 27, '60 m on the sheet .*write "60 mm"'),
+    ("mu_l = 0.005", 'mu_l = 0.005\nOA = "60 mm"', "scales.OA", 28, "fix the same scale; leave one"),
+    ("mu_l = 0.005", "mu_a = -1", "scales.mu_a", 27, "cannot be a scale factor"),
+    ('["B"]', '["B", "K"]', "plans.trajectories[2]", 29, '"K" is not a letter of the mechanism'),
+    ('["B"]', '["O"]', "plans.trajectories[1]", 29, "does not move; name a moving point"),
+    ('["B"]', '["B"]\nvelocities = "turnt"', "plans.velocities", 30, 'did you mean "turned"'),
+    ('["B"]', '["B"]\n[hand]\nruler = "5 m"', "hand.ruler", 31, 'is no ruler; write "0.1 mm"'),
+    ('"A1"', '"A2"', "sheet 1, format", 31, 'one of "A1", "A4"'),
+    ('"A1"', '"A1"\nplace = ["speeds"]', "sheet 1, place", 32, 'one of "positions", "veloc'),
+    ('"A1"', '"A1"\nplace = []', "sheet 1, place", 32, "a list of plans is wanted"),
+    ("[[sheet]]", "[sheet]", "sheet", 30, r"write \[\[sheet\]\] in double brackets"),
+    ('name = "N"', 'nam = "N"', "title_block.nam", 33, 'did you mean "name"'),
+    ('name = "N"', 'name = "N"\n[effects]\ngravity = true', "effects", 34, "means nothing here"),
+    ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 1\nstroke = 1\nOB = 1', "task.K_v", 36,
+     "number greater than 1"),
+    ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 2\nstroke = -1\nOB = 1',
+     "task.stroke", 37, "not greater than 0"),
+    ('name = "N"', 'name = "N"\n[task]\nkind = "crank"\nK_v = 2\nstroke = 1\nOB = 1',
+     "task.kind", 35, 'it can only be "rocker"'),
+    # not TOML at all
+    ('"380 rpm"', "380 rpm", "speed", 23, 'in quotes: speed = "380 rpm"'),
+    ('"380 rpm"', "39,8", "speed", 23, "decimal sign of a number is a point: 39.8"),
+    ('"380 rpm"', "«380 rpm»", "speed", 23, "straight quotes"),
+    ("O = [0, 0]\nx", "Д = [0, 0]\nx", "Д", 7, 'stands in quotes: "Д"'),
+    ("O = [0, 0]\nx", "O = [0, 0]\nO = [1, 0]\nx", "O", 8, '"O" stands twice in one table'),
+    ("O = [0, 0], A", "A = [1, 0], A", "A", 12, '"A" stands twice in one table'),
+    ("[plans]", "[drive]", "drive", 28, r"section \[drive\] stands twice"),
+    ("[plans]", "[plans", "", 28, "a section is written"),
+    ("[plans]", "plans", "", 28, "write key = value"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "key", "line", "words"), CASES)
+def test_one_fault(tmp_path, old, new, key, line, words):
+    assert GOOD.count(old) >= 1
+    faults = faults_of(tmp_path, GOOD.replace(old, new, 1))
+    assert [(fault.key, fault.line) for fault in faults] == [(key, line)]
+    with pytest.raises(ValueError, match=words):
+        raise ValueError(faults[0].message)
