@@ -9,6 +9,7 @@ near the mechanism's size. The crank's angle is in degrees, from the x axis, cou
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -249,10 +250,6 @@ def rates(mechanism: Mechanism, system: System, q: Numbers, phi: Any) -> Rates:
     return Rates(q, dq, ddq)
 
 
-def _cis(angle: float) -> complex:
-    return complex(math.cos(angle), math.sin(angle))
-
-
 def _state(mechanism: Mechanism, phi_deg: float, size: float, found: Rates) -> State:
     rows = (np.asarray(part, dtype=float).tolist() for part in found)
     q, dq, ddq = (dict(zip(mechanism.by_number, part, strict=True)) for part in rows)
@@ -260,13 +257,13 @@ def _state(mechanism: Mechanism, phi_deg: float, size: float, found: Rates) -> S
     for owner in mechanism.by_number.values():
         x, y, turn = q[owner.number]
         for letter, own in owner.points.items():
-            place = complex(x, y) * size + own * _cis(turn)
+            place = complex(x, y) * size + own * cmath.rect(1.0, turn)
             for n in q:
                 arm = place - complex(*q[n][:2]) * size
                 v = complex(*dq[n][:2]) * size + 1j * dq[n][2] * arm
                 a = complex(*ddq[n][:2]) * size + (1j * ddq[n][2] - dq[n][2] ** 2) * arm
                 points[letter, n] = Motion(place, v, a)
-            points[letter] = points[letter, owner.number]
+            points.setdefault(letter, points[letter, owner.number])
     pose = {n: (x * size, y * size, turn) for n, (x, y, turn) in q.items()}
     omega, epsilon = {n: dq[n][2] for n in q}, {n: ddq[n][2] for n in q}
     return State(mechanism, phi_deg, size, found, pose, omega, epsilon, points)
@@ -366,7 +363,7 @@ def poses_from_points(
     rows, right = [*linear], [*-residual]
     for i, link in enumerate(mechanism.links):
         for letter in (letter for letter in link.points if letter in points):
-            place = points[letter] - link.points[letter] * _cis(turns[link.number])
+            place = points[letter] - link.points[letter] * cmath.rect(1.0, turns[link.number])
             rows += [*np.eye(linear.shape[1])[[2 * i, 2 * i + 1]]]
             right += [place.real / system.size, place.imag / system.size]
     origins = np.linalg.lstsq(np.array(rows), np.array(right), rcond=None)[0].reshape(-1, 2)

@@ -206,7 +206,7 @@ def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
     return Line(through, base / d * ((side * half - 1j * radius) / d))
 
 
-def _rocker_gap(stone: Point, pivot: Point, side: Side) -> Reals:
+def _rocker_gap(pivot: Point, stone: Point) -> Reals:
     return np.asarray(np.abs(stone - pivot))
 
 
@@ -221,12 +221,15 @@ def _rocker_gap(stone: Point, pivot: Point, side: Side) -> Reals:
         ),
     ),
 )
-def rocker_line(stone: Point, pivot: Point, side: Side) -> Line:
-    """Through {pivot} and {stone} draw the line of the rocker {it}.
+def rocker_line(pivot: Point, stone: Point) -> Line:
+    """Through {pivot} and {stone} draw the line of the rocker {it}."""
+    return Line(pivot, unit(stone - pivot))
 
-    ``side``: +1 if the line's direction leads from the pivot towards the stone. It starts at the stone.
-    """
-    return Line(stone, side * unit(stone - pivot))
+
+@operation("Через {through} провести {it} вдоль {to} в сторону {side}.")
+def directed(through: Point, to: Line, side: Side) -> Line:
+    """Through {through} draw {it} along {to}, in the sense {side}."""
+    return Line(through, side * to.along)
 
 
 def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:

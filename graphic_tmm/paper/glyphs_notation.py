@@ -93,7 +93,7 @@ def extremes(strokes: tuple[Stroke, ...]) -> tuple[float, float, float, float]:
 
 
 def centre(start: Vertex, end: Vertex) -> tuple[complex, complex]:
-    """Return the centre of the arc from one vertex to the next, and the radius vector to its start."""
+    """Return the centre of the arc between two vertices and the radius vector to its start."""
     a, b = complex(*start[:2]), complex(*end[:2])
     bulge = start[2]
     middle = (a + b) / 2.0 + (b - a) * 1j * (1.0 - bulge * bulge) / (4.0 * bulge)

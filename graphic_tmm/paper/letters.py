@@ -54,8 +54,9 @@ _LINE_GAP, _LINE_PITCH = 1.2, 2.0
 class Form(NamedTuple):
     """A glyph at a size, or a drawn line: mm from the middle of the pen at its left edge, y up.
 
-    ``span`` is the width of its path without the pen, ``box`` the least and the largest x and y of
-    the path, ``path`` its first point and what follows it as the data of an SVG path.
+    ``span`` is the width of its path without the pen; ``box`` the least x and y, the largest x and
+    y of its ink; ``path`` its first point and what follows it as the data of an SVG path;
+    ``columns`` its strokes once more, each as all x, all y and all bulges.
     """
 
     strokes: tuple[Stroke, ...]
@@ -63,6 +64,7 @@ class Form(NamedTuple):
     span: float
     box: tuple[float, float, float, float]
     path: tuple[float, float, str]
+    columns: tuple[tuple[tuple[float, ...], ...], ...]
 
 
 class Lettering(NamedTuple):
@@ -137,9 +139,9 @@ def compose(text: str, *, size: float = 5.0, inclined: bool = True) -> Lettering
     parts = tuple(setter.parts)
     strokes = tuple(
         [
-            tuple([(x + dx, y + dy, bulge) for dx, dy, bulge in stroke])
+            tuple(zip([x + dx for dx in xs], [y + dy for dy in ys], bulges, strict=True))
             for x, y, form in parts
-            for stroke in form.strokes
+            for xs, ys, bulges in form.columns
         ]
     )
     left, low, right, high = _ink(parts)
@@ -175,15 +177,16 @@ def svg_path(
         parts = tuple(part for part in parts if part[2].pen == pen)
     words = []
     if not angle:
-        for px, py, (_, _, _, _, (dx, dy, path)) in parts:
-            words.append(f"M{_number(x + px + dx)} {_number(y - py - dy)}{path}")
-        return "".join(words)
-    turn = complex(math.cos(math.radians(angle)), math.sin(math.radians(angle)))
-    for px, py, form in parts:
-        start = complex(x, -y) + complex(px, py) * turn
-        dx, dy, path = _path(tuple(_turned(stroke, turn, start) for stroke in form.strokes))
-        words.append(f"M{_number(dx)} {_number(-dy)}{path}")
-    return "".join(words)
+        for px, py, form in parts:
+            dx, dy, path = form.path
+            words.append(f"M{x + px + dx:.3f} {y - py - dy:.3f}{path}")
+    else:
+        turn = complex(math.cos(math.radians(angle)), math.sin(math.radians(angle)))
+        for px, py, form in parts:
+            start = complex(x, -y) + complex(px, py) * turn
+            dx, dy, path = _path(tuple(_turned(stroke, turn, start) for stroke in form.strokes))
+            words.append(f"M{dx:.3f} {-dy:.3f}{path}")
+    return "".join(words).replace("-0.000", "0")
 
 
 class _Setter:
@@ -240,8 +243,7 @@ class _Setter:
         length = end - x - pen
         if length > 0.0:
             strokes: tuple[Stroke, ...] = (((0.0, 0.0, 0.0), (length, 0.0, 0.0)),)
-            form = Form(strokes, pen, length, (0.0, 0.0, length, 0.0), _path(strokes))
-            self.parts.append((x + pen / 2.0 + self.slant * y, y, form))
+            self.parts.append((x + pen / 2.0 + self.slant * y, y, _form(strokes, pen, length)))
 
 
 class _Forms(dict[str, Form]):
@@ -266,15 +268,21 @@ class _Forms(dict[str, Form]):
             tuple((unit * (x - 0.5), unit * y, bulge) for x, y, bulge in stroke)
             for stroke in strokes
         )
-        path = _path(scaled) if scaled else (0.0, 0.0, "")
-        form = Form(scaled, unit, unit * (clear - 1.0), extremes(scaled), path)
-        self[character] = form
-        return form
+        self[character] = _form(scaled, unit, unit * (clear - 1.0))
+        return self[character]
 
 
 @lru_cache(maxsize=64)
 def _forms(size: float, inclined: bool) -> _Forms:
     return _Forms(size, inclined)
+
+
+def _form(strokes: tuple[Stroke, ...], pen: float, span: float) -> Form:
+    x0, y0, x1, y1 = extremes(strokes)
+    half = pen / 2.0
+    box = (x0 - half, y0 - half, x1 + half, y1 + half)
+    path = _path(strokes) if strokes else (0.0, 0.0, "")
+    return Form(strokes, pen, span, box, path, tuple(tuple(zip(*s, strict=True)) for s in strokes))
 
 
 @cache
@@ -287,14 +295,14 @@ def _index_size(size: float) -> float:
 
 def _ink(parts: Iterable[tuple[float, float, Form]]) -> tuple[float, float, float, float]:
     """Left, lower, right and upper edge of the ink; zeros where there is none."""
-    boxes = [(x, y, form.pen / 2.0, form.box) for x, y, form in parts]
+    boxes = [(x, y, form.box) for x, y, form in parts]
     if not boxes:
         return (0.0, 0.0, 0.0, 0.0)
     return (
-        min([x + box[0] - half for x, _, half, box in boxes]),
-        min([y + box[1] - half for _, y, half, box in boxes]),
-        max([x + box[2] + half for x, _, half, box in boxes]),
-        max([y + box[3] + half for _, y, half, box in boxes]),
+        min([x + box[0] for x, _, box in boxes]),
+        min([y + box[1] for _, y, box in boxes]),
+        max([x + box[2] for x, _, box in boxes]),
+        max([y + box[3] for _, y, box in boxes]),
     )
 
 
@@ -309,15 +317,24 @@ def _number(value: float) -> str:
     return text[:-2] if text.endswith(".0") else text
 
 
+def _pair(letter: str, dx: float, dy: float) -> str:
+    """Write a relative step as short as SVG allows: l.5-.25 for (0.5, -0.25)."""
+    x, y = (
+        _number(value).replace("0.", ".", 1) if abs(value) < 1.0 else _number(value)
+        for value in (dx, dy)
+    )
+    return f"{letter}{x}{y}" if y.startswith("-") else f"{letter}{x} {y}"
+
+
 def _path(strokes: tuple[Stroke, ...]) -> tuple[float, float, str]:
-    """First point (y up), then relative steps between rounded points (y down)."""
+    """First point (y up), then relative steps between points rounded to 0.01 mm (y down)."""
     x0, y0, _ = strokes[0][0]
     words: list[str] = []
     at = (0.0, 0.0)
     for stroke in strokes:
-        places = [(round(x - x0, 3), round(y0 - y, 3)) for x, y, _ in stroke]
+        places = [(round(x - x0, 2), round(y0 - y, 2)) for x, y, _ in stroke]
         if words:
-            words.append(f"m{_number(places[0][0] - at[0])} {_number(places[0][1] - at[1])}")
+            words.append(_pair("m", places[0][0] - at[0], places[0][1] - at[1]))
         for i in range(1, len(places)):
             (x, y), (nx, ny) = places[i - 1], places[i]
             words.append(_step(nx - x, ny - y, stroke[i - 1][2]))
@@ -327,10 +344,11 @@ def _path(strokes: tuple[Stroke, ...]) -> tuple[float, float, str]:
 
 def _step(dx: float, dy: float, bulge: float) -> str:
     if bulge:
-        r = _number(math.hypot(dx, dy) * (1.0 + bulge * bulge) / abs(4.0 * bulge))
-        return f"a{r} {r} 0 {int(abs(bulge) > 1.0)} {int(bulge < 0.0)} {_number(dx)} {_number(dy)}"
-    if abs(dy) < 5e-4:
+        radius = round(math.hypot(dx, dy) * (1.0 + bulge * bulge) / abs(4.0 * bulge), 2)
+        flags = f" 0 {int(abs(bulge) > 1.0)} {int(bulge < 0.0)}"
+        return _pair("a", radius, radius) + _pair(flags + " ", dx, dy)
+    if abs(dy) < 5e-3:
         return f"h{_number(dx)}"
-    if abs(dx) < 5e-4:
+    if abs(dx) < 5e-3:
         return f"v{_number(dy)}"
-    return f"l{_number(dx)} {_number(dy)}"
+    return _pair("l", dx, dy)

@@ -39,8 +39,9 @@ def pens(format: str) -> Mapping[str, Pen]:
 
     "thin" (construction, dimension and hatching lines), "dashed", "centre" (dash-dot), "phantom"
     (dash and two dots), "medium" (vectors of plans), "main", "thick" (open section line, 1.5 s),
-    "paper" (hides what lies under it, draws no line), "joint" (a main line round a white inside:
-    pins and sliders, uppermost).
+    "body" (a slider: a main line round the paper's white, hides its guide), "rod" (a main line that
+    runs over a slider to its pin), "paper" (hides what lies under it, draws no line), "joint" (a
+    main line round white: pins, uppermost).
     """
     if format not in MAIN_WIDTH:
         known = ", ".join(MAIN_WIDTH)
@@ -56,6 +57,8 @@ def pens(format: str) -> Mapping[str, Pen]:
             "medium": Pen(round(s / 2, 2)),
             "main": Pen(s),
             "thick": Pen(round(1.5 * s, 2)),
+            "body": Pen(s, (), "black", "white"),
+            "rod": Pen(s),
             "paper": Pen(0.0, (), "none", "white"),
             "joint": Pen(s, (), "black", "white"),
         }

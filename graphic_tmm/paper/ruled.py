@@ -22,8 +22,8 @@ CLEAR = 0.15
 LONGEST = 1000
 """No box of a sheet holds more characters; a longer text is cut before it is measured."""
 
-PADDING = 2.0
-"""Kept free on both sides of the widest text of a table's column, mm."""
+PADDING = 1.5
+"""Kept free on both sides of the widest text of a table's column, mm; at least half the size."""
 
 TITLE_GAP = 3.0
 """From the upper line of a table to the base line of its title, mm."""
@@ -212,8 +212,9 @@ def table(
     ways = align or ["number" if _numerals(cells) else "centre" for cells in body]
     heads = [column.split("\n") for column in columns]
     places = [_places(cells, way, size) for cells, way in zip(body, ways, strict=True)]
+    pad = max(PADDING, size / 2, head / 2)
     widths = [
-        2 * PADDING + max(width, *(sum(_reach(text, head)) for text in lines))
+        2 * pad + max(width, *(sum(_reach(text, head)) for text in lines))
         for (width, _), lines in zip(places, heads, strict=True)
     ]
     edges = [0.0, *accumulate(widths)]
@@ -227,7 +228,7 @@ def table(
         for i, text in enumerate(reversed(lines)):
             labels.append(Label(text, complex(middle, low + pitch * i), head, "middle"))
     for k, (width, spots) in enumerate(places):
-        left = edges[k] + (PADDING if ways[k] == "left" else (widths[k] - width) / 2)
+        left = edges[k] + (pad if ways[k] == "left" else (widths[k] - width) / 2)
         for i, (cell, (anchor, x)) in enumerate(zip(body[k], spots, strict=True)):
             labels.append(Label(cell, complex(left + x, top - step * (i + 1) + foot), size, anchor))
     if title:

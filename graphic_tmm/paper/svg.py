@@ -111,22 +111,31 @@ class _Writer:
             stroke_linecap="butt" if pen.dashes else "round",
             stroke_linejoin="round",
         )
-        merged: dict[tuple[object, ...], Any] = {}
+        merged: dict[tuple[object, ...], list[str]] = {}
+        styles: dict[tuple[object, ...], dict[str, str]] = {}
+        alone = []
         for stroke in strokes:
+            if stroke.title or stroke.data or pen.fill != "none":
+                alone.append(stroke)
+                continue
             style = _style(pen, stroke)
             shape = (*style.values(), _turn(stroke))
-            alone = stroke.title or stroke.data or pen.fill != "none"
-            if not alone and shape in merged:
-                merged[shape]["d"] += path_data(stroke, self.height)
-                continue
-            element = group.add(self.page.path(d=path_data(stroke, self.height), **style))
-            if not alone:
-                merged[shape] = element
-            for name, value in stroke.data:
-                element[_attribute(name)] = clean(value)
-            if stroke.title:
-                element.set_desc(title=clean(stroke.title))
+            styles[shape] = style
+            merged.setdefault(shape, []).append(path_data(stroke, self.height))
+        for shape, pieces in merged.items():
+            group.add(self.page.path(d="".join(pieces), **styles[shape]))
+        for stroke in alone:
+            group.add(self.single(pen, stroke))
         return group
+
+    def single(self, pen: Pen, stroke: Ink) -> Any:
+        """Return the path of one stroke with its title and its data attributes."""
+        element = self.page.path(d=path_data(stroke, self.height), **_style(pen, stroke))
+        for name, value in stroke.data:
+            element[_attribute(name)] = clean(value)
+        if stroke.title:
+            element.set_desc(title=clean(stroke.title))
+        return element
 
     def lettering(self, width: float, labels: Sequence[Label]) -> Any:
         """Return the labels written with a pen of one width (mm)."""

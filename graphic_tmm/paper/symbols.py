@@ -2,8 +2,8 @@
 
 The standard shows the shapes; its sizes are left to the draughtsman and stand here as constants.
 Every function returns a tuple of strokes in sheet coordinates. Points and directions are complex,
-angles are in degrees, counter-clockwise. Pins and sliders are drawn with the pen "joint", which
-hides the lines under it.
+angles are in degrees, counter-clockwise. A slider ("body") hides the guide under it, and a rod
+(pen "rod") runs over the slider to the pin ("joint"), which hides them all.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ HATCH_PITCH, HATCH_DEPTH = 1.5, 2.0
 PLATE_PITCH = 2.0
 SLIDER_LENGTH, SLIDER_WIDTH = 12.0, 6.0
 STONE_LENGTH, STONE_WIDTH = 10.0, 5.0
-CORNER = 4.0
+CORNER, ROOF = 4.0, 3.2
 ARROW_LENGTH, ARROW_WIDTH = 4.5, 1.2
 POLE_RADIUS = 0.7
 
@@ -82,7 +82,7 @@ def slider(
     """Return a slider: a rectangle turned by ``angle``; ``pin`` adds a turning pair."""
     turn = cmath.rect(0.5, math.radians(angle))
     corners = ((-length, -width), (length, -width), (length, width), (-length, width))
-    box = line("joint", *(at + turn * complex(x, y) for x, y in corners), closed=True)
+    box = line("body", *(at + turn * complex(x, y) for x, y in corners), closed=True)
     return (box, *turning_pair(at)) if pin else (box,)
 
 
@@ -100,8 +100,7 @@ def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:
     u, v = first / abs(first), second / abs(second)
     sine = (u.conjugate() * v).imag
     if abs(sine) < 0.1:
-        u, v, at = u, 1j * u, at - u * CORNER / 2
-        points = (at, at + CORNER * u, at + CORNER * (u + v) / 2)
+        points = (at - CORNER * u, at + CORNER * u, at + ROOF * 1j * u)
     else:
         points = (at, at + CORNER * u, at + CORNER * v)
         points = points if sine > 0 else (points[0], points[2], points[1])

@@ -37,7 +37,7 @@ def _upright(pen: str, bottom: float, top: float, *places: float) -> tuple[Rulin
     return tuple((pen, x, bottom, x, top) for x in places)
 
 
-SMALL, PERSON = (2.5, 1.8), (3.5, 2.5, 1.8)
+SMALL, PERSON, TEXT = (2.5, 1.8), (3.5, 2.5, 1.8), (3.5, 2.5, 1.8)
 CHANGES = ("Изм.", "Лист", "№ докум.", "Подп.", "Дата")
 EDGES = (0, 7, 17, 40, 55, 65)
 ROLES = (
@@ -59,8 +59,12 @@ def _changes(bottom: float) -> tuple[Slot, ...]:
 def _roles() -> tuple[tuple[Slot, ...], tuple[Slot, ...]]:
     """Return the captions and the entries of the six rows of signatures of form 1."""
     rows = [(text, key, 25 - 5 * k) for k, (text, key) in enumerate(ROLES) if text]
-    captions = tuple(Slot(t, Box(0, y, 17, y + 5), SMALL, anchor="start") for t, _, y in rows)
-    people = tuple(Slot(key, Box(17, y, 40, y + 5), PERSON, anchor="start") for _, key, y in rows)
+    captions = tuple(
+        Slot(t, Box(0, y, 17, y + 5), SMALL, anchor="start", pad=1) for t, _, y in rows
+    )
+    people = tuple(
+        Slot(key, Box(17, y, 40, y + 5), PERSON, anchor="start", pad=1) for _, key, y in rows
+    )
     return captions, people
 
 
@@ -94,7 +98,7 @@ FORM_1 = Block(
         Slot("name", Box(65, 15, 135, 40), (7, 5, 3.5, 2.5), 3, pad=2),
         Slot("material", Box(65, 0, 135, 15), (5, 3.5, 2.5), 2, pad=2),
         Slot("organisation", Box(135, 0, 185, 15), (5, 3.5, 2.5), 2, pad=1.5),
-        Slot("letter", Box(135, 20, 140, 35), (5, 3.5, 2.5, 1.8)),
+        Slot("letter", Box(135, 20, 140, 35), TEXT, pad=0.3),
         Slot("mass", Box(150, 20, 167, 35), (5, 3.5, 2.5, 1.8), pad=1),
         Slot("scale", Box(167, 20, 185, 35), (5, 3.5, 2.5, 1.8), 2, pad=1),
         Slot("sheet", Box(146, 15, 155, 20)),
@@ -160,7 +164,7 @@ def _field(
     caption: str, key: str, box: Box, sizes: tuple[float, ...], lines: int = 1
 ) -> tuple[Slot, Slot]:
     """Return a field of the English block: a caption in the upper left corner, the entry below."""
-    head = Slot(caption, box._replace(bottom=box.top - 3.5), (1.8,), anchor="start", pad=1)
+    head = Slot(caption, box._replace(bottom=box.top - 3), (1.8,), anchor="start", pad=1)
     body = Slot(key, box._replace(top=box.top - 3), sizes, lines, anchor="start", pad=1)
     return head, body
 
@@ -170,8 +174,6 @@ def _fields(*fields: tuple[Slot, Slot]) -> tuple[tuple[Slot, ...], tuple[Slot, .
     return tuple(head for head, _ in fields), tuple(body for _, body in fields)
 
 
-LARGE, TEXT = (7.0, 5.0, 3.5, 2.5), (3.5, 2.5, 1.8)
-
 ISO_FIRST = Block(
     180,
     40,
@@ -180,12 +182,12 @@ ISO_FIRST = Block(
         *_upright("main", 0, 40, 0),
         *_level("thin", 0, 180, 30),
         *_level("thin", 55, 180, 20),
-        *_level("thin", 120, 180, 10),
+        *_level("thin", 120, 180, 9),
         *_upright("thin", 30, 40, 36, 72, 108, 144),
         *_upright("thin", 0, 30, 55),
         *_upright("thin", 0, 20, 120),
         *_upright("thin", 20, 30, 120, 155),
-        *_upright("thin", 0, 10, 132, 155, 165),
+        *_upright("thin", 0, 9, 132, 155, 165),
     ),
     *_fields(
         _field("Responsible department", "department", Box(0, 30, 36, 40), TEXT, 2),
@@ -193,18 +195,16 @@ ISO_FIRST = Block(
         _field("Creator", "drawn_by", Box(72, 30, 108, 40), TEXT, 2),
         _field("Checked by", "checked_by", Box(108, 30, 144, 40), TEXT, 2),
         _field("Approval person", "approved_by", Box(144, 30, 180, 40), TEXT, 2),
-        _field("Legal owner", "organisation", Box(0, 0, 55, 30), (5, 3.5, 2.5), 3),
+        _field("Legal owner", "organisation", Box(0, 0, 55, 30), TEXT, 4),
         _field("Document type", "document_type", Box(55, 20, 120, 30), TEXT, 2),
         _field("Document status", "status", Box(120, 20, 155, 30), TEXT, 2),
         _field("Scale", "scale", Box(155, 20, 180, 30), TEXT, 2),
         _field("Title, supplementary title", "name", Box(55, 0, 120, 20), (5, 3.5, 2.5), 3),
-        _field(
-            "Identification number", "designation", Box(120, 10, 180, 20), (5, 3.5, 2.5, 1.8), 2
-        ),
-        _field("Rev.", "revision", Box(120, 0, 132, 10), TEXT),
-        _field("Date of issue", "date", Box(132, 0, 155, 10), TEXT),
-        _field("Lang.", "language", Box(155, 0, 165, 10), TEXT),
-        _field("Sheet", "sheet", Box(165, 0, 180, 10), TEXT),
+        _field("Identification number", "designation", Box(120, 9, 180, 20), (5, 3.5, 2.5, 1.8), 2),
+        _field("Rev.", "revision", Box(120, 0, 132, 9), TEXT),
+        _field("Date of issue", "date", Box(132, 0, 155, 9), TEXT),
+        _field("Lang.", "language", Box(155, 0, 165, 9), TEXT),
+        _field("Sheet", "sheet", Box(165, 0, 180, 9), TEXT),
     ),
 )
 """The first English sheet: 180 × 40, the data fields of ISO 7200 in an arrangement of our own."""
@@ -241,7 +241,7 @@ def ruled(block: Block, at: complex) -> tuple[Stroke, ...]:
 def lettered(block: Block, at: complex, fields: Mapping[str, str]) -> tuple[Label, ...]:
     """Return the captions of a block and the entries of ``fields`` that it has a place for.
 
-    The names in the column of signatures are all lettered in the size of the longest. Raises
+    The names in the column of signatures share the size of the longest, down to 2.5. Raises
     SheetError, naming the field, for a character that has no glyph.
     """
     for slot in block.entries:
@@ -251,10 +251,11 @@ def lettered(block: Block, at: complex, fields: Mapping[str, str]) -> tuple[Labe
     texts = [(slot.text, slot) for slot in block.captions]
     texts += [(fields.get(slot.text, ""), slot) for slot in block.entries]
     people = [fit(text, slot).size for text, slot in texts if slot.sizes is PERSON and text.strip()]
+    common = max(min(people, default=0.0), PERSON[1])
     labels: list[Label] = []
     for text, slot in texts:
         sizes = slot.sizes
         if sizes is PERSON and people:
-            sizes = tuple(size for size in sizes if size <= min(people))
+            sizes = tuple(size for size in sizes if size <= common)
         labels += set_text(text, slot._replace(box=slot.box.moved(at), sizes=sizes))
     return tuple(labels)

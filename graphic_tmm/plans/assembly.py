@@ -43,10 +43,9 @@ def closures(survey: Survey) -> tuple[Closure, ...]:
     """Return the steps that close the groups, with their gaps."""
     found = []
     for closing in survey.positions.closings:
-        side = survey.positions.sides.get(closing.group.name)
-        step = next((s for s in survey.construction.steps if side is not None and side in s.uses), None)
-        if step is not None:
-            found += [Closure(closing.group, step, gap) for gap in step.op.gaps]
+        step = survey.construction.step(closing.root)
+        assert step is not None
+        found += [Closure(closing.group, step, gap) for gap in step.op.gaps]
     return tuple(found)
 
 

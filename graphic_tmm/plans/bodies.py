@@ -46,12 +46,13 @@ class Body:
 class Closing(NamedTuple):
     """What a group leaves for the other plans: the closing point Q (with its letter) and its two legs.
 
-    A leg is ("T", line PQ, length PQ, P) or ("S" or "I", guide line); see `legs`.
+    ``root`` is the mark in which the group was closed: where two loci met, or the line of a rocker.
     """
 
     group: Group
     letter: str
     point: Mark
+    root: Mark
     legs: tuple[PinLeg | GuideLeg, PinLeg | GuideLeg]
 
     @property

@@ -15,6 +15,7 @@ import numpy as np
 from graphic_tmm.board.operations import (
     cross,
     cut,
+    directed,
     join,
     lay_off,
     measure,
@@ -175,12 +176,21 @@ def _pinned(
 
 
 def _sliding(
-    draft: Draft, bodies: dict[int, Body], link: records.Link, pair: Pair, pin: str, mark: Mark, line: Mark
+    draft: Draft,
+    bodies: dict[int, Body],
+    link: records.Link,
+    pair: Pair,
+    pin: str,
+    mark: Mark,
+    line: Mark,
+    side: Mark | None = None,
 ) -> None:
-    """Enter a link that lies along ``line`` with a point of it at ``mark``."""
+    """Enter a link that lies along ``line`` (in the sense ``side``) with a point of it at ``mark``."""
     name = f"({link.number})"
 
     def axis() -> Mark:
+        if side is not None:
+            return draft.board.draw(directed, name, mark, line, side)
         return draft.board.draw(parallel, name, mark, line)
 
     own = link.points.get(pin, 0j)
@@ -209,7 +219,7 @@ def _rrr(
         line = _pinned(draft, bodies, link, leg, pin, mark)
         radius = draft.board.uses(arc)[1]
         legs.append(PinLeg(link.number, leg.body, leg.pair.name, _pivot(bodies, leg), line, radius))
-    return Closing(group, pin, mark, (legs[0], legs[1]))
+    return Closing(group, pin, mark, mark, (legs[0], legs[1]))
 
 
 def _rrp(
@@ -227,7 +237,7 @@ def _rrp(
     pinned = PinLeg(
         rod.number, turning.body, turning.pair.name, _pivot(bodies, turning), line, draft.board.uses(arc)[1]
     )
-    return Closing(group, pin, mark, (pinned, GuideLeg(slider.number, sliding.body, guide, False)))
+    return Closing(group, pin, mark, mark, (pinned, GuideLeg(slider.number, sliding.body, guide, False)))
 
 
 def _rpr(
@@ -244,18 +254,19 @@ def _rpr(
     )
     size = max(map(abs, (*stone.points.values(), *rocker.points.values(), offset)))
     name = f"({centre}{pin})"
-    if abs(offset) <= ROUNDING * size:
-        guide = draft.board.draw(rocker_line, name, a, c, side)
-        line = guide
+    straight = abs(offset) <= ROUNDING * size
+    if straight:
+        guide = line = draft.board.draw(rocker_line, name, c, a)
     else:
         guide = draft.board.draw(tangent, f"({pin})", a, c, draft.length(f"h_{{{pin}}}", offset), side)
         line = draft.board.draw(join, name, c, a)
     distance = draft.board.draw(measure, f"{centre}{pin}", c, a)
-    _sliding(draft, bodies, stone, inner, pin, a, guide)
-    _sliding(draft, bodies, rocker, inner, centre, c, guide)
+    turned = side if straight else None
+    _sliding(draft, bodies, stone, inner, pin, a, guide, turned)
+    _sliding(draft, bodies, rocker, inner, centre, c, guide, turned)
     inner_leg = GuideLeg(stone.number, stone_leg.body, guide, True)
     return Closing(
-        group, pin, a, (inner_leg, PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance))
+        group, pin, a, guide, (inner_leg, PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance))
     )
 
 
@@ -275,7 +286,7 @@ def _prp(
         GuideLeg(leg.link, leg.body, guide, False)
         for leg, guide in zip(group.legs, guides, strict=True)
     )
-    return Closing(group, pin, mark, (first, second))
+    return Closing(group, pin, mark, mark, (first, second))
 
 
 def _rpp(
@@ -299,6 +310,7 @@ def _rpp(
         group,
         pin,
         a,
+        mark,
         (
             GuideLeg(stone.number, stone_leg.body, guide, True),
             GuideLeg(yoke.number, yoke_leg.body, path, False),

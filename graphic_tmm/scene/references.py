@@ -6,7 +6,7 @@ These checks look at the parsed document itself, so that a fault elsewhere hides
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple, TypeGuard
+from typing import NamedTuple, TypeGuard
 
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.faults import Found
@@ -24,10 +24,14 @@ class Body(NamedTuple):
 
 
 class Outline(NamedTuple):
-    """The names of a file: its links by number (the frame too), and the number of the frame."""
+    """The names of a file: its links by number (the frame too), and the number of the frame.
+
+    Not ``complete`` where a link has no number that could be read.
+    """
 
     frame: int
     bodies: dict[int, Body]
+    complete: bool
 
     @property
     def letters(self) -> list[str]:
@@ -50,11 +54,13 @@ def outline(doc: Document) -> Outline:
     guides = tuple(key for key, value in places.items() if isinstance(value, dict))
     points = tuple(key for key in places if key not in guides)
     bodies = {fixed: Body(("frame",), points, guides)}
+    complete = True
     for path, link in raw_links(doc):
+        complete = complete and _is_number(link.get("number"))
         if _is_whole(link.get("number")):
             body = Body(path, tuple(table(link.get("points"))), tuple(table(link.get("guides"))))
             bodies.setdefault(link["number"], body)
-    return Outline(fixed, bodies)
+    return Outline(fixed, bodies, complete)
 
 
 def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Found]:
@@ -90,6 +96,10 @@ def _is_whole(value: object) -> TypeGuard[int]:
     return isinstance(value, int) and not isinstance(value, bool)
 
 
+def _is_number(value: object) -> bool:
+    return _is_whole(value) and 0 <= value <= 999
+
+
 def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
     for path, link in raw_links(doc):
         number = link.get("number")
@@ -105,12 +115,14 @@ def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
 def _letters(doc: Document) -> Iterator[Found]:
     """Faults of single letters, then of letters that are confused with an earlier one."""
     seen: dict[str, str] = {}
+    told: set[str] = set()
     for path, letter, is_point in _written(doc):
         if says := letters.letter_fault(letter, pole=is_point):
             yield Found(path, says)
         elif is_point:
             first = seen.setdefault(letters.folded(letter), letter)
-            if says := letters.clash(first, letter):
+            if letter not in told and (says := letters.clash(first, letter)):
+                told.add(letter)
                 yield Found(path, says)
 
 
@@ -134,16 +146,18 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         if not _is_whole(number):
             continue
         if number not in names.bodies:
-            yield Found((*at, "on"), _no_link(number, names))
+            yield from _no_link((*at, "on"), number, names)
         elif number == link.get("number"):
             yield Found((*at, "on"), f"link {number} cannot slide on itself; write another number")
         else:
             yield from _along((*at, "along"), slide.get("along"), number, names)
 
 
-def _no_link(number: Any, names: Outline) -> str:
-    listed = ", ".join(str(n) for n in sorted(names.bodies))
-    return f"there is no link {number}; links are {listed} ({names.frame} is the frame)"
+def _no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
+    if names.complete:
+        listed = ", ".join(str(n) for n in sorted(names.bodies))
+        says = f"there is no link {number}; links are {listed} ({names.frame} is the frame)"
+        yield Found(path, says)
 
 
 def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[Found]:
@@ -187,7 +201,7 @@ def _centre(path: Path, link: Document) -> Iterator[Found]:
 def _drive(drive: Document, names: Outline) -> Iterator[Found]:
     number = drive.get("link")
     if _is_whole(number) and number not in names.bodies:
-        yield Found(("drive", "link"), _no_link(number, names))
+        yield from _no_link(("drive", "link"), number, names)
     elif number == names.frame and _is_whole(number):
         yield Found(
             ("drive", "link"), f"link {number} is the frame, which does not turn; name the crank"

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
 
 from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
@@ -103,14 +104,30 @@ def _one(
     try:
         return model.model_validate(raw, context=names)
     except ValidationError as error:
-        details = error.errors(include_url=False)
+        details = _without_echoes(error.errors(include_url=False), root)
     found.extend(from_pydantic(detail, root) for detail in details)
     if any(detail["type"] != "extra_forbidden" for detail in details):
         return None
     known = copy.deepcopy(raw)
     for detail in details:
-        _take_out(known, tuple(part for part in detail["loc"] if part not in m.TAGS))
-    return model.model_validate(known, context=names)
+        _take_out(known, _path(detail))
+    try:
+        return model.model_validate(known, context=names)
+    except ValidationError:  # a key that was asked for stands there misspelt
+        return None
+
+
+def _without_echoes(details: list[ErrorDetails], root: Path) -> list[ErrorDetails]:
+    """Leave out a key that is missing only because it stands there misspelt."""
+    misspelt = {
+        (*path[:-1], quantities.near(str(path[-1]), m.keys_of((*root, *path[:-1])), 0.6))
+        for path in (_path(d) for d in details if d["type"] == "extra_forbidden")
+    }
+    return [d for d in details if d["type"] != "missing" or _path(d) not in misspelt]
+
+
+def _path(detail: ErrorDetails) -> Path:
+    return tuple(part for part in detail["loc"] if part not in m.TAGS)
 
 
 def _take_out(raw: Any, path: Path) -> None:

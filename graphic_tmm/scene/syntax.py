@@ -31,27 +31,21 @@ def syntax_fault(text: str, message: str) -> Fault:
     line = lines[number - 1] if number <= len(lines) else ""
     said = _AT.sub("", message)
     if said.startswith(_TWICE):
-        return _twice(said, number, line, match, lines)
+        return _twice(said, number, line, match)
     key = _key(line)
     return Fault(key, number, f"this is not TOML ({said}){_remedy(line)}")
 
 
-def _twice(
-    said: str, number: int, line: str, match: re.Match[str] | None, lines: list[str]
-) -> Fault:
+def _twice(said: str, number: int, line: str, match: re.Match[str] | None) -> Fault:
     """Return the fault of a key or a section that stands twice."""
-    quoted = re.search(r"key '([^']*)'", said)
-    declared = re.findall(r"'([^']*)'", said)
-    if quoted:
-        key = quoted.group(1)
-    elif said.startswith("Cannot declare"):
-        key = ".".join(declared)
+    names = re.findall(r"'([^']*)'", said)
+    section = line.lstrip().startswith("[")
+    column = int(match.group(2)) if match and match.group(2) else len(line)
+    key = ".".join(names) or (line.strip(" \t[]") if section else _key(line[:column]))
+    if section:
         return Fault(
             key, number, f"the section [{key}] stands twice; put its keys into one section"
         )
-    else:
-        column = int(match.group(2)) if match and match.group(2) else len(line)
-        key = _key(line[:column])
     return Fault(key, number, f'"{key}" stands twice in one table; take one out, or rename it')
 
 

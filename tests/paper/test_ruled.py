@@ -13,7 +13,6 @@ from graphic_tmm.paper import letters
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.ruled import Box, Slot, fit, set_text, table
 
-
 DRAWABLE = [chr(k) for k in range(32, 0x2300) if not letters.missing(chr(k))]
 
 
@@ -187,15 +186,15 @@ def test_numerals_share_their_decimal_place() -> None:
 def test_columns_are_as_wide_as_their_widest_text_and_its_padding() -> None:
     made = table("t", "", ["Положение", "v"], [["1", "длинное значение"]], size=5)
     xs, _ = rulings(made)
-    assert xs[1] == pytest.approx(letters.letter("Положение", size=5).right + 4)
-    assert xs[2] - xs[1] == pytest.approx(letters.letter("длинное значение", size=5).right + 4)
+    assert xs[1] == pytest.approx(letters.letter("Положение", size=5).right + 5)
+    assert xs[2] - xs[1] == pytest.approx(letters.letter("длинное значение", size=5).right + 5)
 
 
 def test_left_and_centre_can_be_asked_for() -> None:
     rows = [["1", "1"], ["100", "100"]]
     made = table("t", "", ["длинный заголовок", "c"], rows, align=("left", "centre"))
     (a, b, c, d) = (label for label in made.labels if label.text in ("1", "100"))
-    assert a.at.real == b.at.real == 2.0
+    assert a.at.real == b.at.real == 1.75
     assert a.anchor == "start"
     assert c.at.real == d.at.real
     assert d.anchor == "middle"

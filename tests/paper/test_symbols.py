@@ -145,5 +145,5 @@ def test_a_slider_is_centred_and_turned() -> None:
         (-6, 3),
     }
     assert box.closed
-    assert pin.pen == box.pen == "joint"
+    assert (box.pen, pin.pen) == ("body", "joint")
     assert len(symbols.slider(0j, pin=False)) == 1
