@@ -3,10 +3,10 @@
 A mechanism is drawn from an assembled configuration outward: first the places of the pins and the
 directions of the guides at one angle of the crank, then, from them, the local coordinates, offsets
 and sides. So everything drawn assembles at the drawn angle, and nothing is rejected. There the
-closing lines of every dyad meet at an angle whose sine is 0.2 or more.
+closing lines of every dyad meet at an angle whose sine is 0.26 or more.
 
 Lengths are drawn near 1 and scaled at the end; all numbers lie on grids, so that special positions
-(parallel, in line, offset 0) come up, and examples shrink to plain ones.
+come up (parallel, in line, offset 0) and examples shrink to plain ones.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from hypothesis import strategies as st
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 
 T = TypeVar("T")
+Pose = tuple[float, float, float]
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
 LETTERS = "BCDEFGHKLMRTUVXYZNJ"  # O and A stand on the crank; P, Π are poles, S centres of mass
 
@@ -38,7 +39,7 @@ class Drawn(NamedTuple):
     mechanism: Mechanism
     phi: float
     points: Mapping[str, complex]
-    poses: Mapping[int, tuple[float, float, float]]
+    poses: Mapping[int, Pose]
     kinds: tuple[str, ...]
 
 
@@ -84,8 +85,8 @@ class _Plane:
         self, slider: _Body, on: _Body, place: complex, along: float, side: Side | None = None
     ) -> None:
         """Lay a guide on a body through a place; the slider's pose gives its angle and offset."""
-        name = f"g{1 + sum(len(body.guides) for body in self.bodies)}"
-        guide = Guide(name, self.own(on, place), _degrees(along - on.theta))
+        number = 1 + sum(len(body.guides) for body in self.bodies)
+        guide = Guide(f"g{number}", self.own(on, place), _degrees(along - on.theta))
         on.guides.append(guide)
         offset = _plain(((slider.z - place) * cmath.rect(1.0, -along)).imag) * self.scale
         turn = _degrees(slider.theta - along)
@@ -123,7 +124,7 @@ class _Hand:
         return math.radians(self.around(0.0, 180.0, 1800))
 
     def sign(self) -> int:
-        return 1 - 2 * self.pick(1)
+        return (1, -1)[self.pick(1)]
 
     def choose(self, among: Sequence[T]) -> T:
         return among[self.pick(len(among) - 1)]
@@ -169,8 +170,8 @@ class _Hand:
 
     def body(self, number: int, place: complex, direction: float) -> _Body:
         """A new link with its origin near a place and its x axis near a direction."""
-        z = place + (self.near() if self.pick(1) else 0)
-        return _Body(number, z, direction + (self.angle() if self.pick(1) else 0))
+        place += self.near() if self.pick(1) else 0
+        return _Body(number, place, direction + (self.angle() if self.pick(1) else 0))
 
     def through(self, place: complex, along: float) -> complex:
         """A place for a guide to run through: with the pin on the guide, or aside of it."""
@@ -226,9 +227,8 @@ class _Hand:
         return [slider, owner]
 
     def prp(self, first: _Body, second: _Body, numbers: Sequence[int]) -> list[_Body]:
-        plane = self.plane
+        plane, along = self.plane, self.angle()
         place = plane.places["O"] + 1.5 * self.near()
-        along = self.angle()
         across = along + self.sign() * self.slant()
         two = self.body(numbers[0], place, along)
         three = self.body(numbers[1], place, across)
@@ -240,8 +240,7 @@ class _Hand:
     def rpp(self, first: _Body, second: _Body, numbers: Sequence[int]) -> list[_Body]:
         plane = self.plane
         a = self.pivot(first, second)
-        place = plane.places[a]
-        along = self.angle()
+        place, along = plane.places[a], self.angle()
         inner = along + self.sign() * self.slant()
         two = self.body(numbers[0], place, inner)
         three = self.body(numbers[1], place + self.near(), along)
@@ -259,8 +258,8 @@ class _Hand:
         """Put a dyad on two of the bodies that are there."""
         bodies = self.plane.bodies
         number = max(body.number for body in bodies[1:]) + 1
-        hangs = kind != "PRP" and not self.driven  # the crank's A is to drive something
-        first = bodies[1] if hangs else self.choose(bodies)
+        # the crank's A is to drive something
+        first = bodies[1] if kind != "PRP" and not self.driven else self.choose(bodies)
         second = self.choose([body for body in bodies if body is not first])
         numbers = self.shuffled((number, number + 1))
         ways = (self.rrr, self.rrp, self.rpr, self.prp, self.rpp)
@@ -269,9 +268,8 @@ class _Hand:
     def extras(self, body: _Body) -> None:
         """A centre of mass, and sometimes one more letter off the line of the others."""
         around = self.plane.middle(body)
-        centre = f"S{body.number}"
-        self.plane.places[centre] = around + self.apart()
-        body.letters.append(centre)
+        body.letters.append(f"S{body.number}")
+        self.plane.places[body.letters[-1]] = around + self.apart()
         if self.pick(1):
             self.plane.put(around + self.near(), body)
 
@@ -287,6 +285,12 @@ def _link(plane: _Plane, body: _Body, mass: float) -> Link:
         centre=f"S{body.number}",
         side=body.side,
     )
+
+
+def _pose(plane: _Plane, body: _Body) -> Pose:
+    """The pose of a body seen from the frame, m and rad."""
+    z, turn = plane.own(plane.bodies[0], body.z), body.theta - plane.bodies[0].theta
+    return z.real, z.imag, math.remainder(turn, 2 * math.pi)
 
 
 def _start(pick: Callable[[int], int], dyads: int) -> _Hand:
@@ -325,8 +329,6 @@ def assemble(
         hand.extras(body)
     # the frame's axes are the sheet's: every place is seen from the frame's pose
     points = {letter: plane.own(frame, place) for letter, place in plane.places.items()}
-    origins = [plane.own(frame, body.z) for body in plane.bodies]
-    turns = [math.remainder(body.theta - frame.theta, 2 * math.pi) for body in plane.bodies]
     grounded = {letter: points[letter] for letter in frame.letters}
     links = [_link(plane, body, hand.between(0.1, 10)) for body in plane.bodies[1:]]
     speed = hand.sign() * hand.between(0.5, 50)
@@ -338,10 +340,7 @@ def assemble(
         ),
         _degrees(cmath.phase(plane.places["A"]) - frame.theta),
         points,
-        {
-            body.number: (z.real, z.imag, turn)
-            for body, z, turn in zip(plane.bodies, origins, turns, strict=True)
-        },
+        {body.number: _pose(plane, body) for body in plane.bodies},
         tuple(chosen),
     )
 
@@ -365,3 +364,37 @@ def sample(
     """Draw many mechanisms without hypothesis (no shrinking, but below a millisecond each)."""
     source = random.Random(seed)
     return [assemble(lambda most: source.randint(0, most), dyads, kinds) for _ in range(count)]
+
+
+def sides(drawn: Drawn, poses: Mapping[int, Pose]) -> list[tuple[str, float]]:
+    """By dyad with a side: its kind, and how far (m or m²) it is on the side its record asks for.
+
+    RRR: the inner pin to the left of ``left_of``; RRP: from the foot of the outer pivot to the pin,
+    RPR: from the pivot of the guide's owner to that of the slider, along the guide.
+    """
+    found, links = [], drawn.mechanism.by_number
+
+    def seen(link: Link, letter: str) -> complex:
+        x, y, turn = poses[link.number]
+        return complex(x, y) + link.points[letter] * cmath.rect(1.0, turn)
+
+    for number, kind in zip(range(2, 100, 2), drawn.kinds, strict=False):
+        pair = links[number], links[number + 1]
+        pivots = {next(iter(link.points)): link for link in pair}
+        for link, other in (pair, pair[::-1]):
+            if link.side is not None and link.side.left_of is not None:
+                a, c = (seen(pivots[letter], letter) for letter in link.side.left_of)
+                (inner,) = set(link.points) & set(other.points)
+                arm = (seen(link, inner) - a) * (c - a).conjugate()
+                found.append((kind, arm.imag * link.side.sign))
+            for slide in (slide for slide in link.slides if slide.side is not None):
+                along = cmath.rect(1.0, poses[slide.on][2] + math.radians(slide.guide.angle))
+                c, a = (seen(one, next(iter(one.points))) for one in (other, link))
+                reach = ((a - c) * along.conjugate()).real
+                found.append((kind, reach * (slide.side.sign if slide.side else 0)))
+    return found
+
+
+def sides_kept(drawn: Drawn, poses: Mapping[int, Pose]) -> bool:
+    """Whether all dyads stand on the sides their records ask for."""
+    return all(reach > 0 for _, reach in sides(drawn, poses))

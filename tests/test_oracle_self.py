@@ -12,7 +12,7 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from mechanisms import KINDS, Drawn, mechanisms, sample
+from mechanisms import KINDS, Drawn, mechanisms, sample, sides, sides_kept
 from oracle import (
     OracleError,
     Rates,
@@ -171,7 +171,7 @@ def at_time(drawn: Drawn, step: float, start: State) -> Rates:
     return solve_digits(drawn.mechanism, angle, start.pose, dps=45)
 
 
-@pytest.mark.parametrize("drawn", sample(12, seed=2), ids=lambda drawn: "-".join(drawn.kinds))
+@pytest.mark.parametrize("drawn", sample(8, seed=2), ids=lambda drawn: "-".join(drawn.kinds))
 def test_rates_are_differences_of_positions(drawn: Drawn) -> None:
     state = solve(drawn.mechanism, drawn.phi, drawn.poses)
     step = 2.0**-36
@@ -247,49 +247,27 @@ def test_drawn_points_satisfy_all_constraints() -> None:
         assert abs(math.remainder(angle, math.tau)) < 1e-12
 
 
-def test_drawn_sides_are_those_of_the_drawn_points() -> None:
-    seen: Counter[str] = Counter()
-    for drawn in MANY:
-        for link in drawn.mechanism.links:
-            if link.side is not None and link.side.left_of is not None:
-                a, c = (drawn.points[p] for p in link.side.left_of)
-                inner = drawn.points[inner_pin(drawn, link)]
-                assert ((inner - a) / (c - a)).imag * link.side.sign > 0
-                seen["RRR"] += 1
-            for slide in (slide for slide in link.slides if slide.side is not None):
-                kind, reach = displacement(drawn, link, slide)
-                assert slide.side is not None
-                assert reach * slide.side.sign > 0
-                seen[kind] += 1
+def test_sides_are_told_from_poses() -> None:
     kinds = Counter(kind for drawn in MANY for kind in drawn.kinds)
-    assert seen == {kind: kinds[kind] for kind in ("RRR", "RRP", "RPR")}
+    told = Counter(kind for drawn in MANY for kind, _ in sides(drawn, drawn.poses))
+    assert told == {kind: kinds[kind] for kind in ("RRR", "RRP", "RPR")}
+    assert all(sides_kept(drawn, drawn.poses) for drawn in MANY)
 
 
-def dyad_of(drawn: Drawn, number: int) -> tuple[str, Link, Link]:
-    """The kind and the links (2, 3), (4, 5), ... of the dyad to which a link belongs."""
-    links = drawn.mechanism.by_number
-    first = number - number % 2
-    return drawn.kinds[first // 2 - 1], links[first], links[first + 1]
-
-
-def inner_pin(drawn: Drawn, link: Link) -> str:
-    _, two, three = dyad_of(drawn, link.number)
-    (letter,) = set(two.points) & set(three.points)
-    return letter
-
-
-def displacement(drawn: Drawn, link: Link, slide: Slide) -> tuple[str, float]:
-    """Of an RRP: from the foot of the outer pivot to the pin; of an RPR: from C to A; along u."""
-    kind, two, three = dyad_of(drawn, link.number)
-    turn = drawn.poses[slide.on][2] + math.radians(slide.guide.angle)
-    other = three if link is two else two
-    if kind == "RRP":
-        pin = drawn.points[inner_pin(drawn, link)]
-        pivot = next(iter(other.points))
-        arm = pin - drawn.points[pivot]
-    else:
-        arm = drawn.points[next(iter(link.points))] - drawn.points[next(iter(other.points))]
-    return kind, (arm * cmath.exp(-1j * turn)).real
+@pytest.mark.parametrize("kind", ["RRR", "RRP", "RPR"])
+def test_the_other_assembly_breaks_the_side(kind: str) -> None:
+    found = 0
+    for drawn in sample(30, seed=4, dyads=(1, 1), kinds=(kind,)):
+        for turn in (0.0, 2.0, 4.0):  # from poses turned by far Newton often ends in the other one
+            start = {n: (x, y, t + turn * (n > 1)) for n, (x, y, t) in drawn.poses.items()}
+            try:
+                state = solve_fast(drawn.mechanism, drawn.phi, start)
+            except OracleError:
+                continue
+            away = max(abs(state.points[p].r - r) for p, r in drawn.points.items()) / state.size
+            assert sides_kept(drawn, state.pose) == (away < 1e-9)
+            found += away > 1e-9
+    assert found > 5
 
 
 @settings(max_examples=40, deadline=None)
@@ -302,7 +280,7 @@ def test_the_strategy_draws_what_the_oracle_solves(drawn: Drawn) -> None:
 
 
 def test_digits_and_float64_agree() -> None:
-    for drawn in MANY[:60]:
+    for drawn in sample(15, seed=5, dyads=(1, 2)):
         quick = solve_fast(drawn.mechanism, drawn.phi, drawn.poses)
         state = solve(drawn.mechanism, drawn.phi, drawn.poses)
         for due, found in zip(state.rates, quick.rates, strict=True):
@@ -348,7 +326,7 @@ def test_what_does_not_fit_is_refused() -> None:
     mechanism = slider_crank()
     good = {"A": 0.2 + 0j, "B": 0.2 + math.sqrt(0.25 - 0.04**2) + 0.04j}
     state = solve_from_points(mechanism, 0.0, good, tolerance=1e-12)
-    for wrong in (good["B"] + 0.003, 0.4 - good["B"].conjugate(), good["B"].conjugate()):
+    for wrong in (good["B"] + 0.003, good["B"].conjugate()):
         with pytest.raises(OracleError, match=r"lies|stands"):
             solve_from_points(mechanism, 0.0, good | {"B": wrong})
     with pytest.raises(OracleError, match="lies"):  # another position of the crank
@@ -363,5 +341,5 @@ def test_what_does_not_fit_is_refused() -> None:
     with pytest.raises(OracleError, match="5 equations for 6 unknowns"):
         solve_fast(Mechanism(mechanism.frame, (crank, rod), DRIVE), 0.0, state.pose)
     short = replace(rod, points={"A": 0, "B": 0.03})  # does not reach the line of B at 90 degrees
-    with pytest.raises(OracleError, match="do not close|singular"):
+    with pytest.raises(OracleError, match=r"do not close|singular"):
         solve(Mechanism(mechanism.frame, (crank, short, block), DRIVE), 90.0, state.pose)

@@ -6,6 +6,7 @@ the forms). Sheet coordinates: millimetres from the lower left corner of the pap
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
@@ -102,6 +103,8 @@ def frame(
         raise SheetError(f"title block: no field {', '.join(unknown)}; the fields are {known}")
     inner = _inner(format, language)
     entries = {**fields, **_numbers(language, number, count)}
+    if language == "ru" and "date" in fields:
+        entries["date"] = _short(fields["date"])
     strokes, labels = _edges(format, inner), list[Label]()
     for block, at in _blocks(inner, language, first):
         strokes += ruled(block, at)
@@ -183,6 +186,12 @@ def _numbers(language: str, number: int, count: int) -> dict[str, str]:
     if language == "en":
         return {"sheet": f"{number}/{count}", "language": language}
     return {"sheet": str(number) if count > 1 else "", "sheets": str(count)}
+
+
+def _short(date: str) -> str:
+    """Return a day as the 10 mm of its column take it, 12.03.26; another text is left as it is."""
+    words = re.sub(r"(\d{4})-(\d\d)-(\d\d)", r"\3.\2.\1", date.strip())
+    return re.sub(r"(\d\d?\.\d\d\.)\d\d(\d\d)", r"\1\2", words)
 
 
 def _foot(format: str, inner: Box) -> tuple[Label, ...]:

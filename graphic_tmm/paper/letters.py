@@ -45,18 +45,17 @@ SIZES = (2.5, 3.5, 5, 7, 10, 14)
 _STEPS = (1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0)
 _INDEX = 0.7
 # In tenths of the height of a capital: gaps before a letter and an index, base lines of indices,
-# clear way to a line over or under a group, pitch of two lines under it.
+# clear way to a line over or under a group, pitch of two lines under it, ends kept off by a bar.
 _GAP, _INDEX_GAP = 2.0, 1.5
 _RAISED, _LOWERED = 6.0, -3.0
-_LINE_GAP, _LINE_PITCH = 1.2, 2.0
+_LINE_GAP, _LINE_PITCH, _BAR_INSET = 1.2, 2.0, 0.4
 
 
 class Form(NamedTuple):
     """A glyph at a size, or a drawn line: mm from the middle of the pen at its left edge, y up.
 
     ``span`` is the width of its path without the pen; ``box`` the least x and y, the largest x and
-    y of its ink; ``path`` its first point and what follows it as the data of an SVG path;
-    ``columns`` its strokes once more, each as all x, all y and all bulges.
+    y of its ink; ``path`` its first point and what follows it as the data of an SVG path.
     """
 
     strokes: tuple[Stroke, ...]
@@ -64,43 +63,66 @@ class Form(NamedTuple):
     span: float
     box: tuple[float, float, float, float]
     path: tuple[float, float, str]
-    columns: tuple[tuple[tuple[float, ...], ...], ...]
 
 
 class Lettering(NamedTuple):
-    """A line of text as strokes of the middle of a round pen.
+    """A line of text as strokes of the middle of a round pen, mm.
 
     Attributes
     ----------
-    strokes : tuple of tuple of (x, y, bulge)
-        Polylines in mm from the start of the base line, x right, y up; the bulge of a vertex is
-        that of the way to the next one as in DXF: tan of a quarter of the turn, counter-clockwise
-        positive, 0 = straight.
-    width : float
-        Advance in mm, without a gap behind; measured along the base line (leaning letters reach
-        further right at their tops, see `right`).
-    ascent, descent : float
-        Reach of the ink above and below the base line, mm, pen included.
-    left, right : float
-        Least and largest x of the ink, mm, pen included.
-    pen, size : float
-        Width of the pen (size/10) and height of a capital, mm.
-    pens : tuple of float
-        Widths of all pens used, mm, the widest first: indices have the pen of their size.
     parts : tuple of (x, y, Form)
-        The same letters with their places; each Form has its own pen.
+        The letters with their places, from the start of the base line, x right, y up.
+    width : float
+        Advance, without a gap behind; measured along the base line (leaning letters reach further
+        right at their tops, see `right`).
+    pen, size : float
+        Width of the pen (size/10) and height of a capital.
     """
 
-    strokes: tuple[Stroke, ...]
+    parts: tuple[tuple[float, float, Form], ...]
     width: float
-    ascent: float
-    descent: float
-    left: float
-    right: float
     pen: float
     size: float
-    pens: tuple[float, ...]
-    parts: tuple[tuple[float, float, Form], ...]
+
+    @property
+    def strokes(self) -> tuple[Stroke, ...]:
+        """Polylines of (x, y, bulge), from the start of the base line, x right, y up.
+
+        The bulge of a vertex is that of the way to the next one as in DXF: tan of a quarter of the
+        turn, counter-clockwise positive, 0 = straight; that of a last vertex is 0.
+        """
+        return tuple(
+            [
+                tuple([(x + dx, y + dy, bulge) for dx, dy, bulge in stroke])
+                for x, y, form in self.parts
+                for stroke in form.strokes
+            ]
+        )
+
+    @property
+    def pens(self) -> tuple[float, ...]:
+        """Widths of all pens used, the widest first: an index has the pen of its own size."""
+        return tuple(sorted({form.pen for _, _, form in self.parts}, reverse=True))
+
+    @property
+    def ascent(self) -> float:
+        """Reach of the ink above the base line, pen included."""
+        return _ink(self.parts)[3]
+
+    @property
+    def descent(self) -> float:
+        """Reach of the ink below the base line, pen included; negative for ink wholly above it."""
+        return 0.0 - _ink(self.parts)[1]
+
+    @property
+    def left(self) -> float:
+        """Least x of the ink, pen included."""
+        return _ink(self.parts)[0]
+
+    @property
+    def right(self) -> float:
+        """Largest x of the ink, pen included."""
+        return _ink(self.parts)[2]
 
 
 def missing(text: str) -> str:
@@ -136,17 +158,7 @@ def compose(text: str, *, size: float = 5.0, inclined: bool = True) -> Lettering
     size = float(size)
     setter = _Setter(inclined)
     width = setter.put(parse_markup(text), 0.0, 0.0, 0.0, size)
-    parts = tuple(setter.parts)
-    strokes = tuple(
-        [
-            tuple(zip([x + dx for dx in xs], [y + dy for dy in ys], bulges, strict=True))
-            for x, y, form in parts
-            for xs, ys, bulges in form.columns
-        ]
-    )
-    left, low, right, high = _ink(parts)
-    pens = tuple(sorted({form.pen for _, _, form in parts}, reverse=True))
-    return Lettering(strokes, width, high, -low, left, right, size / 10.0, size, pens, parts)
+    return Lettering(tuple(setter.parts), width, size / 10.0, size)
 
 
 def width(text: str, *, size: float = 5.0) -> float:
@@ -234,7 +246,8 @@ class _Setter:
         end = self.put(inside, x, 0.0, y, size)
         _, low, _, high = _ink(self.parts[first:]) if first < len(self.parts) else (0, y, 0, y)
         if kind == "bar":
-            self._line(x, end, high + (_LINE_GAP + 0.5) * unit, unit)
+            inset = _BAR_INSET * unit
+            self._line(x + inset, end - inset, high + (_LINE_GAP + 0.5) * unit, unit)
         for row in range(kind.count("u")):
             self._line(x, end, low - (_LINE_GAP + 0.5 + _LINE_PITCH * row) * unit, unit)
         return end
@@ -282,7 +295,7 @@ def _form(strokes: tuple[Stroke, ...], pen: float, span: float) -> Form:
     half = pen / 2.0
     box = (x0 - half, y0 - half, x1 + half, y1 + half)
     path = _path(strokes) if strokes else (0.0, 0.0, "")
-    return Form(strokes, pen, span, box, path, tuple(tuple(zip(*s, strict=True)) for s in strokes))
+    return Form(strokes, pen, span, box, path)
 
 
 @cache
@@ -345,6 +358,9 @@ def _path(strokes: tuple[Stroke, ...]) -> tuple[float, float, str]:
 def _step(dx: float, dy: float, bulge: float) -> str:
     if bulge:
         radius = round(math.hypot(dx, dy) * (1.0 + bulge * bulge) / abs(4.0 * bulge), 2)
+        if abs(bulge) > 0.99:
+            # A half circle: SVG widens a radius that is too small to just half the chord.
+            radius = max(math.floor(50.0 * math.hypot(dx, dy)) / 100.0, 0.01)
         flags = f" 0 {int(abs(bulge) > 1.0)} {int(bulge < 0.0)}"
         return _pair("a", radius, radius) + _pair(flags + " ", dx, dy)
     if abs(dy) < 5e-3:

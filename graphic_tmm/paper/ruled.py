@@ -16,8 +16,9 @@ from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
 PITCH = 1.7
 """Distance of base lines in sizes of type B (ГОСТ 2.304)."""
 
-CLEAR = 0.15
-"""Least way from the ink of a text in a box to the axis of a line above and below, mm."""
+CLEAR, ROOMY = 0.5, 0.015
+"""Least way from the ink in a box to the axis of a line above and below: in a row of 5 mm, in mm,
+and what it grows by for each further mm of the box's height."""
 
 LONGEST = 1000
 """No box of a sheet holds more characters; a longer text is cut before it is measured."""
@@ -87,7 +88,7 @@ def fit(text: str, slot: Slot) -> Fit:
             return Fit(size, lines)
     size = slot.sizes[-1]
     count = slot.lines
-    while count > 1 and 2 * CLEAR + size * (PITCH * (count - 1) + 1.5) > height:
+    while count > 1 and 2 * _clear(height) + size * (PITCH * (count - 1) + 1.5) > height:
         count -= 1
     return Fit(size, _cut(" ".join(words), width, size, count))
 
@@ -99,6 +100,11 @@ def _room(slot: Slot) -> tuple[float, float]:
     if slot.turn == 90:
         width, height = height, width
     return width - 2 * slot.pad, height
+
+
+def _clear(height: float) -> float:
+    """Return the least way from the ink to a line above and below in a box of a height, mm."""
+    return CLEAR + ROOMY * max(height - 5, 0.0)
 
 
 def _lettered(text: str, size: float) -> letters.Lettering:
@@ -157,7 +163,7 @@ def _spare(lines: Sequence[str], size: float, height: float) -> float:
     if not lines:
         return height
     down, up = _lettered(lines[-1], size).descent, _lettered(lines[0], size).ascent
-    return height - 2 * CLEAR - down - up - PITCH * size * (len(lines) - 1)
+    return height - 2 * _clear(height) - down - up - PITCH * size * (len(lines) - 1)
 
 
 def set_text(text: str, slot: Slot) -> tuple[Label, ...]:
@@ -168,8 +174,8 @@ def set_text(text: str, slot: Slot) -> tuple[Label, ...]:
     width, height = _room(slot)
     written = [_lettered(text, size) for text in lines]
     rise = PITCH * size * (len(lines) - 1)
-    low = max((height - rise - size) / 2, CLEAR + written[-1].descent)
-    low = min(low, height - CLEAR - written[0].ascent - rise)
+    low = max((height - rise - size) / 2, _clear(height) + written[-1].descent)
+    low = min(low, height - _clear(height) - written[0].ascent - rise)
     box, turn = slot.box, cmath.rect(1, math.radians(slot.turn))
     corner = complex(
         box.left if slot.turn == 0 else box.right, box.top if slot.turn == 180 else box.bottom

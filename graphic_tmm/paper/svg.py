@@ -187,7 +187,9 @@ def path_data(stroke: Ink, height: float) -> str:
         raise SheetError(f"a stroke of the pen {stroke.pen!r} has no points")
     x, y, _ = stroke.path[0]
     parts = [f"M{number(x)} {number(height - y)}"]
-    parts += [_segment(a, b, height) for a, b in _segments(stroke)]
+    straight_home = stroke.closed and stroke.path[-1][2] == 0  # which "Z" draws
+    segments = _segments(stroke)[:-1] if straight_home else _segments(stroke)
+    parts += [_segment(a, b, height) for a, b in segments]
     return "".join(parts) + ("Z" if stroke.closed else "")
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import letters
 from graphic_tmm.paper.drawing import Label, Stroke, line
-from graphic_tmm.paper.ruled import Box, Slot, fit, set_text
+from graphic_tmm.paper.ruled import Box, Slot, set_text
 
 Ruling = tuple[str, float, float, float, float]
 
@@ -37,7 +37,7 @@ def _upright(pen: str, bottom: float, top: float, *places: float) -> tuple[Rulin
     return tuple((pen, x, bottom, x, top) for x in places)
 
 
-SMALL, PERSON, TEXT = (2.5, 1.8), (3.5, 2.5, 1.8), (3.5, 2.5, 1.8)
+SMALL, TEXT = (2.5, 1.8), (3.5, 2.5, 1.8)
 CHANGES = ("Изм.", "Лист", "№ докум.", "Подп.", "Дата")
 EDGES = (0, 7, 17, 40, 55, 65)
 ROLES = (
@@ -53,7 +53,7 @@ ROLES = (
 def _changes(bottom: float) -> tuple[Slot, ...]:
     """Return the header row of the table of changes, 5 mm high."""
     spans = zip(CHANGES, EDGES, EDGES[1:], strict=False)
-    return tuple(Slot(t, Box(a, bottom, b, bottom + 5), SMALL, pad=0.2) for t, a, b in spans)
+    return tuple(Slot(t, Box(a, bottom, b, bottom + 5), SMALL) for t, a, b in spans)
 
 
 def _roles() -> tuple[tuple[Slot, ...], tuple[Slot, ...]]:
@@ -63,7 +63,7 @@ def _roles() -> tuple[tuple[Slot, ...], tuple[Slot, ...]]:
         Slot(t, Box(0, y, 17, y + 5), SMALL, anchor="start", pad=1) for t, _, y in rows
     )
     people = tuple(
-        Slot(key, Box(17, y, 40, y + 5), PERSON, anchor="start", pad=1) for _, key, y in rows
+        Slot(key, Box(17, y, 40, y + 5), SMALL, anchor="start", pad=1) for _, key, y in rows
     )
     return captions, people
 
@@ -98,13 +98,13 @@ FORM_1 = Block(
         Slot("name", Box(65, 15, 135, 40), (7, 5, 3.5, 2.5), 3, pad=2),
         Slot("material", Box(65, 0, 135, 15), (5, 3.5, 2.5), 2, pad=2),
         Slot("organisation", Box(135, 0, 185, 15), (5, 3.5, 2.5), 2, pad=1.5),
-        Slot("letter", Box(135, 20, 140, 35), TEXT, pad=0.3),
+        Slot("letter", Box(135, 20, 140, 35), TEXT),
         Slot("mass", Box(150, 20, 167, 35), (5, 3.5, 2.5, 1.8), pad=1),
         Slot("scale", Box(167, 20, 185, 35), (5, 3.5, 2.5, 1.8), 2, pad=1),
         Slot("sheet", Box(146, 15, 155, 20)),
         Slot("sheets", Box(171, 15, 185, 20)),
         *_roles()[1],
-        Slot("date", Box(55, 25, 65, 30), SMALL, pad=0.3),
+        Slot("date", Box(55, 25, 65, 30), SMALL),
     ),
 )
 """The first sheet of a drawing: 185 × 55 (ГОСТ 2.104, form 1)."""
@@ -119,7 +119,7 @@ FORM_2A = Block(
         *_level("main", 175, 185, 8),
         *_upright("main", 0, 15, 0, 7, 17, 40, 55, 65, 175),
     ),
-    (*_changes(0), Slot("Лист", Box(175, 8, 185, 15), SMALL, pad=0.2)),
+    (*_changes(0), Slot("Лист", Box(175, 8, 185, 15), SMALL)),
     (
         Slot("designation", Box(65, 0, 175, 15), (7, 5, 3.5, 2.5), 2, pad=2),
         Slot("sheet", Box(175, 0, 185, 8), (5, 3.5, 2.5, 1.8)),
@@ -160,12 +160,16 @@ MARGIN_24_25 = _margin(FIRST_USE)
 """Columns 19 ... 23 and 24, 25, to the left of the frame, heights from its lower edge."""
 
 
+CAPTION = 3.9
+"""Height of the strip of a caption in the English block, mm."""
+
+
 def _field(
     caption: str, key: str, box: Box, sizes: tuple[float, ...], lines: int = 1
 ) -> tuple[Slot, Slot]:
     """Return a field of the English block: a caption in the upper left corner, the entry below."""
-    head = Slot(caption, box._replace(bottom=box.top - 3), (1.8,), anchor="start", pad=1)
-    body = Slot(key, box._replace(top=box.top - 3), sizes, lines, anchor="start", pad=1)
+    head = Slot(caption, box._replace(bottom=box.top - CAPTION), (1.8,), anchor="start", pad=1)
+    body = Slot(key, box._replace(top=box.top - CAPTION), sizes, lines, anchor="start", pad=1)
     return head, body
 
 
@@ -181,10 +185,10 @@ ISO_FIRST = Block(
         *_level("main", 0, 180, 40),
         *_upright("main", 0, 40, 0),
         *_level("thin", 0, 180, 30),
-        *_level("thin", 55, 180, 20),
+        *_level("thin", 48, 180, 20),
         *_level("thin", 120, 180, 9),
         *_upright("thin", 30, 40, 36, 72, 108, 144),
-        *_upright("thin", 0, 30, 55),
+        *_upright("thin", 0, 30, 48),
         *_upright("thin", 0, 20, 120),
         *_upright("thin", 20, 30, 120, 155),
         *_upright("thin", 0, 9, 132, 155, 165),
@@ -195,16 +199,16 @@ ISO_FIRST = Block(
         _field("Creator", "drawn_by", Box(72, 30, 108, 40), TEXT, 2),
         _field("Checked by", "checked_by", Box(108, 30, 144, 40), TEXT, 2),
         _field("Approval person", "approved_by", Box(144, 30, 180, 40), TEXT, 2),
-        _field("Legal owner", "organisation", Box(0, 0, 55, 30), TEXT, 4),
-        _field("Document type", "document_type", Box(55, 20, 120, 30), TEXT, 2),
+        _field("Legal owner", "organisation", Box(0, 0, 48, 30), TEXT, 4),
+        _field("Document type", "document_type", Box(48, 20, 120, 30), TEXT, 2),
         _field("Document status", "status", Box(120, 20, 155, 30), TEXT, 2),
         _field("Scale", "scale", Box(155, 20, 180, 30), TEXT, 2),
-        _field("Title, supplementary title", "name", Box(55, 0, 120, 20), (5, 3.5, 2.5), 3),
+        _field("Title, supplementary title", "name", Box(48, 0, 120, 20), (5, 3.5, 2.5), 3),
         _field("Identification number", "designation", Box(120, 9, 180, 20), (5, 3.5, 2.5, 1.8), 2),
-        _field("Rev.", "revision", Box(120, 0, 132, 9), TEXT),
-        _field("Date of issue", "date", Box(132, 0, 155, 9), TEXT),
-        _field("Lang.", "language", Box(155, 0, 165, 9), TEXT),
-        _field("Sheet", "sheet", Box(165, 0, 180, 9), TEXT),
+        _field("Rev.", "revision", Box(120, 0, 132, 9), SMALL),
+        _field("Date of issue", "date", Box(132, 0, 155, 9), SMALL),
+        _field("Lang.", "language", Box(155, 0, 165, 9), SMALL),
+        _field("Sheet", "sheet", Box(165, 0, 180, 9), SMALL),
     ),
 )
 """The first English sheet: 180 × 40, the data fields of ISO 7200 in an arrangement of our own."""
@@ -219,11 +223,11 @@ ISO_NEXT = Block(
     ),
     *_fields(
         _field("Legal owner", "organisation", Box(0, 0, 55, 10), TEXT, 2),
-        _field("Identification number", "designation", Box(55, 0, 120, 10), (5, 3.5, 2.5, 1.8), 2),
-        _field("Rev.", "revision", Box(120, 0, 132, 10), TEXT),
-        _field("Date of issue", "date", Box(132, 0, 155, 10), TEXT),
-        _field("Lang.", "language", Box(155, 0, 165, 10), TEXT),
-        _field("Sheet", "sheet", Box(165, 0, 180, 10), TEXT),
+        _field("Identification number", "designation", Box(55, 0, 120, 10), TEXT, 2),
+        _field("Rev.", "revision", Box(120, 0, 132, 10), SMALL),
+        _field("Date of issue", "date", Box(132, 0, 155, 10), SMALL),
+        _field("Lang.", "language", Box(155, 0, 165, 10), SMALL),
+        _field("Sheet", "sheet", Box(165, 0, 180, 10), SMALL),
     ),
 )
 """The following English sheets: 180 × 10."""
@@ -241,8 +245,7 @@ def ruled(block: Block, at: complex) -> tuple[Stroke, ...]:
 def lettered(block: Block, at: complex, fields: Mapping[str, str]) -> tuple[Label, ...]:
     """Return the captions of a block and the entries of ``fields`` that it has a place for.
 
-    The names in the column of signatures share the size of the longest, down to 2.5. Raises
-    SheetError, naming the field, for a character that has no glyph.
+    Raises SheetError, naming the field, for a character that has no glyph.
     """
     for slot in block.entries:
         bad = letters.missing("".join(fields.get(slot.text, "").split()))
@@ -250,12 +253,7 @@ def lettered(block: Block, at: complex, fields: Mapping[str, str]) -> tuple[Labe
             raise SheetError(f"title block, {slot.text}: no glyph for {bad!r}; write it otherwise")
     texts = [(slot.text, slot) for slot in block.captions]
     texts += [(fields.get(slot.text, ""), slot) for slot in block.entries]
-    people = [fit(text, slot).size for text, slot in texts if slot.sizes is PERSON and text.strip()]
-    common = max(min(people, default=0.0), PERSON[1])
     labels: list[Label] = []
     for text, slot in texts:
-        sizes = slot.sizes
-        if sizes is PERSON and people:
-            sizes = tuple(size for size in sizes if size <= common)
-        labels += set_text(text, slot._replace(box=slot.box.moved(at), sizes=sizes))
+        labels += set_text(text, slot._replace(box=slot.box.moved(at)))
     return tuple(labels)

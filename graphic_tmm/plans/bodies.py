@@ -111,7 +111,7 @@ def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: flo
     """Draw the point at x along and y to the left of an axis (m)."""
     if y == 0.0:
         return draft.board.draw(lay_off, letter, axis, draft.length(f"{anchor}{letter}", x))
-    along, left = draft.length(f"x_{letter}", x), draft.length(f"y_{letter}", y)
+    along, left = draft.length(f"x_{{{letter}}}", x), draft.length(f"y_{{{letter}}}", y)
     return draft.board.draw(place, letter, axis, along, left)
 
 

@@ -35,7 +35,12 @@ class Draft:
         """Take a real length l (m) and calculate the length on the board: AB = l_AB/μ_l."""
         assert self.mu_l is not None, "the scale factor of lengths is taken first"
         letter = self.board.free(letter)
-        real = self.take(Number, f"l_{{{letter}}}", metres, "m")
+        real = self.take(Number, _real(letter), metres, "m")
         mark = self.board.draw(to_board, letter, real, self.mu_l)
         assert mark.kind is Length
         return mark
+
+
+def _real(letter: str) -> str:
+    """Return the letter of the real length: l_{AB} of AB; X_{S} of a coordinate x_{S} on the board."""
+    return f"l_{{{letter}}}" if "_" not in letter else letter[0].upper() + letter[1:]

@@ -96,8 +96,14 @@ def draw_positions(
         for leg in group.legs:
             body = bodies[leg.link]
             draw_points(draft, body, _anchor(body))
-            kind = "slider" if body.link.slides else "link"
-            draft.board.figure(kind, str(leg.link), *body.marks.values())
+        for leg in closing.legs:
+            marks = list(bodies[leg.link].marks.values())
+            reach = [closing.point] if isinstance(leg, PinLeg) and closing.point not in marks else []
+            draft.board.figure("link", str(leg.link), *marks, *reach)
+            if isinstance(leg, GuideLeg):
+                on = "slider" if leg.body == frame.link.number and not leg.inner else "stone"
+                at = closing.point if leg.inner else closing.root
+                draft.board.figure(on, str(leg.link), at, leg.line)
     return Positions(bodies, tuple(closings), sides, phi)
 
 
@@ -116,7 +122,7 @@ def _crank(
     length = draft.length(f"{pivot}{pin}", abs(arm))
     stand(body, pin, draft.board.draw(lay_off, pin, line, length), link.points[pin])
     draw_points(draft, body, pivot)
-    draft.board.figure("crank", str(link.number), *body.marks.values())
+    draft.board.figure("link", str(link.number), *body.marks.values())
     return body
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from types import MappingProxyType
-
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.scene import geometry
 from graphic_tmm.scene import models as m
@@ -44,7 +42,7 @@ def scene(parts: Parts, source: str) -> Scene:
         scales=_scales(scales),
         ruler=hand.ruler,
         sheets=tuple(SheetOrder(sheet.format, sheet.place) for sheet in sheets),
-        title_block=MappingProxyType({key: text for key, text in block if text}),
+        title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
     )
 
@@ -52,7 +50,7 @@ def scene(parts: Parts, source: str) -> Scene:
 def _mechanism(frame: m.FrameTable, links: list[m.LinkTable], drive: m.DriveTable) -> Mechanism:
     bodies: dict[int, m.FrameTable | m.LinkTable] = {link.number: link for link in links}
     bodies[frame.number] = frame
-    fixed = Link(frame.number, MappingProxyType(frame.points), _guides(frame.guides))
+    fixed = Link(frame.number, dict(frame.points), _guides(frame.guides))
     sign = _sign(drive)
     return Mechanism(
         frame=fixed,
@@ -74,7 +72,7 @@ def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], fra
     side = Side(*table.side, flips_at=table.flips_at) if table.side else None
     return Link(
         number=table.number,
-        points=MappingProxyType(table.points),
+        points=dict(table.points),
         guides=_guides(table.guides),
         slides=tuple(_slide(slide, bodies, frame) for slide in table.pairs),
         name=table.name,
@@ -125,4 +123,4 @@ def _scales(table: m.ScalesTable) -> Scales:
 
 def _task(table: m.TaskTable) -> Task:
     given = {"K_v": table.K_v, "stroke": table.stroke, "OB": table.OB}
-    return Task(table.kind, MappingProxyType(given))
+    return Task(table.kind, given)

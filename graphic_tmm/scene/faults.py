@@ -104,7 +104,8 @@ def _called(doc: Mapping[str, Any], section: str, index: int) -> str:
         return str(index + 1)
     numbers = [entry.get("number") if isinstance(entry, dict) else None for entry in doc["link"]]
     number = numbers[index]
-    if isinstance(number, int) and not isinstance(number, bool) and numbers.count(number) == 1:
+    whole = isinstance(number, int) and not isinstance(number, bool) and abs(number) < 10**9
+    if whole and numbers.count(number) == 1:
         return str(number)
     return f"(the {_ordinal(index + 1)} in the file)"
 

@@ -168,7 +168,7 @@ def parse(value: object, dimension: Dimension) -> float:
         return _parse_text(value, dimension)
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise ValueError(f"{kind_of(value)} stands here; {wanted(dimension)}")
-    return bounded(value, str(value), dimension)
+    return bounded(value, digits_of(value), dimension)
 
 
 def bounded(value: float, text: str, dimension: Dimension) -> float:
@@ -195,7 +195,7 @@ def kind_of(value: object) -> str:
     if isinstance(value, bool):
         return f"{str(value).lower()} (yes or no)"
     if isinstance(value, (int, float)):
-        return f"the number {_short(str(value))}"
+        return f"the number {digits_of(value)}"
     if isinstance(value, str):
         return f'the text "{_short(value)}"'
     if isinstance(value, list):
@@ -213,6 +213,12 @@ def near(word: str, known: Iterable[str], cutoff: float = 0.5) -> str:
 
     best = max(sorted(known), key=likeness, default="")
     return best if best and likeness(best) >= cutoff else ""
+
+
+def digits_of(value: float) -> str:
+    """Return a number as text; what is beyond all measure (TOML has no limit) in powers of two."""
+    huge = isinstance(value, int) and value.bit_length() > 64
+    return f"2^{int(value).bit_length()}" if huge else str(value)
 
 
 def spoken(text: str) -> str:

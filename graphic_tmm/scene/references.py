@@ -93,7 +93,7 @@ def _places(doc: Document) -> Document:
 
 
 def _is_whole(value: object) -> TypeGuard[int]:
-    return isinstance(value, int) and not isinstance(value, bool)
+    return isinstance(value, int) and not isinstance(value, bool) and abs(value) < 10**9
 
 
 def _is_number(value: object) -> bool:

@@ -65,7 +65,9 @@ def _quantity_schema(dimension: Dimension) -> Schema:
 
 
 def _said(value: object) -> str:
-    return f'"{value}"' if isinstance(value, str) else str(value)
+    if isinstance(value, (int, float)):
+        return quantities.digits_of(value)
+    return f'"{value}"'
 
 
 def choice(*words: str, **synonyms: str) -> Rule:
@@ -246,7 +248,7 @@ def _accelerations(value: object, names: Names) -> tuple[str, ...]:
             f'{kind_of(value)} stands here; write a list of positions, [2, 6, "6*"], or "all"'
         )
     for item in value:
-        whole = isinstance(item, int) and not isinstance(item, bool)
+        whole = isinstance(item, int) and not isinstance(item, bool) and 0 <= item <= 10**6
         if not whole and not (isinstance(item, str) and re.fullmatch(r"[0-9]{1,6}\*{0,3}", item)):
             raise ValueError(
                 f'{kind_of(item)} in the list; a position is a number, 6, or a text, "6*"'

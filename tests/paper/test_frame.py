@@ -7,7 +7,7 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shapely.geometry import LineString, box
+from shapely.geometry import LineString, Polygon, box
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import letters
@@ -55,6 +55,17 @@ def bounds(label: Label) -> tuple[float, float, float, float]:
     half = label.size / 20
     xs, ys = [z.real for z in ink(label)], [z.imag for z in ink(label)]
     return min(xs) - half, min(ys) - half, max(xs) + half, max(ys) + half
+
+
+def inked(drawing: Drawing, format: str) -> list[Polygon]:
+    """The ink of a frame's lines, as wide as their pens."""
+    return [
+        LineString([(x, y) for x, y, _ in (*s.path, *(s.path[:1] if s.closed else ()))]).buffer(
+            pens(format)[s.pen].width / 2, cap_style="flat"
+        )
+        for s in drawing.strokes
+        if isinstance(s, Stroke)
+    ]
 
 
 def lines(block: Block) -> set[tuple[str, float, float, float, float]]:
@@ -148,11 +159,7 @@ def test_no_lettering_touches_a_line_or_other_lettering(
     format: str, language: str, first: bool
 ) -> None:
     drawing = made(format, language, first)
-    rulings = [
-        LineString([(x, y) for x, y, _ in (*s.path, *(s.path[:1] if s.closed else ()))])
-        for s in drawing.strokes
-        if isinstance(s, Stroke)
-    ]
+    rulings = inked(drawing, format)
     places = [box(*bounds(label)) for label in drawing.labels]
     for label, place in zip(drawing.labels, places, strict=True):
         assert not any(place.intersects(ruling) for ruling in rulings), label.text
@@ -250,15 +257,12 @@ def test_captions_are_those_of_the_language() -> None:
         assert caption in english
 
 
-def test_names_in_the_column_of_signatures_share_a_size() -> None:
-    def sizes(*names: str) -> list[float]:
-        fields = dict(zip(("drawn_by", "checked_by", "approved_by"), names, strict=False))
-        drawing = frame("A4", language="ru", first=True, number=1, count=1, fields=fields)
-        return [label.size for label in drawing.labels if letters.plain(label.text) in names]
-
-    assert sizes("Орлов", "Розанов") == [3.5, 3.5]
-    assert sizes("Орлов", "Преображенский") == [2.5, 2.5]
-    assert sizes("Орлов", "Преображенский-Щукин") == [2.5, 1.8]
+@pytest.mark.parametrize("date", ["12.03.26", "12.03.2026", "2026-03-12"])
+def test_a_date_is_never_cut(date: str) -> None:
+    drawing = frame("A4", language="ru", first=True, number=1, count=1, fields={"date": date})
+    assert "12.03.26" in words(drawing)
+    free = frame("A4", language="en", first=True, number=1, count=1, fields={"date": date})
+    assert date in words(free)
 
 
 @settings(deadline=None, max_examples=40)
@@ -278,11 +282,7 @@ def test_no_entry_leaves_its_box_whatever_it_says(
 ) -> None:
     format, language, first = sheet
     drawing = frame(format, language=language, first=first, number=1, count=9, fields=fields)
-    rulings = [
-        LineString([(x, y) for x, y, _ in (*s.path, *(s.path[:1] if s.closed else ()))])
-        for s in drawing.strokes
-        if isinstance(s, Stroke)
-    ]
+    rulings = inked(drawing, format)
     paper = box(0, 0, *SIZES[format])
     for label in drawing.labels:
         if ink(label):

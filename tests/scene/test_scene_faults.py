@@ -165,7 +165,8 @@ CASES = [
     ("mu_l = 0.005", 'mu_l = "1:0"', "scales.mu_l", 27, "cannot be a scale factor"),
     ("mu_l = 0.005", 'mu_l = "5 mm"', "scales.mu_l", 27, "a scale of lengths is wanted"),
     ("mu_l = 0.005", "OA = 60", "scales.OA", 27, '60 m on the sheet .*write "60 mm"'),
-    ("mu_l = 0.005", 'mu_l = 0.005\nOA = "60 mm"', "scales.OA", 28, "fix the same scale; leave one"),
+    ("mu_l = 0.005", 'mu_l = 0.005\nOA = "60 mm"', "scales.OA", 28,
+     "fix the same scale; leave one"),
     ("mu_l = 0.005", "mu_a = -1", "scales.mu_a", 27, "cannot be a scale factor"),
     ('["B"]', '["B", "K"]', "plans.trajectories[2]", 29, '"K" is not a letter of the mechanism'),
     ('["B"]', '["O"]', "plans.trajectories[1]", 29, "does not move; name a moving point"),
@@ -177,8 +178,8 @@ CASES = [
     ("[[sheet]]", "[sheet]", "sheet", 30, r"write \[\[sheet\]\] in double brackets"),
     ('name = "N"', 'nam = "N"', "title_block.nam", 33, 'did you mean "name"'),
     ('name = "N"', 'name = "N"\n[effects]\ngravity = true', "effects", 34, "means nothing here"),
-    ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 1\nstroke = 1\nOB = 1', "task.K_v", 36,
-     "number greater than 1"),
+    ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 1\nstroke = 1\nOB = 1',
+     "task.K_v", 36, "number greater than 1"),
     ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 2\nstroke = -1\nOB = 1',
      "task.stroke", 37, "not greater than 0"),
     ('name = "N"', 'name = "N"\n[task]\nkind = "crank"\nK_v = 2\nstroke = 1\nOB = 1',
@@ -287,6 +288,19 @@ def test_files_that_cannot_be_read(tmp_path, data, line, words):
     assert re.search(words, fault.message), fault.message
 
 
+def test_numbers_beyond_all_measure(tmp_path):
+    huge = "0x" + "F" * 5000
+    text = GOOD.replace("link = 1\n", f"link = {huge}\n")
+    text = text.replace("number = 3\n", f"number = {huge}\n")
+    faults = faults_of(tmp_path, text.replace('mass = "2 kg"', f"mass = {huge}"))
+    assert [fault.key for fault in faults] == [
+        "link 2, mass",
+        "link (the 3rd in the file), number",
+        "drive.link",
+    ]
+    assert faults[0].message.startswith("2^20000 is too large a number; a mass is wanted")
+
+
 def test_files_that_are_not_there(tmp_path):
     for path in (tmp_path, tmp_path / "none.toml", tmp_path / "a\0b"):
         with pytest.raises(SceneError) as error:
@@ -323,9 +337,27 @@ def test_a_length_found_by_the_task_may_not_be_named_again(tmp_path):
 
 
 WRONG = st.sampled_from(
-    [True, -1, 0, 3, 0.5, float("nan"), 10**30, "", "x", "5 kg", "BC", "frame", [], [1], [[]],
-     ["a", 1], {}, {"on": 1}, {"x": []}]
+    [True, -1, 0, 3, 0.5, float("nan"), 10**30, 16**5000, "", "x", "5 kg", "BC", "frame", [], [1],
+     [[]], ["a", 1], {}, {"on": 1}, {"x": []}]
 )  # fmt: skip
+
+
+@given(data=st.data())
+def test_a_damaged_text_gives_faults_or_a_scene(tmp_path_factory, data):
+    text = (SHEETS / "windrower" / "scene.toml").read_text("utf-8")
+    start = data.draw(st.integers(0, len(text) - 1))
+    end = start + data.draw(st.integers(0, 40))
+    middle = data.draw(st.text("[]{}=,\"'\n-#. 1AЖ", max_size=3))
+    file = tmp_path_factory.mktemp("damaged") / "scene.toml"
+    file.write_text(text[:start] + middle + text[end:], encoding="utf-8")
+    try:
+        scene = read(file)
+    except SceneError as error:
+        told = [item.message for item in error.faults]
+    else:
+        told = [link.number for link in scene.mechanism.links]
+    assert told
+    assert all(item is not None and item != "" for item in told)
 
 
 def places(node, path=()):

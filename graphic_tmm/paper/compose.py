@@ -1,0 +1,183 @@
+"""From a drawn project to sheets: views with their captions, tables, frame, packed onto paper."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.paper.drawing import Drawing, Label, Sheet
+from graphic_tmm.paper.frame import SIZES, drawing_area, frame
+from graphic_tmm.paper.ink_plans import draw_plan
+from graphic_tmm.paper.ink_positions import draw_positions_ink
+from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table
+from graphic_tmm.paper.layout import Room, bounds, pack
+from graphic_tmm.paper.letters import escape, letter
+from graphic_tmm.plans.project import Project
+from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.tables import UNITS, columns
+from graphic_tmm.words import CAPTIONS, number, unit
+
+CAPTION = 5.0
+SMALL = 3.5
+
+
+class Drawn(NamedTuple):
+    """What is inked: the project, its readings, its scale factors, positions that cannot be drawn."""
+
+    scene: Scene
+    project: Project
+    reading: Reading
+    accelerated: Reading | None
+    scales: Mapping[str, Scale]
+    undrawn: Sequence[int]
+
+
+def compose(drawn: Drawn) -> tuple[Sheet, ...]:
+    """Return the sheets of a scene, each order followed by the sheets it spills onto."""
+    scene = drawn.scene
+    laid = []
+    for order in scene.sheets:
+        views = [view for plan in order.place for view in _VIEWS[plan](drawn, order)]
+
+        def room(first: bool, order: SheetOrder = order) -> Room:
+            area = drawing_area(order.format, scene.language, first and not laid)
+            return Room(tuple(area.inner), tuple(tuple(b) for b in area.occupied))
+
+        laid += [(order.format, placed) for placed in pack(views, room, order.format)]
+    count = len(laid)
+    sheets = []
+    for index, (format, placed) in enumerate(laid):
+        edge = frame(
+            format,
+            language=scene.language,
+            first=index == 0,
+            number=index + 1,
+            count=count,
+            fields=_fields(drawn),
+        )
+        name = f"sheet-{index + 1}" if count > 1 else "sheet"
+        width, height = SIZES[format]
+        sheets.append(Sheet(name, scene.title, format, width, height, (edge, *placed)))
+    return tuple(sheets)
+
+
+def _fields(drawn: Drawn) -> dict[str, str]:
+    fields = dict(drawn.scene.title_block)
+    fields.setdefault("name", drawn.scene.title)
+    scale = drawn.scales["positions"].value * 1000.0
+    fields.setdefault("scale", _ratio(scale, drawn.scene.language))
+    return fields
+
+
+def _ratio(reduction: float, language: str) -> str:
+    """Return a scale as the title block writes it: 1:4, 2,5:1."""
+    if reduction >= 1:
+        return f"1:{number(reduction, language)}"
+    return f"{number(1 / reduction, language)}:1"
+
+
+def _mu(scale: Scale, language: str) -> str:
+    return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
+
+
+def captioned(view: Drawing, *lines: str) -> Drawing:
+    """Return a view with lines of lettering below it, in the middle."""
+    left, low, right, _ = bounds(view)
+    middle, labels = (left + right) / 2, list(view.labels)
+    for k, text in enumerate(lines):
+        size = CAPTION if k == 0 else SMALL
+        low -= letter(text, size=size).ascent + 2.5
+        labels.append(Label(text, complex(middle, low), size, "middle"))
+        low -= letter(text, size=size).descent
+    return view._replace(labels=tuple(labels))
+
+
+def _positions(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+    project, words = drawn.project, CAPTIONS[drawn.scene.language]
+    body = project.positions.bodies[project.structure.driver]
+    there = [k for k in range(len(project.names)) if k not in drawn.undrawn]
+    candidates = [k for k in project.accelerated if k in there] or there[1:] or there
+    view = draw_positions_ink(
+        project.construction,
+        drawn.reading,
+        main=candidates[0],
+        names=project.names,
+        skipped=drawn.undrawn,
+        crank=(body.marks[project.structure.pivot], body.marks[project.structure.pin]),
+        sense=1 if project.mechanism.drive.speed > 0 else -1,
+        title=words["positions"],
+    )
+    return [captioned(view, words["positions"], _mu(drawn.scales["positions"], drawn.scene.language))]
+
+
+def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
+    project, language = drawn.project, drawn.scene.language
+    words = CAPTIONS[language]
+    if plan == "velocities":
+        reading, places = drawn.reading, list(range(len(project.names)))
+        caption = words["velocities turned" if drawn.scene.turned else "velocities"]
+    else:
+        reading, places = drawn.accelerated, list(project.accelerated)
+        caption = words["accelerations"]
+    if reading is None or plan not in drawn.scales:
+        return []
+    scale = drawn.scales[plan]
+    views = []
+    for index, position in enumerate(places):
+        if position in drawn.undrawn:
+            continue
+        name = project.names[position]
+        title = f"{caption}, {words['position']} {name}"
+        view = draw_plan(
+            project.construction, reading, plan, index, f"{plan}-{name}", title, scale.value, UNITS[plan]
+        )
+        views.append(
+            captioned(
+                view,
+                escape(name),
+                f"{caption}, {words['position']} {escape(name)}",
+                _mu(scale, language),
+            )
+        )
+    return views
+
+
+def _velocities(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+    return _plans("velocities", drawn)
+
+
+def _accelerations(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+    return _plans("accelerations", drawn)
+
+
+def _structure(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+    project, language = drawn.project, drawn.scene.language
+    return [
+        link_table(project.mechanism, project.structure, language),
+        pair_table(project.mechanism, project.structure, language),
+    ]
+
+
+def _results(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+    project, language = drawn.project, drawn.scene.language
+    count, made = len(project.names), []
+    for plan, motion, reading, places in (
+        ("velocities", project.velocities, drawn.reading, range(count)),
+        ("accelerations", project.accelerations, drawn.accelerated, project.accelerated),
+    ):
+        if motion is None or reading is None:
+            continue
+        rows = columns(project.construction, reading, plan, list(places), count, motion.rates)
+        made.append(result_table(plan, rows, project.names, language))
+    return made
+
+
+_VIEWS = {
+    "positions": _positions,
+    "velocities": _velocities,
+    "accelerations": _accelerations,
+    "structure": _structure,
+    "results": _results,
+}

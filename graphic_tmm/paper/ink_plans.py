@@ -1,0 +1,175 @@
+"""Plans of velocities and accelerations in ink, read off the log.
+
+A vector is what was measured between two points or laid off as a calculated length; a line in which two loci
+met goes a little on behind the point. Images that coincide share one label, a vector of no length has no
+arrow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations import lay_off, measure, measure_along, meet
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Point
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
+from graphic_tmm.paper.placing import Wanted, place
+from graphic_tmm.paper.symbols import ARROW_LENGTH, arrowhead, pole
+from graphic_tmm.tables import segment_name
+
+BEYOND = 4.0
+"""How far a construction line goes on behind the intersection, mm."""
+SHORTEST = 0.01
+"""A vector below this share of the longest of its plan is a point, and so is one below half a millimetre."""
+TOGETHER = 0.35
+"""Points nearer than this, mm, share one label."""
+SIZE = 3.5
+
+
+class Vector(NamedTuple):
+    """A vector of a plan: its two marks and the segment's letter; ``absolute`` if it starts at the pole."""
+
+    start: Mark
+    end: Mark
+    segment: str
+    absolute: bool
+
+
+def vectors(construction: Construction, plan: str) -> tuple[Vector, ...]:
+    """Return the vectors of a plan in the order in which they were drawn or measured."""
+    view = construction.view(plan)
+    assert view is not None
+    by_mark = {step.it: step for step in construction.steps}
+    found: dict[tuple[Mark, Mark], Vector] = {}
+    for step in construction.steps:
+        if step.it.view != plan:
+            continue
+        ends = _ends(step, by_mark)
+        if ends is not None:
+            start, end, segment = ends
+            found.setdefault((start, end), Vector(start, end, segment, start == view.pole))
+    return tuple(found.values())
+
+
+def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | None:
+    if step.op in (measure, measure_along):
+        return step.uses[0], step.uses[1], step.it.letter
+    if step.op is lay_off:
+        drawn = by_mark[step.uses[0]]
+        return drawn.uses[0], step.it, step.uses[1].letter
+    return None
+
+
+def draw_plan(
+    construction: Construction,
+    reading: Reading,
+    plan: str,
+    place_index: int,
+    name: str,
+    title: str,
+    mu: float,
+    unit: str,
+) -> Drawing:
+    """Return a plan in one position: vectors with arrows, construction lines, letters.
+
+    ``place_index``: the index of the position in ``reading``; ``mu`` (SI per mm) and ``unit`` are told to a
+    page that reads the sheet.
+    """
+    at = _Places(reading, place_index)
+    drawn = [v for v in vectors(construction, plan) if at.there(v.start) and at.there(v.end)]
+    longest = max((abs(at[v.end] - at[v.start]) for v in drawn), default=0.0)
+    least = max(SHORTEST * longest, 0.5)
+    strokes: list[Stroke | Bezier] = []
+    for ends in _beyond(construction, plan, at, least):
+        strokes.append(line("thin", *ends))
+    for vector in drawn:
+        a, b = at[vector.start], at[vector.end]
+        if abs(b - a) >= least:
+            strokes += _vector(vector, a, b, mu, unit)
+    view = construction.view(plan)
+    assert view is not None
+    assert view.pole is not None
+    strokes += pole(at[view.pole])
+    wanted = [w for w in _letters(construction, plan, at, view.pole)]
+    return Drawing(name, title, tuple(strokes), place(wanted, strokes))
+
+
+def _vector(vector: Vector, a: complex, b: complex, mu: float, unit: str) -> list[Stroke]:
+    pen = "main" if vector.absolute else "medium"
+    head = min(ARROW_LENGTH, 0.45 * abs(b - a))
+    shaft = b - (b - a) / abs(b - a) * head * 0.5
+    mm = abs(b - a)
+    data = (
+        ("segment", segment_name(vector.segment)),
+        ("mm", f"{mm:.2f}"),
+        ("value", f"{mm * mu:.6g}"),
+        ("unit", unit),
+    )
+    stroke = line(pen, a, shaft)._replace(
+        title=f"{segment_name(vector.segment)} = {mm:.1f} mm = {mm * mu:.4g} {unit}", data=data
+    )
+    return [stroke, *arrowhead(b, b - a, pen=pen, length=head)]
+
+
+def _beyond(
+    construction: Construction, plan: str, at: _Places, least: float
+) -> Iterator[tuple[complex, complex]]:
+    """Yield the construction lines: from where each began to a little behind where it met the other."""
+    by_mark = {step.it: step for step in construction.steps}
+    for step in construction.steps:
+        if step.it.view != plan or step.op is not meet or not at.there(step.it):
+            continue
+        end = at[step.it]
+        for drawn in (by_mark[mark] for mark in step.uses):
+            start = at[drawn.uses[0]] if at.there(drawn.uses[0]) else end
+            if abs(end - start) >= least:
+                yield start, end + (end - start) / abs(end - start) * BEYOND
+
+
+class _Places:
+    """The points of one position."""
+
+    def __init__(self, reading: Reading, index: int) -> None:
+        self.reading, self.index = reading, index
+
+    def __getitem__(self, mark: Mark) -> complex:
+        row = self.reading[mark][0]
+        return complex(row[self.index if row.size > 1 else 0])
+
+    def there(self, mark: Mark) -> bool:
+        """Whether the point can be drawn."""
+        return bool(np.isfinite(self[mark]))
+
+
+def _letters(
+    construction: Construction, plan: str, at: _Places, pole_mark: Mark
+) -> Iterator[Wanted]:
+    points = [pole_mark] + [
+        step.it
+        for step in construction.steps
+        if step.it.view == plan and step.it.kind is Point and at.there(step.it)
+    ]
+    middle = complex(np.mean([at[mark] for mark in points]))
+    groups: list[tuple[complex, list[str]]] = []
+    for mark in points:
+        spot = at[mark]
+        near = next((names for place_at, names in groups if abs(place_at - spot) < TOGETHER), None)
+        if near is None:
+            groups.append((spot, [mark.letter]))
+        else:
+            near.append(mark.letter)
+    for spot, names in groups:
+        yield Wanted(", ".join(map(markup, names)), spot, SIZE, 1.0, spot - middle)
+
+
+def markup(letter: str) -> str:
+    """Return a letter of the log as lettered on the sheet: figures at its end become an index, a3 -> a_{3}."""
+    if "_" in letter:
+        return letter
+    stem = letter.rstrip("0123456789")
+    figures = letter[len(stem) :]
+    return f"{stem}_{{{figures}}}" if stem and figures else letter

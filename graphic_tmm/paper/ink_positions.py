@@ -1,0 +1,174 @@
+"""The plan of positions in ink: one position in heavy lines, the others thin; trajectories, numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from graphic_tmm.board.curve import bezier
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Figure, Mark
+from graphic_tmm.board.values import Curve, Point
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.ink_plans import TOGETHER, markup
+from graphic_tmm.paper.placing import Wanted, place
+from graphic_tmm.paper.symbols import fixed_pivot, guide, round_arrow, slider, stone, turning_pair
+
+PLAN = "positions"
+SIZE = 5.0
+NUMBER_SIZE = 3.5
+OVERRUN = 12.0
+"""How far a guide goes on behind the outermost places of its slider, mm."""
+
+
+def draw_positions_ink(
+    construction: Construction,
+    reading: Reading,
+    *,
+    main: int,
+    names: Sequence[str],
+    skipped: Sequence[int],
+    crank: tuple[Mark, Mark],
+    sense: int,
+    title: str,
+) -> Drawing:
+    """Return the plan of positions.
+
+    ``main``: the index of the position drawn heavy; ``skipped``: those that cannot be drawn; ``crank``: the
+    marks of its pivot and pin; ``sense``: of its rotation.
+    """
+    ink = _Ink(construction, reading, [i for i in range(len(names)) if i not in skipped])
+    figures = [f for f in construction.figures if f.view == PLAN]
+    strokes: list[Stroke | Bezier] = []
+    strokes += ink.guides(figures)
+    strokes += ink.crank_circle(crank)
+    strokes += ink.trajectories()
+    for index in ink.places:
+        if index != main:
+            for figure in figures:
+                strokes += ink.link(figure, index, "thin")
+    for figure in figures:
+        strokes += ink.link(figure, main, "main")
+    for figure in figures:
+        strokes += ink.symbols(figure, main)
+    strokes += ink.pivots(figures)
+    pivot, pin = (ink.at(mark, main) for mark in crank)
+    reach = min(10.0, 0.6 * abs(pin - pivot))
+    bearing = float(np.degrees(np.angle(pin - pivot)))
+    strokes += round_arrow(pivot, reach, bearing + sense * 20.0, sense * 70.0)
+    wanted = [*ink.letters(figures, main), *ink.numbers(crank, names, main)]
+    return Drawing(PLAN, title, tuple(strokes), place(wanted, strokes))
+
+
+class _Ink:
+    """The log and its numbers while they are inked."""
+
+    def __init__(self, construction: Construction, reading: Reading, places: list[int]) -> None:
+        self.construction, self.reading, self.places = construction, reading, places
+
+    def at(self, mark: Mark, index: int) -> complex:
+        row = self.reading[mark][0]
+        return complex(row[index if row.size > 1 else 0])
+
+    def along(self, mark: Mark, index: int) -> complex:
+        row = self.reading[mark].along[0]
+        return complex(row[index if row.size > 1 else 0])
+
+    def link(self, figure: Figure, index: int, pen: str) -> list[Stroke]:
+        """A link between its pins: a line, or the outline of a link with pins out of line."""
+        if figure.kind != "link":
+            return []
+        spots = [self.at(m, index) for m in figure.marks if m.kind is Point and not _centre(m)]
+        if len(spots) < 2:
+            return []
+        hull = shapely.MultiPoint([(z.real, z.imag) for z in spots]).convex_hull
+        if isinstance(hull, shapely.Polygon) and hull.area > 1e-3 * hull.length**2:
+            return [line(pen, *(complex(*xy) for xy in hull.exterior.coords[:-1]), closed=True)]
+        far = max(((a, b) for a in spots for b in spots), key=lambda ends: abs(ends[1] - ends[0]))
+        return [line(pen, *far)] if abs(far[1] - far[0]) > TOGETHER else []
+
+    def symbols(self, figure: Figure, index: int) -> list[Stroke]:
+        """Sliders, stones and turning pairs of the main position."""
+        if figure.kind in ("slider", "stone"):
+            pin, path = figure.marks
+            angle = float(np.degrees(np.angle(self.along(path, index))))
+            draw = slider if figure.kind == "slider" else stone
+            return list(draw(self.at(pin, index), angle))
+        if figure.kind == "link":
+            pins = [m for m in figure.marks if m.kind is Point]
+            return [
+                stroke
+                for mark in pins
+                for stroke in (
+                    (circle("main", self.at(mark, index), 0.6, filled=True),)
+                    if _centre(mark)
+                    else turning_pair(self.at(mark, index))
+                )
+            ]
+        return []
+
+    def pivots(self, figures: Sequence[Figure]) -> list[Stroke]:
+        """The fixed pivots."""
+        frame = next(f for f in figures if f.kind == "frame")
+        used = {mark for f in figures if f.kind == "link" for mark in f.marks}
+        return [s for m in frame.marks if m in used for s in fixed_pivot(self.at(m, 0))]
+
+    def guides(self, figures: Sequence[Figure]) -> list[Stroke]:
+        """The fixed guides, over the travel of their sliders, hatched on the far side."""
+        strokes: list[Stroke] = []
+        for figure in figures:
+            if figure.kind != "slider":
+                continue
+            pin, path = figure.marks
+            along = self.along(path, 0)
+            spots = [self.at(pin, i) for i in self.places]
+            low = min(spots, key=lambda z: (z * along.conjugate()).real)
+            high = max(spots, key=lambda z: (z * along.conjugate()).real)
+            strokes += guide(low - OVERRUN * along, high + OVERRUN * along)
+        return strokes
+
+    def crank_circle(self, crank: tuple[Mark, Mark]) -> list[Stroke]:
+        """The circle on which the crank pin moves."""
+        pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
+        return [circle("thin", pivot, abs(pin - pivot))]
+
+    def trajectories(self) -> list[Bezier]:
+        """The curves drawn with the French curve."""
+        found = []
+        for step in self.construction.steps:
+            if step.it.view == PLAN and step.it.kind is Curve:
+                for controls in bezier(self.reading[step.it]):
+                    found.append(Bezier("thin", tuple(complex(z) for z in controls), step.it.letter))
+        return found
+
+    def letters(self, figures: Sequence[Figure], main: int) -> list[Wanted]:
+        """The letters of the main position; points at one place share a label."""
+        marks = list(dict.fromkeys(m for f in figures for m in f.marks if m.kind is Point))
+        spots: list[tuple[complex, list[str]]] = []
+        for mark in marks:
+            if mark.letter.endswith("′"):
+                continue
+            spot = self.at(mark, main)
+            near = next((names for z, names in spots if abs(z - spot) < TOGETHER), None)
+            if near is None:
+                spots.append((spot, [mark.letter]))
+            else:
+                near.append(mark.letter)
+        return [Wanted(", ".join(map(markup, names)), z, SIZE, 2.2) for z, names in spots]
+
+    def numbers(self, crank: tuple[Mark, Mark], names: Sequence[str], main: int) -> list[Wanted]:
+        """The numbers of the positions, outside the circle of the crank pin."""
+        wanted = []
+        for index in self.places:
+            pivot, pin = (self.at(mark, index) for mark in crank)
+            wanted.append(Wanted(names[index], pin, NUMBER_SIZE, 1.2, pin - pivot))
+        return wanted
+
+
+def _centre(mark: Mark) -> bool:
+    """Whether a point is a mass centre by its letter: S, S2 ..."""
+    return mark.letter[0] == "S" and (len(mark.letter) == 1 or mark.letter[1:].isdigit())
+
+

@@ -1,0 +1,129 @@
+"""Tables on the sheet: links, pairs and formula of structure; segments and quantities by positions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.mechanism.structure import Pair, Structure
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.ink_plans import markup
+from graphic_tmm.paper.letters import escape
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.tables import Column
+from graphic_tmm.words import CAPTIONS, LINK_NAMES, fixed, number, unit
+
+SIZE = 3.5
+
+
+def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
+    """Return what a link is by its pairs: crank, rocker, coupler, slider, stone ... (a key of LINK_NAMES)."""
+    frame = mechanism.frame.number
+    if link.number == frame:
+        return "frame"
+    if link.number == structure.driver:
+        return "crank"
+    pairs = [pair for pair in structure.pairs if link.number in pair.links]
+    slides_on = [pair.links[1] for pair in pairs if pair.kind == "P" and pair.links[0] == link.number]
+    if slides_on:
+        return "slider" if frame in slides_on else "stone"
+    owns = any(pair.kind == "P" and pair.links[1] == link.number for pair in pairs)
+    turns_on_frame = any(pair.kind == "R" and frame in pair.links for pair in pairs)
+    if owns:
+        return "slotted rocker" if turns_on_frame else "link"
+    return "rocker" if turns_on_frame else "coupler"
+
+
+def link_name(mechanism: Mechanism, structure: Structure, link: Link, language: str) -> str:
+    """Return the name the scene gives to a link, or that of its role."""
+    return link.name or LINK_NAMES[language][link_role(mechanism, structure, link)]
+
+
+def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
+    """Return the table of links."""
+    words = CAPTIONS[language]
+    frame = mechanism.frame
+    rows = [
+        [
+            str(link.number),
+            escape(link_name(mechanism, structure, link, language)),
+            words["fixed" if link is frame else "movable"],
+        ]
+        for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
+    ]
+    heads = [words["number"], words["link"], words["mobility"]]
+    return table("table-links", words["links"], heads, rows, size=SIZE, align=["centre", "left", "left"])
+
+
+def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
+    """Return the table of kinematic pairs with the formula of structure in its title."""
+    words = CAPTIONS[language]
+    rows = []
+    for pair in structure.pairs:
+        name = pair_name(pair, mechanism)
+        joined = ",".join(str(k) for k in sorted(pair.links))
+        index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
+        rows.append([escape(name), joined, words[pair.kind], index])
+    heads = [words["letter"], words["joined"], words["kind"], words["index"]]
+    n, p = structure.moving, len(structure.pairs)
+    title = f"{words['pairs']}: n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    return table("table-pairs", title, heads, rows, size=SIZE)
+
+
+def pair_name(pair: Pair, mechanism: Mechanism) -> str:
+    """Return a pair's letter; a guide of the frame is named y-y, one on a moving link by the stone's letter."""
+    if pair.kind == "R":
+        return pair.name
+    if pair.links[1] == mechanism.frame.number:
+        return f"{pair.name}-{pair.name}"
+    letters = mechanism.by_number[pair.links[0]].points
+    return next(iter(letters), pair.name)
+
+
+def result_table(
+    plan: str, columns: Sequence[Column], names: Sequence[str], language: str
+) -> Drawing:
+    """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions."""
+    words = CAPTIONS[language]
+    shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
+    rows = []
+    for column in columns:
+        letter = markup(column.letter)
+        if any(x is not None for x in column.mm):
+            cells = [fixed(column.mm[k], 1, language) for k in shown]
+            rows.append([letter, unit("mm", language), *cells])
+            letter = quantity(column.letter)
+        cells = [_figures(column.value[k], language) for k in shown]
+        rows.append([letter, unit(column.unit, language), *cells])
+    heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
+    align = ["left", "left", *["centre"] * len(shown)]
+    return table(f"table-{plan}", words[plan], heads, rows, size=SIZE, align=align)
+
+
+def _figures(value: float | None, language: str) -> str:
+    return "—" if value is None else number(value, language, 3)
+
+
+def quantity(letter: str) -> str:
+    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, πb -> a_{B}, n_{ab} -> a_{ab}^{n}."""
+    if letter[0] in "ωε":
+        return letter
+    if "_" in letter:
+        stem, _, rest = letter.partition("_")
+        return f"a_{{{rest.strip('{}').upper()}}}^{{{stem}}}"
+    symbol = {"p": "v", "π": "a"}.get(letter[0])
+    if symbol is not None:
+        return f"{symbol}_{{{letter[1:].upper()}}}"
+    points = _points(letter)
+    return f"v_{{{''.join(reversed(points)).upper()}}}"
+
+
+def _points(letter: str) -> list[str]:
+    """Split a segment into the letters of its ends: aa3 -> a, a3."""
+    points: list[str] = []
+    for sign in letter:
+        if sign.isdigit() or sign == "′":
+            points[-1] += sign
+        else:
+            points.append(sign)
+    return points

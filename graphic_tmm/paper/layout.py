@@ -1,0 +1,124 @@
+"""Views onto sheets: each view takes a free rectangle, top left first; what is left over goes to the next sheet.
+
+Layout only moves views; nothing is scaled after μ is chosen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import shapely
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.placing import box, shape
+
+GAP = 7.0
+"""Clear space between views, and between a view and the frame, mm."""
+
+Box = tuple[float, float, float, float]
+
+
+class Room(NamedTuple):
+    """Where views may stand on a sheet: the inner frame and the boxes taken of it (left, bottom, right, top)."""
+
+    inner: Box
+    occupied: tuple[Box, ...]
+
+
+def bounds(drawing: Drawing) -> Box:
+    """Return the box of all ink of a drawing, mm: strokes without their width, letters with it."""
+    shapes = [shape(stroke) for stroke in drawing.strokes] + [box(label) for label in drawing.labels]
+    left, bottom, right, top = shapely.total_bounds(shapes)
+    return float(left), float(bottom), float(right), float(top)
+
+
+def pack(
+    views: Sequence[Drawing], room: Callable[[bool], Room], format: str
+) -> list[list[Drawing]]:
+    """Return the views placed, sheet by sheet; ``room(first)`` tells what a sheet has room for.
+
+    Raises
+    ------
+    SheetError
+        If a view does not fit on an empty sheet; says its size and what would help.
+    """
+    sheets: list[list[Drawing]] = []
+    free: list[Box] = []
+    waiting = list(views)
+    while waiting:
+        free = _free(room(not sheets))
+        placed, left = [], []
+        for view in waiting:
+            spot = _take(free, view) if not left or _small(view) else None
+            if spot is None:
+                left.append(view)
+            else:
+                placed.append(spot)
+        if not placed:
+            raise SheetError(_too_large(left[0], room(not sheets), format))
+        sheets.append(placed)
+        waiting = left
+    return sheets
+
+
+def _small(view: Drawing) -> bool:
+    """Whether a view may stand before a larger one that has to wait: tables may, plans keep their order."""
+    return view.name.startswith("table")
+
+
+def _free(room: Room) -> list[Box]:
+    left, bottom, right, top = room.inner
+    free = [(left + GAP, bottom + GAP, right - GAP, top - GAP)]
+    for taken in room.occupied:
+        free = _without(free, (taken[0] - GAP, taken[1] - GAP, taken[2] + GAP, taken[3] + GAP))
+    return free
+
+
+def _take(free: list[Box], view: Drawing) -> Drawing | None:
+    """Place a view in the highest, then leftmost free rectangle that holds it; None if none does."""
+    left, bottom, right, top = bounds(view)
+    width, height = right - left, top - bottom
+    fits = [f for f in free if f[2] - f[0] >= width - 1e-9 and f[3] - f[1] >= height - 1e-9]
+    if not fits:
+        return None
+    best = min(fits, key=lambda f: (-round(f[3], 3), round(f[0], 3)))
+    x, y = best[0], best[3] - height
+    free[:] = _without(free, (x - GAP, y - GAP, x + width + GAP, y + height + GAP))
+    return view.moved(complex(x - left, y - bottom))
+
+
+def _without(free: Sequence[Box], taken: Box) -> list[Box]:
+    """Return the maximal free rectangles that are left when a box is taken."""
+    left: list[Box] = []
+    for f in free:
+        if taken[0] >= f[2] or taken[2] <= f[0] or taken[1] >= f[3] or taken[3] <= f[1]:
+            left.append(f)
+            continue
+        parts = (
+            (f[0], f[1], taken[0], f[3]),
+            (taken[2], f[1], f[2], f[3]),
+            (f[0], f[1], f[2], taken[1]),
+            (f[0], taken[3], f[2], f[3]),
+        )
+        left += [p for p in parts if p[2] - p[0] > 1.0 and p[3] - p[1] > 1.0]
+    return [
+        f
+        for k, f in enumerate(left)
+        if not any(_inside(f, g) and (f != g or j < k) for j, g in enumerate(left) if j != k)
+    ]
+
+
+def _inside(f: Box, g: Box) -> bool:
+    return g[0] <= f[0] and g[1] <= f[1] and g[2] >= f[2] and g[3] >= f[3]
+
+
+def _too_large(view: Drawing, room: Room, format: str) -> str:
+    left, bottom, right, top = bounds(view)
+    inner = room.inner
+    return (
+        f"the view '{view.title or view.name}' is {right - left:.0f}×{top - bottom:.0f} mm and does not fit on "
+        f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm): "
+        "take a larger format, or a larger μ (a smaller OA, pa or pi_a)"
+    )

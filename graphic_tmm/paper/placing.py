@@ -1,0 +1,130 @@
+"""Places for letters: no label on a label, as few lines crossed as possible, close to what they name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from graphic_tmm.paper.drawing import Bezier, Label, Stroke
+from graphic_tmm.paper.letters import letter
+
+CLEAR = 0.8
+"""Clear space about a label, mm."""
+RINGS = (0.0, 2.0, 4.5, 8.0)
+DIRECTIONS = 24
+_HEAVY = ("main", "medium", "joint", "body")
+_COST = {"label": 1000.0, "heavy": 12.0, "light": 4.0, "ring": 1.0, "turn": 0.6}
+
+
+class Wanted(NamedTuple):
+    """A label that wants a place: what it says, the point it names, and where it would like to be.
+
+    ``radius``: how far from the point the ink of the point's own symbol reaches, mm. ``toward``: a direction
+    (complex) that is preferred, 0 for none.
+    """
+
+    text: str
+    at: complex
+    size: float
+    radius: float = 1.0
+    toward: complex = 0j
+
+
+def box(label: Label) -> shapely.Polygon:
+    """Return the ink box of a label, turned as the label is."""
+    made = letter(label.text, size=label.size, inclined=label.inclined)
+    start = {"start": 0.0, "middle": -made.width / 2, "end": -made.width}[label.anchor]
+    corners = [
+        complex(start, -made.descent),
+        complex(start + made.width, -made.descent),
+        complex(start + made.width, made.ascent),
+        complex(start, made.ascent),
+    ]
+    turn = complex(math.cos(math.radians(label.turn)), math.sin(math.radians(label.turn)))
+    placed = [label.at + corner * turn for corner in corners]
+    return shapely.Polygon([(z.real, z.imag) for z in placed])
+
+
+def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
+    """Return a stroke as a shape; curves by points near enough for placing."""
+    if isinstance(stroke, Bezier):
+        return shapely.LineString([(z.real, z.imag) for z in _flat(stroke.controls)])
+    points: list[complex] = []
+    count = len(stroke.path)
+    for k, (x, y, bulge) in enumerate(stroke.path):
+        points.append(complex(x, y))
+        if bulge and (stroke.closed or k + 1 < count):
+            nx, ny, _ = stroke.path[(k + 1) % count]
+            points += _bow(complex(x, y), complex(nx, ny), bulge)
+    if stroke.closed:
+        points.append(points[0])
+    flat = [(z.real, z.imag) for z in points]
+    return shapely.Polygon(flat) if stroke.filled else shapely.LineString(flat)
+
+
+def _flat(controls: Sequence[complex]) -> list[complex]:
+    t = np.linspace(0.0, 1.0, 9)[1:]
+    points = [controls[0]]
+    for k in range(0, len(controls) - 1, 3):
+        a, b, c, d = controls[k : k + 4]
+        points += list((1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d)
+    return points
+
+
+def _bow(start: complex, end: complex, bulge: float) -> list[complex]:
+    """Return points inside an arc given by its bulge."""
+    quarter = math.atan(bulge)
+    centre = (start + end) / 2 + (end - start) * 0.5j / math.tan(2 * quarter)
+    count = max(2, math.ceil(abs(4 * quarter) / math.radians(20)))
+    turns = [4 * quarter * k / count for k in range(1, count)]
+    return [centre + (start - centre) * complex(math.cos(t), math.sin(t)) for t in turns]
+
+
+def place(
+    wanted: Sequence[Wanted],
+    strokes: Sequence[Stroke | Bezier],
+    taken: Sequence[Label] = (),
+) -> tuple[Label, ...]:
+    """Return the labels at their places, in the order wanted; ``taken`` labels stand already."""
+    heavy = [shape(s) for s in strokes if s.pen in _HEAVY]
+    light = [shape(s) for s in strokes if s.pen not in _HEAVY]
+    lines = (shapely.STRtree(heavy), shapely.STRtree(light))
+    boxes = [box(label) for label in taken]
+    placed = []
+    for one in wanted:
+        label, made = _best(one, lines, boxes)
+        placed.append(label)
+        boxes.append(made)
+    return tuple(placed)
+
+
+def _best(
+    one: Wanted, lines: tuple[shapely.STRtree, shapely.STRtree], boxes: list[shapely.Polygon]
+) -> tuple[Label, shapely.Polygon]:
+    made = letter(one.text, size=one.size)
+    width, height = made.width, made.ascent + made.descent
+    turns = np.exp(2j * np.pi * np.arange(DIRECTIONS) / DIRECTIONS)
+    reach = 1.0 / np.maximum(2 * np.abs(turns.real) / width, 2 * np.abs(turns.imag) / height)
+    rings = np.array(RINGS)
+    centres = (
+        one.at + turns[None, :] * (one.radius + CLEAR + reach[None, :] + rings[:, None])
+    ).ravel()
+    x, y = centres.real - width / 2, centres.imag - height / 2
+    tried = shapely.box(x - CLEAR / 2, y - CLEAR / 2, x + width + CLEAR / 2, y + height + CLEAR / 2)
+    cost = np.repeat(rings * _COST["ring"], DIRECTIONS)
+    if one.toward:
+        aim = one.toward / abs(one.toward)
+        cost += _COST["turn"] * np.tile(np.abs(turns - aim) ** 2, len(rings)) * 4
+    for tree, weight in zip(lines, (_COST["heavy"], _COST["light"]), strict=True):
+        hits = tree.query(tried, predicate="intersects")[0]
+        cost += weight * np.bincount(hits, minlength=tried.size)
+    if boxes:
+        hits = shapely.STRtree(boxes).query(tried, predicate="intersects")[0]
+        cost += _COST["label"] * np.bincount(hits, minlength=tried.size)
+    best = int(np.argmin(np.round(cost, 6)))
+    label = Label(one.text, complex(x[best], y[best] + made.descent), one.size)
+    return label, tried[best]

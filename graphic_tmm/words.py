@@ -1,0 +1,254 @@
+"""Words, Russian and English: the protocol of a plan, the calculation note, captions, findings.
+
+The sentences live on the operations; here letters and numbers are put into them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.findings import Finding
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Angle, Length
+
+CAPTIONS: dict[str, dict[str, str]] = {
+    "ru": {
+        "positions": "План положений механизма",
+        "velocities": "План скоростей",
+        "velocities turned": "Повёрнутый план скоростей",
+        "accelerations": "План ускорений",
+        "position": "положение",
+        "positions of": "положения",
+        "calculate": "Вычислить",
+        "note": "Расчёт",
+        "structure": "Структура механизма",
+        "links": "Звенья механизма",
+        "pairs": "Кинематические пары",
+        "number": "№",
+        "link": "Звено",
+        "mobility": "Подвижность",
+        "movable": "подвижное",
+        "fixed": "неподвижное",
+        "letter": "Обозн.",
+        "joined": "Звенья",
+        "kind": "Вид",
+        "R": "вращ.",
+        "P": "пост.",
+        "index": "Индекс",
+        "R index": "В",
+        "P index": "П",
+        "formula": "Формула строения",
+        "results": "Результаты",
+        "segment": "Отрезок",
+        "value": "Величина",
+        "unit": "Ед.",
+        "mm": "мм",
+        "given": "Дано",
+        "undrawn": "не строится",
+        "at positions": "положения",
+        "extremes": "Крайние положения",
+        "synthesis": "Синтез механизма",
+        "check": "Проверка масштаба печати",
+    },
+    "en": {
+        "positions": "Plan of positions",
+        "velocities": "Velocity plan",
+        "velocities turned": "Turned velocity plan",
+        "accelerations": "Acceleration plan",
+        "position": "position",
+        "positions of": "positions",
+        "calculate": "Calculate",
+        "note": "Calculation",
+        "structure": "Structure of the mechanism",
+        "links": "Links",
+        "pairs": "Kinematic pairs",
+        "number": "No.",
+        "link": "Link",
+        "mobility": "Mobility",
+        "movable": "movable",
+        "fixed": "fixed",
+        "letter": "Letter",
+        "joined": "Links",
+        "kind": "Kind",
+        "R": "turning",
+        "P": "sliding",
+        "index": "Index",
+        "R index": "R",
+        "P index": "P",
+        "formula": "Formula of structure",
+        "results": "Results",
+        "segment": "Segment",
+        "value": "Quantity",
+        "unit": "Unit",
+        "mm": "mm",
+        "given": "Given",
+        "undrawn": "cannot be drawn",
+        "at positions": "positions",
+        "extremes": "Extreme positions",
+        "synthesis": "Synthesis",
+        "check": "Print check",
+    },
+}
+LINK_NAMES = {
+    "ru": {
+        "crank": "кривошип",
+        "rocker": "коромысло",
+        "slotted rocker": "кулиса",
+        "coupler": "шатун",
+        "slider": "ползун",
+        "stone": "кулисный камень",
+        "frame": "стойка",
+        "link": "звено",
+    },
+    "en": {
+        "crank": "crank",
+        "rocker": "rocker",
+        "slotted rocker": "slotted rocker",
+        "coupler": "connecting rod",
+        "slider": "slider",
+        "stone": "sliding block",
+        "frame": "frame",
+        "link": "link",
+    },
+}
+_UNITS_RU = {
+    "mm": "мм",
+    "m": "м",
+    "m/mm": "м/мм",
+    "m/s": "м/с",
+    "m/s²": "м/с²",
+    "(m/s)/mm": "(м/с)/мм",
+    "(m/s²)/mm": "(м/с²)/мм",
+    "1/s": "1/с",
+    "1/s²": "1/с²",
+    "°": "°",
+    "": "",
+}
+_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+class Line(NamedTuple):
+    """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none)."""
+
+    number: int
+    text: str
+    calculation: str = ""
+
+
+def unit(name: str, language: str) -> str:
+    """Return a unit in the language of the sheet."""
+    return _UNITS_RU[name] if language == "ru" else name
+
+
+def number(value: float, language: str, digits: int = 4) -> str:
+    """Return a number to ``digits`` significant figures, with the decimal sign of the language.
+
+    >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en")
+    ('0,1366', '-4', '2.5·10⁻⁷')
+    """
+    if not np.isfinite(value):
+        return "—"
+    text = f"{value:.{digits}g}"
+    mantissa, _, exponent = text.partition("e")
+    if exponent:
+        power = int(exponent)
+        text = f"{value:.0f}" if 0 < power < 7 else f"{mantissa}·10{str(power).translate(_RAISED)}"
+    text = "0" if text in ("-0", "0") else text
+    return text.replace(".", ",") if language == "ru" else text
+
+
+def fixed(value: float | None, places: int, language: str) -> str:
+    """Return a number with a fixed count of decimals; a dash where there is none."""
+    if value is None or not np.isfinite(value):
+        return "—"
+    text = f"{value:.{places}f}"
+    text = text.lstrip("-") if float(text) == 0 else text
+    return text.replace(".", ",") if language == "ru" else text
+
+
+def plain(letter: str) -> str:
+    """Return a letter of the log as plain text: l_{OA} -> l_OA."""
+    return letter.replace("{", "").replace("}", "")
+
+
+def _letters(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
+    letters = {argument: name(mark) for argument, mark in zip(step.op.arguments, step.uses, strict=True)}
+    return letters | {"it": name(step.it)}
+
+
+def sentence(step: Step, language: str) -> str:
+    """Return what is done in a step, as a sentence."""
+    text = step.op.ru if language == "ru" else step.op.en
+    words = _letters(step, lambda mark: plain(mark.letter))
+    if step.op.formula:
+        calculate = CAPTIONS[language]["calculate"]
+        return f"{calculate} {words['it']} = {text.format(**words)}."
+    return text.format(**words)
+
+
+def calculation(step: Step, reading: Reading, place: int, language: str) -> str:
+    """Return the formula of a calculated step with its numbers put in: v_A = 39,79·0,1366 = 5,434 м/с."""
+    if not step.op.formula:
+        return ""
+
+    def value(mark: Mark) -> float:
+        row = reading[mark][0]
+        return float(row[place if row.size > 1 else 0])
+
+    def put(mark: Mark) -> str:
+        text = number(value(mark), language) + ("°" if mark.kind is Angle else "")
+        return f"({text})" if text.startswith("-") else text
+
+    letters = _letters(step, lambda mark: plain(mark.letter))
+    numbers = _letters(step, put)
+    result = f"{number(value(step.it), language)} {_unit_of(step.it, language)}".rstrip()
+    return (
+        f"{letters['it']} = {step.op.formula.format(**letters)} = "
+        f"{step.op.formula.format(**numbers)} = {result}"
+    )
+
+
+def _unit_of(mark: Mark, language: str) -> str:
+    if mark.kind is Length:
+        return unit("mm", language)
+    return unit("°" if mark.kind is Angle else mark.unit, language)
+
+
+def protocol(
+    construction: Construction, plan: str, reading: Reading, place: int, language: str
+) -> Iterator[Line]:
+    """Yield the numbered protocol of one plan in one position, with the calculation note.
+
+    ``place``: the index of the position in ``reading``.
+    """
+    counted = 0
+    for step in construction.steps:
+        if step.it.view != plan:
+            continue
+        for note in filter(None, step.note.split("\n")):
+            yield Line(0, plain(note))
+        counted += 1
+        yield Line(counted, sentence(step, language), calculation(step, reading, place, language))
+
+
+def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
+    """Return a finding as a sentence: plan, step, letter, why, positions."""
+    op = found.step.op
+    words = _letters(found.step, lambda mark: plain(mark.letter))
+    at = ", ".join(names[i] for i in found.positions)
+    why = {
+        "undrawn": op.fails_ru if language == "ru" else op.fails_en,
+        "touching": "касание: оба решения совпадают" if language == "ru" else "the figures touch",
+        "doubtful": "решение неустойчиво" if language == "ru" else "the intersection is uncertain",
+    }[found.kind]
+    if found.kind == "undrawn" and found.gap is not None:
+        text = (found.gap.ru if language == "ru" else found.gap.en).format(**words)
+        why += f" ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
+    plan = CAPTIONS[language].get(found.step.it.view, found.step.it.view).lower()
+    step = "шаг" if language == "ru" else "step"
+    where = CAPTIONS[language]["at positions"]
+    return f"{plan}, {step} {found.number} '{words['it']}': {why}; {where} {at}"
