@@ -36,7 +36,9 @@ class SceneError(TmmError):
 
     def _line(self, fault: Fault) -> str:
         place = f"{self.path}:{fault.line}" if fault.line else self.path
-        return f"{place}: {fault.key}: {fault.message}" if fault.key else f"{place}: {fault.message}"
+        return (
+            f"{place}: {fault.key}: {fault.message}" if fault.key else f"{place}: {fault.message}"
+        )
 
 
 class StructureError(TmmError):

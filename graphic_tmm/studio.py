@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,8 +19,13 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scene.records import Scales, Scene
 
-ROOM = {"A1": (230.0, 90.0), "A4": (110.0, 60.0)}
-"""For a format: room for the plan of positions, and for the longest vector of a plan, mm."""
+if TYPE_CHECKING:
+    from graphic_tmm.paper.drawing import Sheet
+
+ROOM = {"A1": 230.0, "A4": 110.0}
+"""For a format: room for the plan of positions, mm."""
+VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
+"""Room for the longest vector of a plan, mm: as much as the sheets hold."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +48,11 @@ class Work:
         return examine(log, self.given, marks, hand=self.hand)
 
 
-def work(scene: Scene, *, exact: bool = False) -> Work:
-    """Draw a scene: record its plans, choose the scale factors, execute."""
+def work(scene: Scene, *, exact: bool = False, vectors: float = VECTORS[2]) -> Work:
+    """Draw a scene: record its plans, choose the scale factors, execute.
+
+    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room for the longest vector, mm.
+    """
     wanted = {plan for sheet in scene.sheets for plan in sheet.place}
     plans = [p for p in ("positions", "velocities", "accelerations") if p in wanted]
     project = draw_project(
@@ -54,7 +63,7 @@ def work(scene: Scene, *, exact: bool = False) -> Work:
         plans=plans,
     )
     formats = [sheet.format for sheet in scene.sheets]
-    scales = choose_scales(project, scene.scales, "A1" if "A1" in formats else formats[0])
+    scales = choose_scales(project, scene.scales, ROOM["A1" if "A1" in formats else "A4"], vectors)
     given = dict(project.given)
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
@@ -73,6 +82,29 @@ def work(scene: Scene, *, exact: bool = False) -> Work:
     if len(undrawn) == len(project.names):
         raise StructureError("none of the positions can be drawn" + _ranges(project))
     return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
+
+
+def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
+    """Draw a scene onto its sheets, its plans as large as fit on the sheets ordered.
+
+    If even the smallest plans do not fit, further sheets follow.
+    """
+    from graphic_tmm.paper.compose import Drawn, compose
+
+    done: set[tuple[float, ...]] = set()
+    for vectors in VECTORS:
+        made = work(scene, vectors=vectors)
+        factors = tuple(scale.value for scale in made.scales.values())
+        if factors in done:
+            continue
+        done.add(factors)
+        drawn = Drawn(
+            scene, made.project, made.reading, made.accelerated, made.scales, made.undrawn
+        )
+        laid = compose(drawn)
+        if len(laid) <= len(scene.sheets):
+            break
+    return made, laid
 
 
 def warnings(work: Work) -> tuple[str, ...]:
@@ -97,14 +129,15 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
     return tuple(int(i) for i in np.flatnonzero(bad[0]))
 
 
-def choose_scales(project: Project, wanted: Scales, paper: str) -> dict[str, Scale]:
+def choose_scales(
+    project: Project, wanted: Scales, room: float, vectors: float
+) -> dict[str, Scale]:
     """Return μ of every plan drawn: what the scene fixes, else a standard one, found with the exact hand.
 
     A segment fixed in mm (OA, pa, πa) gives its μ; the choice makes the plan of positions and the longest
-    vectors as large as the format has room for.
+    vectors as large as ``room`` and ``vectors`` (mm) allow.
     """
     log, given = project.construction, dict(project.given)
-    room, vectors = ROOM[paper]
     for view in log.views:
         assert view.scale is not None
         given[view.scale] = 1.0
@@ -165,5 +198,3 @@ def scene_path(name: str | None) -> Path:
         if "/" not in name and name not in (".", "..") and (home / name / "scene.toml").is_file():
             return home / name
     return path
-
-

@@ -112,7 +112,13 @@ def as_json(
         "scales": scales,
         "positions": [{"number": name, "angle_deg": angle} for name, angle in positions],
         "columns": [
-            {"plan": c.plan, "segment": c.segment, "unit": c.unit, "mm": _tidy(c.mm), "value": _tidy(c.value)}
+            {
+                "plan": c.plan,
+                "segment": c.segment,
+                "unit": c.unit,
+                "mm": _tidy(c.mm),
+                "value": _tidy(c.value),
+            }
             for c in table
         ],
         "results": results,
@@ -126,7 +132,9 @@ def as_csv(positions: Sequence[tuple[str, float]], table: Sequence[Column]) -> s
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(["plan", "position", "angle_deg", "segment", "mm", "value", "unit"])
     for column in table:
-        for (name, angle), mm, value in zip(positions, _tidy(column.mm), _tidy(column.value), strict=True):
+        for (name, angle), mm, value in zip(
+            positions, _tidy(column.mm), _tidy(column.value), strict=True
+        ):
             if value is not None or mm is not None:
                 cells = [column.plan, name, angle, column.segment, mm, value, column.unit]
                 writer.writerow(["" if cell is None else cell for cell in cells])

@@ -21,6 +21,8 @@ CAPTIONS: dict[str, dict[str, str]] = {
         "velocities": "План скоростей",
         "velocities turned": "Повёрнутый план скоростей",
         "accelerations": "План ускорений",
+        "table velocities": "Скорости по планам",
+        "table accelerations": "Ускорения по планам",
         "position": "положение",
         "positions of": "положения",
         "calculate": "Вычислить",
@@ -59,6 +61,8 @@ CAPTIONS: dict[str, dict[str, str]] = {
         "velocities": "Velocity plan",
         "velocities turned": "Turned velocity plan",
         "accelerations": "Acceleration plan",
+        "table velocities": "Velocities from the plans",
+        "table accelerations": "Accelerations from the plans",
         "position": "position",
         "positions of": "positions",
         "calculate": "Calculate",
@@ -176,7 +180,9 @@ def plain(letter: str) -> str:
 
 
 def _letters(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
-    letters = {argument: name(mark) for argument, mark in zip(step.op.arguments, step.uses, strict=True)}
+    letters = {
+        argument: name(mark) for argument, mark in zip(step.op.arguments, step.uses, strict=True)
+    }
     return letters | {"it": name(step.it)}
 
 

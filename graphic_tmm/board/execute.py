@@ -145,7 +145,9 @@ def execute(
             raise ConstructionError("a curve across positions needs all positions of its row")
         at = np.asarray(positions, dtype=np.intp)
         given = {
-            mark: value[:, at] if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1 else value
+            mark: value[:, at]
+            if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1
+            else value
             for mark, value in given.items()
         }
     return program.run(given, hand=hand, block=block)
@@ -201,5 +203,7 @@ def _keep(whole: Values, index: int, value: Any, part: slice, count: int) -> Non
 
 def _spread(value: Any, count: int) -> Any:
     if isinstance(value, tuple):
-        return value if isinstance(value, Curve) else type(value)(*(_spread(v, count) for v in value))
+        return (
+            value if isinstance(value, Curve) else type(value)(*(_spread(v, count) for v in value))
+        )
     return np.broadcast_to(value, (value.shape[0], count))

@@ -66,7 +66,9 @@ def _of_step(
     construction: Construction, step: Step, values: list[Any], result: Any, count: int
 ) -> list[Finding]:
     number = step_number(construction, step)
-    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, count), bool), *map(undefined, values)))
+    fine = ~np.logical_or.reduce(
+        np.broadcast_arrays(np.zeros((1, count), bool), *map(undefined, values))
+    )
     failed = fine & undefined(result)
     found = []
     if failed.any():

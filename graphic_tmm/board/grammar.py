@@ -80,7 +80,9 @@ def operation(
         marks = [p.name for p in parameters if p.kind is not p.KEYWORD_ONLY]
         unknown = [name for name in marks if hints[name] not in KINDS]
         if unknown or leaves not in KINDS:
-            raise TypeError(f"{function.__name__}: {unknown or 'the result'} has no kind of the board")
+            raise TypeError(
+                f"{function.__name__}: {unknown or 'the result'} has no kind of the board"
+            )
         sentence = " ".join((inspect.getdoc(function) or "").split("\n\n")[0].split())
         made = Operation(
             function.__name__,

@@ -105,9 +105,7 @@ class Board:
         """Write a remark (a vector equation, a heading) that stands before the next step."""
         self._note = f"{self._note}\n{note}" if self._note else note
 
-    def draw(
-        self, op: Operation, letter: str, *uses: Mark, unit: str = "", **choice: int
-    ) -> Mark:
+    def draw(self, op: Operation, letter: str, *uses: Mark, unit: str = "", **choice: int) -> Mark:
         """Record one operation and return the mark it leaves.
 
         Raises

@@ -119,14 +119,21 @@ def dissect(mechanism: Mechanism) -> Structure:
     pin = _pin(mechanism, pivot)
     order = {number: place for place, number in enumerate(known)}
     return Structure(
-        len(mechanism.links), _in_order(pairs, order, mechanism), pivot, pin, tuple(groups), known[1]
+        len(mechanism.links),
+        _in_order(pairs, order, mechanism),
+        pivot,
+        pin,
+        tuple(groups),
+        known[1],
     )
 
 
 def _pivot(mechanism: Mechanism) -> str:
     crank = mechanism.by_number.get(mechanism.drive.link)
     if crank is None or crank is mechanism.frame:
-        raise StructureError(f"the drive names link {mechanism.drive.link}, which is not a moving link")
+        raise StructureError(
+            f"the drive names link {mechanism.drive.link}, which is not a moving link"
+        )
     shared = [letter for letter in crank.points if letter in mechanism.frame.points]
     if len(shared) != 1 or crank.slides:
         raise StructureError(
@@ -158,9 +165,7 @@ def _pairs(mechanism: Mechanism) -> tuple[Pair, ...]:
         for letter in link.points:
             letters.setdefault(letter, []).append(link.number)
     turning = [
-        Pair("R", letter, (on[0], other))
-        for letter, on in letters.items()
-        for other in on[1:]
+        Pair("R", letter, (on[0], other)) for letter, on in letters.items() for other in on[1:]
     ]
     sliding = [
         Pair("P", slide.guide.name, (link.number, slide.on), slide)
@@ -183,6 +188,7 @@ def _in_order(
         first, *rest = sorted(on, key=order.__getitem__)
         made += [Pair("R", letter, (min(first, k), max(first, k))) for k in rest]
     made += [pair for pair in pairs if pair.kind == "P"]
+
     def attached(pair: Pair) -> tuple[bool, list[int]]:
         return pair.kind == "P", sorted(map(order.__getitem__, pair.links), reverse=True)
 
@@ -225,7 +231,9 @@ def _joints(mechanism: Mechanism, number: int, among: list[int]) -> list[Pair]:
     link = mechanism.by_number[number]
     found = []
     for letter in link.points:
-        other = next((k for k in among if k != number and letter in mechanism.by_number[k].points), None)
+        other = next(
+            (k for k in among if k != number and letter in mechanism.by_number[k].points), None
+        )
         if other is not None:
             found.append(Pair("R", letter, (number, other)))
     for k in among:
@@ -242,7 +250,11 @@ def _next_group(mechanism: Mechanism, known: list[int], left: list[int]) -> Grou
         for second in left[place + 1 :]:
             if len(outer[first]) != 1 or len(outer[second]) != 1:
                 continue
-            inner = [p for p in _joints(mechanism, first, [second]) if p.kind == "P" or p.name not in there]
+            inner = [
+                p
+                for p in _joints(mechanism, first, [second])
+                if p.kind == "P" or p.name not in there
+            ]
             if len(inner) == 1:
                 return _group(outer[first][0], outer[second][0], inner[0], first, second)
     return None

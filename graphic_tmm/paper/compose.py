@@ -82,16 +82,30 @@ def _mu(scale: Scale, language: str) -> str:
     return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
 
 
+def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
+    """Return views that each take a cell of one size, with their ink in the middle, so that rows align."""
+    boxes = [bounds(view) for view in views]
+    width = max((right - left for left, _, right, _ in boxes), default=0.0)
+    height = max((top - low for _, low, _, top in boxes), default=0.0)
+    made = []
+    for view, (left, low, right, top) in zip(views, boxes, strict=True):
+        x, y = (left + right - width) / 2, (low + top - height) / 2
+        made.append(view._replace(cell=(x, y, x + width, y + height)))
+    return made
+
+
 def captioned(view: Drawing, *lines: str) -> Drawing:
     """Return a view with lines of lettering below it, in the middle."""
-    left, low, right, _ = bounds(view)
+    left, low, right, top = bounds(view)
     middle, labels = (left + right) / 2, list(view.labels)
     for k, text in enumerate(lines):
-        size = CAPTION if k == 0 else SMALL
+        size = CAPTION if k == 0 and view.name == "positions" else SMALL
         low -= letter(text, size=size).ascent + 2.5
         labels.append(Label(text, complex(middle, low), size, "middle"))
         low -= letter(text, size=size).descent
-    return view._replace(labels=tuple(labels))
+    widths = [letter(label.text, size=label.size).width / 2 for label in labels[len(view.labels) :]]
+    reach = max([(right - left) / 2, *widths])
+    return view._replace(labels=tuple(labels), cell=(middle - reach, low, middle + reach, top))
 
 
 def _positions(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
@@ -109,7 +123,9 @@ def _positions(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
         sense=1 if project.mechanism.drive.speed > 0 else -1,
         title=words["positions"],
     )
-    return [captioned(view, words["positions"], _mu(drawn.scales["positions"], drawn.scene.language))]
+    return [
+        captioned(view, words["positions"], _mu(drawn.scales["positions"], drawn.scene.language))
+    ]
 
 
 def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
@@ -131,17 +147,21 @@ def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
         name = project.names[position]
         title = f"{caption}, {words['position']} {name}"
         view = draw_plan(
-            project.construction, reading, plan, index, f"{plan}-{name}", title, scale.value, UNITS[plan]
+            project.construction,
+            reading,
+            plan,
+            index,
+            f"{plan}-{name}",
+            title,
+            scale.value,
+            UNITS[plan],
         )
-        views.append(
-            captioned(
-                view,
-                escape(name),
-                f"{caption}, {words['position']} {escape(name)}",
-                _mu(scale, language),
-            )
-        )
-    return views
+        views.append(view)
+    captions = [view.title for view in views]
+    return [
+        captioned(view, escape(caption), _mu(scale, language))
+        for view, caption in zip(in_cells(views), captions, strict=True)
+    ]
 
 
 def _velocities(drawn: Drawn, order: SheetOrder) -> list[Drawing]:

@@ -50,12 +50,16 @@ class Label(NamedTuple):
 
 
 class Drawing(NamedTuple):
-    """A view: everything of one plan, table or block, that layout moves as a whole."""
+    """A view: everything of one plan, table or block, that layout moves as a whole.
+
+    ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink.
+    """
 
     name: str
     title: str
     strokes: tuple[Stroke | Bezier, ...] = ()
     labels: tuple[Label, ...] = ()
+    cell: tuple[float, float, float, float] | None = None
 
     def moved(self, by: complex) -> Drawing:
         """Return the drawing translated by ``by`` (complex, mm)."""
@@ -67,7 +71,10 @@ class Drawing(NamedTuple):
             for stroke in self.strokes
         )
         labels = tuple(label._replace(at=label.at + by) for label in self.labels)
-        return self._replace(strokes=strokes, labels=labels)
+        cell = self.cell
+        if cell is not None:
+            cell = (cell[0] + dx, cell[1] + dy, cell[2] + dx, cell[3] + dy)
+        return self._replace(strokes=strokes, labels=labels, cell=cell)
 
 
 class Sheet(NamedTuple):

@@ -140,7 +140,9 @@ class _Ink:
         for step in self.construction.steps:
             if step.it.view == PLAN and step.it.kind is Curve:
                 for controls in bezier(self.reading[step.it]):
-                    found.append(Bezier("thin", tuple(complex(z) for z in controls), step.it.letter))
+                    found.append(
+                        Bezier("thin", tuple(complex(z) for z in controls), step.it.letter)
+                    )
         return found
 
     def letters(self, figures: Sequence[Figure], main: int) -> list[Wanted]:
@@ -170,5 +172,3 @@ class _Ink:
 def _centre(mark: Mark) -> bool:
     """Whether a point is a mass centre by its letter: S, S2 ..."""
     return mark.letter[0] == "S" and (len(mark.letter) == 1 or mark.letter[1:].isdigit())
-
-

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from graphic_tmm.mechanism.records import Link, Mechanism
@@ -11,7 +12,7 @@ from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.tables import Column
-from graphic_tmm.words import CAPTIONS, LINK_NAMES, fixed, number, unit
+from graphic_tmm.words import CAPTIONS, LINK_NAMES, fixed, unit
 
 SIZE = 3.5
 
@@ -24,7 +25,9 @@ def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
     if link.number == structure.driver:
         return "crank"
     pairs = [pair for pair in structure.pairs if link.number in pair.links]
-    slides_on = [pair.links[1] for pair in pairs if pair.kind == "P" and pair.links[0] == link.number]
+    slides_on = [
+        pair.links[1] for pair in pairs if pair.kind == "P" and pair.links[0] == link.number
+    ]
     if slides_on:
         return "slider" if frame in slides_on else "stone"
     owns = any(pair.kind == "P" and pair.links[1] == link.number for pair in pairs)
@@ -52,7 +55,9 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
     ]
     heads = [words["number"], words["link"], words["mobility"]]
-    return table("table-links", words["links"], heads, rows, size=SIZE, align=["centre", "left", "left"])
+    return table(
+        "table-links", words["links"], heads, rows, size=SIZE, align=["centre", "left", "left"]
+    )
 
 
 def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
@@ -66,7 +71,9 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         rows.append([escape(name), joined, words[pair.kind], index])
     heads = [words["letter"], words["joined"], words["kind"], words["index"]]
     n, p = structure.moving, len(structure.pairs)
-    title = f"{words['pairs']}: n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    title = (
+        f"{words['pairs']}: n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    )
     return table("table-pairs", title, heads, rows, size=SIZE)
 
 
@@ -93,15 +100,18 @@ def result_table(
             cells = [fixed(column.mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
             letter = quantity(column.letter)
-        cells = [_figures(column.value[k], language) for k in shown]
+        places = _decimals(column.value)
+        cells = [fixed(column.value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
     align = ["left", "left", *["centre"] * len(shown)]
-    return table(f"table-{plan}", words[plan], heads, rows, size=SIZE, align=align)
+    return table(f"table-{plan}", words[f"table {plan}"], heads, rows, size=SIZE, align=align)
 
 
-def _figures(value: float | None, language: str) -> str:
-    return "—" if value is None else number(value, language, 3)
+def _decimals(row: Sequence[float | None]) -> int:
+    """Return how many decimals give the largest figure of a row three significant digits."""
+    largest = max((abs(x) for x in row if x is not None), default=0.0)
+    return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
 
 
 def quantity(letter: str) -> str:

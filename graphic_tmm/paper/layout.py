@@ -1,4 +1,6 @@
-"""Views onto sheets: each view takes a free rectangle, top left first; what is left over goes to the next sheet.
+"""Views onto sheets: each view takes a free rectangle; what is left over goes to the next sheet.
+
+The plan of positions stands at the left, plans in rows from the top, tables along the bottom.
 
 Layout only moves views; nothing is scaled after μ is chosen.
 """
@@ -28,8 +30,12 @@ class Room(NamedTuple):
 
 
 def bounds(drawing: Drawing) -> Box:
-    """Return the box of all ink of a drawing, mm: strokes without their width, letters with it."""
-    shapes = [shape(stroke) for stroke in drawing.strokes] + [box(label) for label in drawing.labels]
+    """Return the cell of a drawing, or the box of its ink, mm: strokes without their width, letters with it."""
+    if drawing.cell is not None:
+        return drawing.cell
+    shapes = [shape(stroke) for stroke in drawing.strokes] + [
+        box(label) for label in drawing.labels
+    ]
     left, bottom, right, top = shapely.total_bounds(shapes)
     return float(left), float(bottom), float(right), float(top)
 
@@ -77,14 +83,19 @@ def _free(room: Room) -> list[Box]:
 
 
 def _take(free: list[Box], view: Drawing) -> Drawing | None:
-    """Place a view in the highest, then leftmost free rectangle that holds it; None if none does."""
+    """Place a view in a free rectangle that holds it; None if none does."""
     left, bottom, right, top = bounds(view)
     width, height = right - left, top - bottom
     fits = [f for f in free if f[2] - f[0] >= width - 1e-9 and f[3] - f[1] >= height - 1e-9]
     if not fits:
         return None
-    best = min(fits, key=lambda f: (-round(f[3], 3), round(f[0], 3)))
-    x, y = best[0], best[3] - height
+    if view.name.startswith("table"):
+        best = min(fits, key=lambda f: (round(f[1], 3), round(f[0], 3)))
+        x, y = best[0], best[1]
+    else:
+        order = (0, 3) if view.name == "positions" else (3, 0)
+        best = min(fits, key=lambda f: [round(f[k] if k == 0 else -f[k], 3) for k in order])
+        x, y = best[0], best[3] - height
     free[:] = _without(free, (x - GAP, y - GAP, x + width + GAP, y + height + GAP))
     return view.moved(complex(x - left, y - bottom))
 

@@ -17,7 +17,7 @@ CLEAR = 0.8
 RINGS = (0.0, 2.0, 4.5, 8.0)
 DIRECTIONS = 24
 _HEAVY = ("main", "medium", "joint", "body")
-_COST = {"label": 1000.0, "heavy": 12.0, "light": 4.0, "ring": 1.0, "turn": 0.6}
+_COST = {"label": 1000.0, "heavy": 12.0, "light": 3.0, "ring": 2.0, "turn": 0.6}
 
 
 class Wanted(NamedTuple):
@@ -71,7 +71,9 @@ def _flat(controls: Sequence[complex]) -> list[complex]:
     points = [controls[0]]
     for k in range(0, len(controls) - 1, 3):
         a, b, c, d = controls[k : k + 4]
-        points += list((1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d)
+        points += list(
+            (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d
+        )
     return points
 
 

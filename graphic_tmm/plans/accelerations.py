@@ -6,7 +6,14 @@ from the plan of positions, so that a vector of zero length needs no direction o
 
 from __future__ import annotations
 
-from graphic_tmm.board.calculations import coriolis, normal, product, product_of_squares, rate, to_board
+from graphic_tmm.board.calculations import (
+    coriolis,
+    normal,
+    product,
+    product_of_squares,
+    rate,
+    to_board,
+)
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point

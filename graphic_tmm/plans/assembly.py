@@ -168,7 +168,9 @@ def _change_points(survey: Survey, closure: Closure, angles: Reals, room: Reals)
     found: list[float] = []
     for at in lowest:
         angle, value = _least(survey, closure, float(angles[0, at]), 360.0 / STEPS)
-        if abs(value) <= CHANGE * size and not any(abs((angle - f + 180) % 360 - 180) < 1e-3 for f in found):
+        if abs(value) <= CHANGE * size and not any(
+            abs((angle - f + 180) % 360 - 180) < 1e-3 for f in found
+        ):
             found.append(angle)
     return sorted(found)
 
@@ -201,7 +203,10 @@ def _ranges(survey: Survey) -> list[np.ndarray]:
     good = drawable(angles)[0] > 0
     edges = np.flatnonzero(good[1:] != good[:-1])
     low, high = angles[0, edges], angles[0, edges + 1]
-    at = [float(narrow(drawable, np.array([[a]]), np.array([[b]]))[0, 0]) for a, b in zip(low, high, strict=True)]
+    at = [
+        float(narrow(drawable, np.array([[a]]), np.array([[b]]))[0, 0])
+        for a, b in zip(low, high, strict=True)
+    ]
     if not at:
         return []
     if good[0]:

@@ -163,11 +163,15 @@ def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mar
     oa = draft.length(f"{structure.pivot}{pin}", arm)
     ab = draft.length(f"{pin}{inner}", reach)
     op, sign = (total, "+") if choice > 0 else (difference, "−")
-    opening = draft.board.draw(op, draft.board.free(f"{structure.pivot}{pin}{sign}{pin}{inner}"), oa, ab)
+    opening = draft.board.draw(
+        op, draft.board.free(f"{structure.pivot}{pin}{sign}{pin}{inner}"), oa, ab
+    )
     return opening, pin, inner, reach >= arm
 
 
-def _in_line(draft: Draft, survey: Survey, found: Mark, frame: Body, choice: int, longer: bool, tag: str) -> Mark:
+def _in_line(
+    draft: Draft, survey: Survey, found: Mark, frame: Body, choice: int, longer: bool, tag: str
+) -> Mark:
     """Find the crank's angle from the inner pin's extreme place: towards it, or away from it."""
     pivot = frame.marks[survey.structure.pivot]
     ends = (pivot, found) if choice > 0 or not longer else (found, pivot)
@@ -177,11 +181,18 @@ def _in_line(draft: Draft, survey: Survey, found: Mark, frame: Body, choice: int
 def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
     group = survey.structure.groups[0]
     opening, _, inner, longer = _reach(draft, survey, group, choice)
-    arc = draft.board.draw(strike, draft.board.free(f"({opening.letter})"), frame.marks[survey.structure.pivot], opening)
+    arc = draft.board.draw(
+        strike,
+        draft.board.free(f"({opening.letter})"),
+        frame.marks[survey.structure.pivot],
+        opening,
+    )
     leg = group.legs[1]
     own = survey.mechanism.by_number[leg.link].points[inner]
     guide = draw_guide(draft, frame, leg.pair, level(leg.pair, leg.link, own), leg.pair.name)
-    found = draft.board.draw(cut, f"{inner}_{{{tag}}}", guide, arc, _side(draft, survey, group, tag))
+    found = draft.board.draw(
+        cut, f"{inner}_{{{tag}}}", guide, arc, _side(draft, survey, group, tag)
+    )
     return _in_line(draft, survey, found, frame, choice, longer, tag)
 
 
@@ -195,7 +206,9 @@ def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
     rocker = survey.mechanism.by_number[leg.link]
     outer = leg.pair.name
     length = draft.length(f"{outer}{inner}", abs(rocker.points[inner] - rocker.points[outer]))
-    swing = draft.board.draw(strike, draft.board.free(f"({outer}; {length.letter})"), frame.marks[outer], length)
+    swing = draft.board.draw(
+        strike, draft.board.free(f"({outer}; {length.letter})"), frame.marks[outer], length
+    )
     flip = 1 if leg is second else -1
     side = _side(draft, survey, group, tag, flip)
     found = draft.board.draw(cross, f"{inner}_{{{tag}}}", arc, swing, side)
@@ -207,7 +220,9 @@ def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> 
     crank = survey.mechanism.by_number[structure.driver]
     pivot, pin = structure.pivot, structure.pin
     length = draft.length(f"{pivot}{pin}", abs(crank.points[pin] - crank.points[pivot]))
-    arc = draft.board.draw(strike, draft.board.free(f"({pivot}; {length.letter})"), frame.marks[pivot], length)
+    arc = draft.board.draw(
+        strike, draft.board.free(f"({pivot}; {length.letter})"), frame.marks[pivot], length
+    )
     which = draft.take(Side, draft.board.free("±"), float(choice))
     rocker = frame.marks[group.legs[1].pair.name]
     found = draft.board.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which)

@@ -98,7 +98,9 @@ def draw_positions(
             draw_points(draft, body, _anchor(body))
         for leg in closing.legs:
             marks = list(bodies[leg.link].marks.values())
-            reach = [closing.point] if isinstance(leg, PinLeg) and closing.point not in marks else []
+            reach = (
+                [closing.point] if isinstance(leg, PinLeg) and closing.point not in marks else []
+            )
             draft.board.figure("link", str(leg.link), *marks, *reach)
             if isinstance(leg, GuideLeg):
                 on = "slider" if leg.body == frame.link.number and not leg.inner else "stone"
@@ -206,19 +208,30 @@ def _sliding(
 
 
 def _guide_leg(
-    draft: Draft, mechanism: records.Mechanism, bodies: dict[int, Body], leg: Leg, own: complex, name: str
+    draft: Draft,
+    mechanism: records.Mechanism,
+    bodies: dict[int, Body],
+    leg: Leg,
+    own: complex,
+    name: str,
 ) -> Mark:
     """Draw the path of a point (own axes of the leg's link) along the guide of its outer sliding pair."""
     return draw_guide(draft, bodies[leg.body], leg.pair, level(leg.pair, leg.link, own), name)
 
 
 def _rrr(
-    draft: Draft, mechanism: records.Mechanism, group: Group, bodies: dict[int, Body], side: Mark | None
+    draft: Draft,
+    mechanism: records.Mechanism,
+    group: Group,
+    bodies: dict[int, Body],
+    side: Mark | None,
 ) -> Closing:
     assert side is not None
     pin = group.inner.name
     links = [mechanism.by_number[leg.link] for leg in group.legs]
-    arcs = [_swung(draft, bodies, link, leg, pin) for link, leg in zip(links, group.legs, strict=True)]
+    arcs = [
+        _swung(draft, bodies, link, leg, pin) for link, leg in zip(links, group.legs, strict=True)
+    ]
     mark = draft.board.draw(cross, pin, *arcs, side)
     legs = []
     for link, leg, arc in zip(links, group.legs, arcs, strict=True):
@@ -229,7 +242,11 @@ def _rrr(
 
 
 def _rrp(
-    draft: Draft, mechanism: records.Mechanism, group: Group, bodies: dict[int, Body], side: Mark | None
+    draft: Draft,
+    mechanism: records.Mechanism,
+    group: Group,
+    bodies: dict[int, Body],
+    side: Mark | None,
 ) -> Closing:
     assert side is not None
     pin = group.inner.name
@@ -241,13 +258,24 @@ def _rrp(
     line = _pinned(draft, bodies, rod, turning, pin, mark)
     _sliding(draft, bodies, slider, sliding.pair, pin, mark, guide)
     pinned = PinLeg(
-        rod.number, turning.body, turning.pair.name, _pivot(bodies, turning), line, draft.board.uses(arc)[1]
+        rod.number,
+        turning.body,
+        turning.pair.name,
+        _pivot(bodies, turning),
+        line,
+        draft.board.uses(arc)[1],
     )
-    return Closing(group, pin, mark, mark, (pinned, GuideLeg(slider.number, sliding.body, guide, False)))
+    return Closing(
+        group, pin, mark, mark, (pinned, GuideLeg(slider.number, sliding.body, guide, False))
+    )
 
 
 def _rpr(
-    draft: Draft, mechanism: records.Mechanism, group: Group, bodies: dict[int, Body], side: Mark | None
+    draft: Draft,
+    mechanism: records.Mechanism,
+    group: Group,
+    bodies: dict[int, Body],
+    side: Mark | None,
 ) -> Closing:
     assert side is not None
     stone_leg, rocker_leg = group.legs
@@ -264,7 +292,9 @@ def _rpr(
     if straight:
         guide = line = draft.board.draw(rocker_line, name, c, a)
     else:
-        guide = draft.board.draw(tangent, f"({pin})", a, c, draft.length(f"h_{{{pin}}}", offset), side)
+        guide = draft.board.draw(
+            tangent, f"({pin})", a, c, draft.length(f"h_{{{pin}}}", offset), side
+        )
         line = draft.board.draw(join, name, c, a)
     distance = draft.board.draw(measure, f"{centre}{pin}", c, a)
     turned = side if straight else None
@@ -272,12 +302,20 @@ def _rpr(
     _sliding(draft, bodies, rocker, inner, centre, c, guide, turned)
     inner_leg = GuideLeg(stone.number, stone_leg.body, guide, True)
     return Closing(
-        group, pin, a, guide, (inner_leg, PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance))
+        group,
+        pin,
+        a,
+        guide,
+        (inner_leg, PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance)),
     )
 
 
 def _prp(
-    draft: Draft, mechanism: records.Mechanism, group: Group, bodies: dict[int, Body], side: Mark | None
+    draft: Draft,
+    mechanism: records.Mechanism,
+    group: Group,
+    bodies: dict[int, Body],
+    side: Mark | None,
 ) -> Closing:
     pin = group.inner.name
     links = [mechanism.by_number[leg.link] for leg in group.legs]
@@ -296,7 +334,11 @@ def _prp(
 
 
 def _rpp(
-    draft: Draft, mechanism: records.Mechanism, group: Group, bodies: dict[int, Body], side: Mark | None
+    draft: Draft,
+    mechanism: records.Mechanism,
+    group: Group,
+    bodies: dict[int, Body],
+    side: Mark | None,
 ) -> Closing:
     stone_leg, yoke_leg = group.legs
     stone, yoke = mechanism.by_number[stone_leg.link], mechanism.by_number[yoke_leg.link]

@@ -16,7 +16,13 @@ from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.motion import Motion
-from graphic_tmm.plans.positions import Positions, draw_frame, draw_positions, side_record, side_values
+from graphic_tmm.plans.positions import (
+    Positions,
+    draw_frame,
+    draw_positions,
+    side_record,
+    side_values,
+)
 from graphic_tmm.plans.row import draw_row
 from graphic_tmm.plans.survey import survey
 from graphic_tmm.plans.velocities import draw_velocities

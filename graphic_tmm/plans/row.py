@@ -51,7 +51,9 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
         at = draft.take(Number, draft.board.free("∃"), there)
         phi = draft.board.draw(stand, draft.board.free("φ_{n}"), phi, mark, at, unit="°")
     assert draft.mu_l is not None
-    values = execute(draft.board.construction(), draft.given | {draft.mu_l: 1.0}, [phi, zero, *extras])
+    values = execute(
+        draft.board.construction(), draft.given | {draft.mu_l: 1.0}, [phi, zero, *extras]
+    )
     start = float(values[zero][0, 0])
     names = [str(row.first + k) for k in range(row.count)]
     for extra, mark in zip(row.extra, extras, strict=True):

@@ -84,9 +84,7 @@ def _crank(
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
     plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
     plan.images.complete(body)
-    plan.rates[number] = (
-        omega if speed > 0 else draft.take(Number, f"(−ω_{number})", speed, "1/s")
-    )
+    plan.rates[number] = omega if speed > 0 else draft.take(Number, f"(−ω_{number})", speed, "1/s")
 
 
 def crank_arm(draft: Draft, positions: Positions, structure: Structure) -> Mark:
