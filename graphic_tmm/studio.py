@@ -20,6 +20,7 @@ from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scene.records import Scales, Scene
 
 if TYPE_CHECKING:
+    from graphic_tmm.paper.compose import Drawn
     from graphic_tmm.paper.drawing import Sheet
 
 ROOM = {"A1": 230.0, "A4": 110.0}
@@ -41,6 +42,20 @@ class Work:
     hand: Hand
     undrawn: tuple[int, ...]
 
+    def drawn(self, *, lettered: bool = True) -> Drawn:
+        """Return what is inked; unlettered, the plans only take their room."""
+        from graphic_tmm.paper.compose import Drawn
+
+        return Drawn(
+            self.scene,
+            self.project,
+            self.reading,
+            self.accelerated,
+            self.scales,
+            self.undrawn,
+            lettered,
+        )
+
     def findings(self) -> tuple[Finding, ...]:
         """Return what could not be drawn, or was drawn at the edge of its possibility."""
         log = self.project.construction
@@ -48,10 +63,11 @@ class Work:
         return examine(log, self.given, marks, hand=self.hand)
 
 
-def work(scene: Scene, *, exact: bool = False, vectors: float = VECTORS[2]) -> Work:
+def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
     """Draw a scene: record its plans, choose the scale factors, execute.
 
-    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room for the longest vector, mm.
+    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room, mm, for the
+    longest vector of the plans of velocities and of accelerations.
     """
     wanted = {plan for sheet in scene.sheets for plan in sheet.place}
     plans = [p for p in ("positions", "velocities", "accelerations") if p in wanted]
@@ -89,22 +105,22 @@ def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
 
     If even the smallest plans do not fit, further sheets follow.
     """
-    from graphic_tmm.paper.compose import Drawn, compose
+    from graphic_tmm.paper.compose import compose
 
-    done: set[tuple[float, ...]] = set()
-    for vectors in VECTORS:
-        made = work(scene, vectors=vectors)
+    tried: dict[tuple[float, ...], bool] = {}
+
+    def fits(rooms: tuple[float, float]) -> bool:
+        made = work(scene, vectors=rooms)
         factors = tuple(scale.value for scale in made.scales.values())
-        if factors in done:
-            continue
-        done.add(factors)
-        drawn = Drawn(
-            scene, made.project, made.reading, made.accelerated, made.scales, made.undrawn
-        )
-        laid = compose(drawn)
-        if len(laid) <= len(scene.sheets):
-            break
-    return made, laid
+        if factors not in tried:
+            tried[factors] = len(compose(made.drawn(lettered=False))) <= len(scene.sheets)
+        return tried[factors]
+
+    rooms = next(((r, r) for r in VECTORS if fits((r, r))), (VECTORS[-1], VECTORS[-1]))
+    for larger in reversed([r for r in VECTORS if r > rooms[1]]):
+        rooms = (rooms[0], larger) if fits((rooms[0], larger)) else rooms
+    made = work(scene, vectors=rooms)
+    return made, compose(made.drawn())
 
 
 def warnings(work: Work) -> tuple[str, ...]:
@@ -130,7 +146,7 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
 
 
 def choose_scales(
-    project: Project, wanted: Scales, room: float, vectors: float
+    project: Project, wanted: Scales, room: float, vectors: tuple[float, float]
 ) -> dict[str, Scale]:
     """Return μ of every plan drawn: what the scene fixes, else a standard one, found with the exact hand.
 
@@ -149,14 +165,16 @@ def choose_scales(
     scales = {"positions": Scale("μ_l", mu_l, "m/mm")}
     if project.velocities is not None:
         longest = _longest(project, given, "velocities", None)
-        mu_v = wanted.mu_v or (pin_speed / wanted.pa if wanted.pa else standard(longest, vectors))
+        mu_v = wanted.mu_v or (
+            pin_speed / wanted.pa if wanted.pa else standard(longest, vectors[0])
+        )
         if wanted.mu_v_is_mu_l_omega:
             mu_v = mu_l * abs(project.mechanism.drive.speed)
         scales["velocities"] = Scale("μ_v", mu_v, "(m/s)/mm")
     if project.accelerations is not None:
         longest = _longest(project, given, "accelerations", project.accelerated)
         mu_a = wanted.mu_a or (
-            pin_acceleration / wanted.pi_a if wanted.pi_a else standard(longest, vectors)
+            pin_acceleration / wanted.pi_a if wanted.pi_a else standard(longest, vectors[1])
         )
         scales["accelerations"] = Scale("μ_a", mu_a, "(m/s²)/mm")
     return scales

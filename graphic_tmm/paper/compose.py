@@ -24,7 +24,10 @@ SMALL = 3.5
 
 
 class Drawn(NamedTuple):
-    """What is inked: the project, its readings, its scale factors, positions that cannot be drawn."""
+    """What is inked: the project, its readings, its scale factors, positions that cannot be drawn.
+
+    Unlettered plans only take the room that they will need: layout is tried with them.
+    """
 
     scene: Scene
     project: Project
@@ -32,6 +35,7 @@ class Drawn(NamedTuple):
     accelerated: Reading | None
     scales: Mapping[str, Scale]
     undrawn: Sequence[int]
+    lettered: bool = True
 
 
 def compose(drawn: Drawn) -> tuple[Sheet, ...]:
@@ -155,6 +159,7 @@ def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
             title,
             scale.value,
             UNITS[plan],
+            lettered=drawn.lettered,
         )
         views.append(view)
     captions = [view.title for view in views]

@@ -17,7 +17,7 @@ from graphic_tmm.board.operations import lay_off, measure, measure_along, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.placing import Wanted, place
+from graphic_tmm.paper.placing import Wanted, interrupt, place
 from graphic_tmm.paper.symbols import ARROW_LENGTH, arrowhead, pole
 from graphic_tmm.tables import segment_name
 
@@ -28,6 +28,8 @@ SHORTEST = 0.01
 TOGETHER = 0.35
 """Points nearer than this, mm, share one label."""
 SIZE = 3.5
+MARGIN = 7.0
+"""Room that letters and overrunning lines take about a plan, mm."""
 
 
 class Vector(NamedTuple):
@@ -73,6 +75,8 @@ def draw_plan(
     title: str,
     mu: float,
     unit: str,
+    *,
+    lettered: bool = True,
 ) -> Drawing:
     """Return a plan in one position: vectors with arrows, construction lines, letters.
 
@@ -94,8 +98,13 @@ def draw_plan(
     assert view is not None
     assert view.pole is not None
     strokes += pole(at[view.pole])
-    wanted = [w for w in _letters(construction, plan, at, view.pole)]
-    return Drawing(name, title, tuple(strokes), place(wanted, strokes))
+    if not lettered:
+        spots = [at[v.end] for v in drawn] + [at[view.pole]]
+        x, y = [z.real for z in spots], [z.imag for z in spots]
+        m = MARGIN
+        return Drawing(name, title, cell=(min(x) - m, min(y) - m, max(x) + m, max(y) + m))
+    labels = place(list(_letters(construction, plan, at, view.pole)), strokes)
+    return Drawing(name, title, interrupt(strokes, labels), labels)
 
 
 def _vector(vector: Vector, a: complex, b: complex, mu: float, unit: str) -> list[Stroke]:

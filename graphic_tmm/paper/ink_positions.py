@@ -13,7 +13,7 @@ from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import TOGETHER, markup
-from graphic_tmm.paper.placing import Wanted, place
+from graphic_tmm.paper.placing import Wanted, interrupt, place
 from graphic_tmm.paper.symbols import fixed_pivot, guide, round_arrow, slider, stone, turning_pair
 
 PLAN = "positions"
@@ -21,6 +21,10 @@ SIZE = 5.0
 NUMBER_SIZE = 3.5
 OVERRUN = 12.0
 """How far a guide goes on behind the outermost places of its slider, mm."""
+CENTRE_RADIUS = 0.9
+"""A mass centre is a small circle, mm."""
+THROUGH = 9.0
+"""How far a rocker goes on behind its stone, mm."""
 
 
 def draw_positions_ink(
@@ -50,7 +54,7 @@ def draw_positions_ink(
             for figure in figures:
                 strokes += ink.link(figure, index, "thin")
     for figure in figures:
-        strokes += ink.link(figure, main, "main")
+        strokes += ink.link(figure, main, "rod")
     for figure in figures:
         strokes += ink.symbols(figure, main)
     strokes += ink.pivots(figures)
@@ -59,7 +63,8 @@ def draw_positions_ink(
     bearing = float(np.degrees(np.angle(pin - pivot)))
     strokes += round_arrow(pivot, reach, bearing + sense * 20.0, sense * 70.0)
     wanted = [*ink.letters(figures, main), *ink.numbers(crank, names, main)]
-    return Drawing(PLAN, title, tuple(strokes), place(wanted, strokes))
+    labels = place(wanted, strokes)
+    return Drawing(PLAN, title, interrupt(strokes, labels), labels)
 
 
 class _Ink:
@@ -87,22 +92,35 @@ class _Ink:
         if isinstance(hull, shapely.Polygon) and hull.area > 1e-3 * hull.length**2:
             return [line(pen, *(complex(*xy) for xy in hull.exterior.coords[:-1]), closed=True)]
         far = max(((a, b) for a in spots for b in spots), key=lambda ends: abs(ends[1] - ends[0]))
-        return [line(pen, *far)] if abs(far[1] - far[0]) > TOGETHER else []
+        if abs(far[1] - far[0]) <= TOGETHER:
+            return []
+        return [line(pen, *(self.behind_stone(z, far, index) for z in far))]
+
+    def behind_stone(self, end: complex, far: tuple[complex, complex], index: int) -> complex:
+        """The end of a link, or a place a little behind it where a stone on it stands there."""
+        stones = (f.marks for f in self.construction.figures if f.kind == "stone")
+        run = far[1] - far[0] if end == far[1] else far[0] - far[1]
+        for pin, path in stones:
+            on_line = abs((run * self.along(path, index).conjugate()).imag) < 1e-6 * abs(run)
+            if on_line and abs(self.at(pin, index) - end) < TOGETHER:
+                return end + run / abs(run) * THROUGH
+        return end
 
     def symbols(self, figure: Figure, index: int) -> list[Stroke]:
         """Sliders, stones and turning pairs of the main position."""
         if figure.kind in ("slider", "stone"):
             pin, path = figure.marks
             angle = float(np.degrees(np.angle(self.along(path, index))))
-            draw = slider if figure.kind == "slider" else stone
-            return list(draw(self.at(pin, index), angle))
+            if figure.kind == "slider":
+                return list(slider(self.at(pin, index), angle))
+            return list(stone(self.at(pin, index), angle))
         if figure.kind == "link":
             pins = [m for m in figure.marks if m.kind is Point]
             return [
                 stroke
                 for mark in pins
                 for stroke in (
-                    (circle("main", self.at(mark, index), 0.6, filled=True),)
+                    (circle("joint", self.at(mark, index), CENTRE_RADIUS),)
                     if _centre(mark)
                     else turning_pair(self.at(mark, index))
                 )

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from functools import lru_cache
+from typing import NamedTuple, TypeGuard
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke
 from graphic_tmm.paper.letters import letter
@@ -16,8 +18,12 @@ CLEAR = 0.8
 """Clear space about a label, mm."""
 RINGS = (0.0, 2.0, 4.5, 8.0)
 DIRECTIONS = 24
-_HEAVY = ("main", "medium", "joint", "body")
-_COST = {"label": 1000.0, "heavy": 12.0, "light": 3.0, "ring": 2.0, "turn": 0.6}
+_HEAVY = ("main", "medium", "joint", "body", "rod")
+HEAVY_HALF = 0.4
+"""Half the width of a main line, mm."""
+APART = 0.9
+"""Clear space between two labels beyond that, mm."""
+_COST = {"label": 1000.0, "heavy": 12.0, "light": 4.0, "ring": 2.0, "turn": 0.6}
 
 
 class Wanted(NamedTuple):
@@ -34,6 +40,7 @@ class Wanted(NamedTuple):
     toward: complex = 0j
 
 
+@lru_cache(maxsize=4096)
 def box(label: Label) -> shapely.Polygon:
     """Return the ink box of a label, turned as the label is."""
     made = letter(label.text, size=label.size, inclined=label.inclined)
@@ -116,17 +123,63 @@ def _best(
         one.at + turns[None, :] * (one.radius + CLEAR + reach[None, :] + rings[:, None])
     ).ravel()
     x, y = centres.real - width / 2, centres.imag - height / 2
-    tried = shapely.box(x - CLEAR / 2, y - CLEAR / 2, x + width + CLEAR / 2, y + height + CLEAR / 2)
+
+    def grown(by: float) -> NDArray[np.object_]:
+        return np.asarray(shapely.box(x - by, y - by, x + width + by, y + height + by))
+
+    tried = grown(CLEAR / 2)
     cost = np.repeat(rings * _COST["ring"], DIRECTIONS)
     if one.toward:
         aim = one.toward / abs(one.toward)
         cost += _COST["turn"] * np.tile(np.abs(turns - aim) ** 2, len(rings)) * 4
-    for tree, weight in zip(lines, (_COST["heavy"], _COST["light"]), strict=True):
-        hits = tree.query(tried, predicate="intersects")[0]
+    heavy, light = lines
+    for tree, boxes_tried, weight in (
+        (heavy, grown(CLEAR / 2 + HEAVY_HALF), _COST["heavy"]),
+        (light, tried, _COST["light"]),
+    ):
+        hits = tree.query(boxes_tried, predicate="intersects")[0]
         cost += weight * np.bincount(hits, minlength=tried.size)
     if boxes:
-        hits = shapely.STRtree(boxes).query(tried, predicate="intersects")[0]
+        tree = shapely.STRtree(boxes)
+        hits = tree.query(grown(CLEAR / 2 + APART), predicate="intersects")[0]
         cost += _COST["label"] * np.bincount(hits, minlength=tried.size)
     best = int(np.argmin(np.round(cost, 6)))
     label = Label(one.text, complex(x[best], y[best] + made.descent), one.size)
     return label, tried[best]
+
+
+def interrupt(
+    strokes: Sequence[Stroke | Bezier], labels: Sequence[Label]
+) -> tuple[Stroke | Bezier, ...]:
+    """Return the strokes with straight thin lines broken where a label stands on them."""
+    if not labels:
+        return tuple(strokes)
+    boxes = [shapely.buffer(box(label), CLEAR / 2, join_style="mitre") for label in labels]
+    tree = shapely.STRtree(boxes)
+    made: list[Stroke | Bezier] = []
+    for stroke in strokes:
+        if not _breakable(stroke):
+            made.append(stroke)
+            continue
+        whole = shape(stroke)
+        hits = np.sort(tree.query(whole, predicate="intersects"))
+        if not hits.size:
+            made.append(stroke)
+            continue
+        left = shapely.difference(whole, shapely.union_all([boxes[k] for k in hits]))
+        for piece in shapely.get_parts(left):
+            if piece.length > CLEAR:
+                ends = [(float(x), float(y), 0.0) for x, y in piece.coords]
+                made.append(stroke._replace(path=tuple(ends)))
+    return tuple(made)
+
+
+def _breakable(stroke: Stroke | Bezier) -> TypeGuard[Stroke]:
+    return (
+        isinstance(stroke, Stroke)
+        and stroke.pen == "thin"
+        and not stroke.filled
+        and not stroke.closed
+        and not stroke.data
+        and all(bulge == 0.0 for _, _, bulge in stroke.path)
+    )

@@ -149,14 +149,17 @@ class _Writer:
         )
         for label in labels:
             written = letters.letter(label.text, size=label.size, inclined=label.inclined)
-            if not written.strokes:
+            if not written.parts:
                 continue
             start = label.at - _shift(label, written.width)
             x, y = start.real, self.height - start.imag
             words = clean(letters.plain(label.text))
             element = group.add(self.page.g(class_="label", aria_label=words, role="img"))
             element.set_desc(title=words)
-            element.add(self.page.path(d=letters.svg_path(written, x, y, angle=label.turn)))
+            for pen in written.pens:
+                d = letters.svg_path(written, x, y, angle=label.turn, pen=pen)
+                own = {} if pen == width else {"stroke_width": number(pen)}
+                element.add(self.page.path(d=d, **own))
         return group
 
     def words(self, labels: Iterable[Label]) -> Any:
