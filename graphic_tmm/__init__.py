@@ -1,1 +1,40 @@
-"""The drawing board of the theory of machines and mechanisms."""
+"""The drawing board of the theory of machines and mechanisms: plans as recorded constructions."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+_HOMES = {
+    "Scene": "scene.records",
+    "SceneError": "errors",
+    "SheetError": "errors",
+    "StructureError": "errors",
+    "TmmError": "errors",
+    "Work": "studio",
+    "dissect": "mechanism.structure",
+    "read": "scene.read",
+    "sheets": "studio",
+    "svg": "paper.svg",
+    "work": "studio",
+}
+__all__ = [
+    "Scene",
+    "SceneError",
+    "SheetError",
+    "StructureError",
+    "TmmError",
+    "Work",
+    "dissect",
+    "read",
+    "sheets",
+    "svg",
+    "work",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first asked for, so that the package itself is light."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

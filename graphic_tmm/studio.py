@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,14 +15,20 @@ from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point, undefined
-from graphic_tmm.errors import StructureError
+from graphic_tmm.errors import Fault, SceneError, StructureError
+from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scene.records import Scales, Scene
+from graphic_tmm.tables import Column, as_csv, as_json, columns, rich_tables
+from graphic_tmm.words import CAPTIONS
+from graphic_tmm.words import protocol as narrate
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.compose import Drawn
     from graphic_tmm.paper.drawing import Sheet
 
+DEFAULT = "windrower"
+"""The scene that is drawn when none is named."""
 ROOM = {"A1": 230.0, "A4": 110.0}
 """For a format: room for the plan of positions, mm."""
 VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
@@ -101,9 +107,17 @@ def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (8
 
 
 def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
-    """Draw a scene onto its sheets, its plans as large as fit on the sheets ordered.
+    """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
+    from graphic_tmm.paper.compose import compose
 
-    If even the smallest plans do not fit, further sheets follow.
+    made = fitted(scene)
+    return made, compose(made.drawn())
+
+
+def fitted(scene: Scene, *, exact: bool = False) -> Work:
+    """Draw a scene with its plans as large as fit on the sheets ordered.
+
+    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn.
     """
     from graphic_tmm.paper.compose import compose
 
@@ -119,8 +133,7 @@ def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
     rooms = next(((r, r) for r in VECTORS if fits((r, r))), (VECTORS[-1], VECTORS[-1]))
     for larger in reversed([r for r in VECTORS if r > rooms[1]]):
         rooms = (rooms[0], larger) if fits((rooms[0], larger)) else rooms
-    made = work(scene, vectors=rooms)
-    return made, compose(made.drawn())
+    return work(scene, exact=exact, vectors=rooms)
 
 
 def warnings(work: Work) -> tuple[str, ...]:
@@ -203,16 +216,124 @@ def _longest(
     return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
 
 
-def scene_path(name: str | None) -> Path:
-    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package."""
+def packaged() -> list[Path]:
+    """Return the folders of the scenes that come with the package, by name."""
     package = Path(__file__).parent
     homes = [package / "scenes", package.parent / "sheets"]
+    found = {path.parent.name: path.parent for home in homes for path in home.glob("*/scene.toml")}
+    return [found[name] for name in sorted(found)]
+
+
+def scene_path(name: str | None) -> Path:
+    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package."""
+    wanted = DEFAULT if name is None else name
+    if name is not None and Path(name).exists():
+        return Path(name)
+    return next((path for path in packaged() if path.name == wanted), Path(wanted))
+
+
+def scene_name(source: str) -> str:
+    """Return the name that a scene's sheets bear: that of its folder, or of its file."""
+    path = Path(source).resolve()
+    return path.parent.name if path.name == "scene.toml" else path.stem
+
+
+def table_columns(work: Work) -> list[Column]:
+    """Return the columns of all plans of a scene; null where a position cannot be drawn."""
+    project, count = work.project, len(work.project.names)
+    log, everywhere = project.construction, list(range(count))
+    found = list(columns(log, work.reading, "positions", everywhere, count))
+    if project.velocities is not None:
+        rates = project.velocities.rates
+        found += columns(log, work.reading, "velocities", everywhere, count, rates)
+    if project.accelerations is not None and work.accelerated is not None:
+        rates, places = project.accelerations.rates, list(project.accelerated)
+        found += columns(log, work.accelerated, "accelerations", places, count, rates)
+    return [column.without(work.undrawn) for column in found]
+
+
+def table(work: Work, form: str) -> str | list[Any]:
+    """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text"."""
+    project = work.project
+    positions = list(zip(project.names, project.angles, strict=True))
+    found = table_columns(work)
+    if form == "csv":
+        return as_csv(positions, found)
+    if form == "text":
+        decimals = 1 if work.hand.ruler is not None else 3
+        return rich_tables(found, project.names, work.scene.language, work.scene.title, decimals)
+    keys = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
+    scales = {
+        keys[plan]: {"value": scale.value, "unit": scale.unit}
+        for plan, scale in work.scales.items()
+    }
+    results = {"W": project.structure.mobility, "formula": project.structure.formula}
+    return as_json(scene_name(work.scene.source), scales, positions, found, results)
+
+
+def protocol(
+    work: Work, plans: Sequence[str], position: str | None, language: str
+) -> Iterator[str]:
+    """Yield the lines of the protocol of plans in one position.
+
+    Raises
+    ------
+    SceneError
+        If there is no such position, or it has no plan of accelerations.
+    """
+    project = work.project
+    place = _position(work, position, needs="accelerations" if len(plans) == 1 else "")
+    for plan in plans:
+        for line in _plan_lines(work, plan, place, language):
+            yield line
+        if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
+            raise _refused(work, plan, project.names[place])
+
+
+def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[str]:
+    project, log, reading, index = work.project, work.project.construction, work.reading, place
+    if plan == "synthesis":
+        found = synthesis(work.scene)
+        if found is None:
+            return
+        log, reading, index = found.construction, execute(found.construction, found.given), 0
+    if plan == "accelerations":
+        if work.accelerated is None or place not in project.accelerated:
+            return
+        reading, index = work.accelerated, project.accelerated.index(place)
+    lines = list(narrate(log, plan, reading, index, language))
+    if not lines:
+        return
+    words = CAPTIONS[language]
+    at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
+    yield f"{words[plan]}{at}"
+    for line in lines:
+        yield f"{line.number:4}. {line.text}" if line.number else f"      [{line.text}]"
+        if line.calculation:
+            yield f"      {line.calculation}"
+    yield ""
+
+
+def _position(work: Work, name: str | None, needs: str) -> int:
+    project = work.project
     if name is None:
-        name = "windrower"
-    path = Path(name)
-    if path.exists():
-        return path
-    for home in homes:
-        if "/" not in name and name not in (".", "..") and (home / name / "scene.toml").is_file():
-            return home / name
-    return path
+        return next(iter(project.accelerated), min(1, len(project.names) - 1))
+    if name not in project.names:
+        raise SceneError(
+            work.scene.source,
+            (Fault("--position", 0, f"there is no {name}; there are {', '.join(project.names)}"),),
+        )
+    return project.names.index(name)
+
+
+def _refused(work: Work, plan: str, name: str) -> SceneError:
+    drawn = ", ".join(work.project.names[k] for k in work.project.accelerated) or "none"
+    text = (
+        f"position {name} has no plan of accelerations (those that have one: {drawn}); add it there"
+    )
+    return SceneError(work.scene.source, (Fault("drive.accelerations", 0, text),))
+
+
+def synthesis(scene: Scene) -> Found | None:
+    """Return the recorded synthesis of a scene that states a task."""
+    return rocker(**scene.task.given) if scene.task is not None else None

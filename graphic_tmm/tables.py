@@ -15,7 +15,8 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Length, Number, Reals
+from graphic_tmm.board.values import Length, Reals
+from graphic_tmm.words import CAPTIONS, fixed, number, plain, unit
 
 UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
 RATES = {"ω": "omega", "ε": "epsilon"}
@@ -30,6 +31,14 @@ class Column(NamedTuple):
     unit: str
     mm: tuple[float | None, ...]
     value: tuple[float | None, ...]
+
+    def without(self, places: Sequence[int]) -> Column:
+        """Return the column with nothing at the places (indices) of positions that cannot be drawn."""
+
+        def blank(row: tuple[float | None, ...]) -> tuple[float | None, ...]:
+            return tuple(None if k in places else x for k, x in enumerate(row))
+
+        return self._replace(mm=blank(self.mm), value=blank(self.value)) if places else self
 
 
 def segment_name(letter: str) -> str:
@@ -139,6 +148,33 @@ def as_csv(positions: Sequence[tuple[str, float]], table: Sequence[Column]) -> s
                 cells = [column.plan, name, angle, column.segment, mm, value, column.unit]
                 writer.writerow(["" if cell is None else cell for cell in cells])
     return out.getvalue()
+
+
+def rich_tables(
+    table: Sequence[Column], names: Sequence[str], language: str, title: str, decimals: int = 1
+) -> list[Any]:
+    """Return the tables for a terminal, one a plan; positions run across; mm with ``decimals``."""
+    from rich.markup import escape
+    from rich.table import Table
+    from rich.text import Text
+
+    words, made = CAPTIONS[language], []
+    for plan in dict.fromkeys(column.plan for column in table):
+        rows = [column for column in table if column.plan == plan]
+        shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in rows)]
+        out = Table(title=escape(f"{title}. {words[plan]}"), title_justify="left")
+        for head in (words["segment"], words["unit"], *(names[k] for k in shown)):
+            out.add_column(Text(head), justify="right", no_wrap=True)
+        for column in rows:
+            if any(x is not None for x in column.mm):
+                cells = [fixed(column.mm[k], decimals, language) for k in shown]
+                out.add_row(Text(plain(column.letter)), unit("mm", language), *cells)
+            cells = [
+                "—" if column.value[k] is None else number(column.value[k], language) for k in shown
+            ]
+            out.add_row(Text(plain(column.letter)), unit(column.unit, language), *cells)
+        made.append(out)
+    return made
 
 
 def _tidy(row: Sequence[float | None]) -> list[float | None]:

@@ -13,7 +13,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.board.values import Angle, Length, Side
 
 CAPTIONS: dict[str, dict[str, str]] = {
     "ru": {
@@ -152,7 +152,7 @@ def number(value: float, language: str, digits: int = 4) -> str:
     """Return a number to ``digits`` significant figures, with the decimal sign of the language.
 
     >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en")
-    ('0,1366', '-4', '2.5·10⁻⁷')
+    ('0,1366', '−4', '2.5·10⁻⁷')
     """
     if not np.isfinite(value):
         return "—"
@@ -161,7 +161,7 @@ def number(value: float, language: str, digits: int = 4) -> str:
     if exponent:
         power = int(exponent)
         text = f"{value:.0f}" if 0 < power < 7 else f"{mantissa}·10{str(power).translate(_RAISED)}"
-    text = "0" if text in ("-0", "0") else text
+    text = "0" if text in ("-0", "0") else text.replace("-", "−", 1)
     return text.replace(".", ",") if language == "ru" else text
 
 
@@ -170,7 +170,7 @@ def fixed(value: float | None, places: int, language: str) -> str:
     if value is None or not np.isfinite(value):
         return "—"
     text = f"{value:.{places}f}"
-    text = text.lstrip("-") if float(text) == 0 else text
+    text = text.lstrip("-") if float(text) == 0 else text.replace("-", "−")
     return text.replace(".", ",") if language == "ru" else text
 
 
@@ -186,10 +186,23 @@ def _letters(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
     return letters | {"it": name(step.it)}
 
 
-def sentence(step: Step, language: str) -> str:
-    """Return what is done in a step, as a sentence."""
-    text = step.op.ru if language == "ru" else step.op.en
-    words = _letters(step, lambda mark: plain(mark.letter))
+def _value(reading: Reading, mark: Mark, place: int) -> float:
+    row = reading[mark][0]
+    return float(row[place if row.size > 1 else 0])
+
+
+def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
+    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+    russian = language == "ru"
+
+    def name(mark: Mark) -> str:
+        if mark.kind is Side:
+            plus, minus = step.op.sides[1 if russian else 0]
+            return plus if _value(reading, mark, place) > 0 else minus
+        return plain(mark.letter)
+
+    text = step.op.ru if russian else step.op.en
+    words = _letters(step, name)
     if step.op.formula:
         calculate = CAPTIONS[language]["calculate"]
         return f"{calculate} {words['it']} = {text.format(**words)}."
@@ -197,25 +210,29 @@ def sentence(step: Step, language: str) -> str:
 
 
 def calculation(step: Step, reading: Reading, place: int, language: str) -> str:
-    """Return the formula of a calculated step with its numbers put in: v_A = 39,79·0,1366 = 5,434 м/с."""
-    if not step.op.formula:
+    """Return a formula with its numbers put in, v_A = ω_1·l_OA = 39,79·0,1366 = 5,434 м/с, or a reading."""
+    if not (step.op.reads or step.op.formula):
         return ""
-
-    def value(mark: Mark) -> float:
-        row = reading[mark][0]
-        return float(row[place if row.size > 1 else 0])
+    result = _with_unit(step.it, reading, place, language)
+    if step.op.reads:
+        return f"{plain(step.it.letter)} = {result}"
 
     def put(mark: Mark) -> str:
-        text = number(value(mark), language) + ("°" if mark.kind is Angle else "")
-        return f"({text})" if text.startswith("-") else text
+        text = number(_value(reading, mark, place), language)
+        text += "°" if mark.kind is Angle else ""
+        return f"({text})" if text.startswith("−") else text
 
     letters = _letters(step, lambda mark: plain(mark.letter))
     numbers = _letters(step, put)
-    result = f"{number(value(step.it), language)} {_unit_of(step.it, language)}".rstrip()
-    return (
-        f"{letters['it']} = {step.op.formula.format(**letters)} = "
-        f"{step.op.formula.format(**numbers)} = {result}"
-    )
+    formulas = (step.op.formula.format(**letters), step.op.formula.format(**numbers))
+    return " = ".join([letters["it"], *formulas, result])
+
+
+def _with_unit(mark: Mark, reading: Reading, place: int, language: str) -> str:
+    figure = number(_value(reading, mark, place), language)
+    if mark.kind is Angle:
+        return f"{figure}°"
+    return f"{figure} {_unit_of(mark, language)}".rstrip()
 
 
 def _unit_of(mark: Mark, language: str) -> str:
@@ -236,9 +253,34 @@ def protocol(
         if step.it.view != plan:
             continue
         for note in filter(None, step.note.split("\n")):
-            yield Line(0, plain(note))
+            yield Line(0, _remark(note, language))
         counted += 1
-        yield Line(counted, sentence(step, language), calculation(step, reading, place, language))
+        yield Line(
+            counted,
+            sentence(step, language, reading, place),
+            calculation(step, reading, place, language),
+        )
+
+
+_EXTREMES = {
+    "left": ("крайнее левое", "extreme left"),
+    "right": ("крайнее правое", "extreme right"),
+    "top": ("крайнее верхнее", "extreme upper"),
+    "bottom": ("крайнее нижнее", "extreme lower"),
+}
+
+
+def _remark(note: str, language: str) -> str:
+    """Return a remark of the log in words: "D: left" is the extreme left position of D."""
+    letter, _, way = note.partition(": ")
+    if way not in _EXTREMES:
+        return plain(note)
+    russian, english = _EXTREMES[way]
+    return (
+        f"{russian} положение точки {letter}"
+        if language == "ru"
+        else f"{english} position of {letter}"
+    )
 
 
 def finding(found: Finding, names: tuple[str, ...], language: str) -> str:

@@ -47,6 +47,7 @@ class Operation(NamedTuple):
     fails_en: str = ""
     fails_ru: str = ""
     gaps: tuple[Gap, ...] = ()
+    sides: tuple[tuple[str, str], tuple[str, str]] = (("+", "−"), ("+", "−"))
 
     def __repr__(self) -> str:
         return self.name
@@ -65,12 +66,14 @@ def operation(
     condition: Callable[..., Reals] | None = None,
     fails: tuple[str, str] = ("the figure cannot be drawn", "построение невозможно"),
     gaps: tuple[Gap, ...] = (),
+    sides: tuple[tuple[str, str], tuple[str, str]] = (("+", "−"), ("+", "−")),
 ) -> Callable[[F], Operation]:
     """Turn an annotated function into an `Operation` and enter it into the table.
 
     ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
     ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
-    ``fails``: why there may be no answer, in English and Russian.
+    ``fails``: why there may be no answer, in English and Russian. ``sides``: what +1 and −1 of an argument
+    of the kind Side are called, in English and in Russian.
     """
 
     def enter(function: F) -> Operation:
@@ -99,6 +102,7 @@ def operation(
             condition,
             *fails,
             gaps,
+            sides,
         )
         if OPERATIONS.setdefault(made.name, made) is not made:
             raise TypeError(f"the board has two operations called {made.name}")

@@ -99,9 +99,10 @@ def _cut_condition(line: Line, arc: Arc, side: Side) -> Reals:
 
 
 @operation(
-    "На пересечении {line} с дугой {arc} отметить {it}.",
+    "На пересечении {line} с дугой {arc}, {side} от основания перпендикуляра, отметить {it}.",
     condition=_cut_condition,
     fails=("the arc does not reach the line", "дуга не достигает прямой"),
+    sides=(("along it", "back along it"), ("вперёд по направлению прямой", "назад")),
     gaps=(
         Gap(
             _cut_gap,
@@ -111,7 +112,7 @@ def _cut_condition(line: Line, arc: Arc, side: Side) -> Reals:
     ),
 )
 def cut(line: Line, arc: Arc, side: Side) -> Point:
-    """Where the arc {arc} cuts {line}, mark {it}.
+    """Where the arc {arc} cuts {line}, {side} from the foot of the arc's centre, mark {it}.
 
     ``side``: +1 for the point that lies along the line from the foot of the arc's centre.
     """
@@ -137,9 +138,10 @@ def _cross_condition(first: Arc, second: Arc, side: Side) -> Reals:
 
 
 @operation(
-    "На пересечении дуг {first} и {second} отметить {it}.",
+    "На пересечении дуг {first} и {second}, {side} по ходу от первого центра ко второму, отметить {it}.",
     condition=_cross_condition,
     fails=("the arcs do not meet", "дуги не пересекаются"),
+    sides=(("to the left", "to the right"), ("слева", "справа")),
     gaps=(
         Gap(
             _outer_gap,
@@ -154,7 +156,7 @@ def _cross_condition(first: Arc, second: Arc, side: Side) -> Reals:
     ),
 )
 def cross(first: Arc, second: Arc, side: Side) -> Point:
-    """Where the arcs {first} and {second} meet, mark {it}.
+    """Where the arcs {first} and {second} meet, {side} going from centre to centre, mark {it}.
 
     ``side``: +1 for the point to the left when one goes from the first centre to the second.
     The height over the base is twice the triangle's area by its base, the area in Kahan's stable form.
@@ -188,13 +190,17 @@ _TANGENT_GAP = Gap(
 
 
 @operation(
-    "Из {through} провести касательную {it} к окружности радиуса {radius} с центром {centre}.",
+    "Из {through} провести касательную {it} к окружности радиуса {radius} с центром {centre}, {side}.",
     condition=_tangent_condition,
     fails=("the point lies inside the circle", "точка лежит внутри окружности"),
     gaps=(_TANGENT_GAP,),
+    sides=(
+        ("directed from the centre to the point", "directed from the point to the centre"),
+        ("в сторону от центра к точке", "в сторону от точки к центру"),
+    ),
 )
 def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
-    """From {through} draw the tangent {it} to the circle of the radius {radius} about {centre}.
+    """From {through} draw the tangent {it} to the circle of radius {radius} about {centre}, {side}.
 
     ``radius`` is signed: the point lies that far to the left of the parallel through the centre. ``side``:
     +1 if the line's direction leads from the centre towards the point.
@@ -226,9 +232,15 @@ def rocker_line(pivot: Point, stone: Point) -> Line:
     return Line(pivot, unit(stone - pivot))
 
 
-@operation("Через {through} провести {it} вдоль {to} в сторону {side}.")
+@operation(
+    "Через {through} провести {it} вдоль {to} {side}.",
+    sides=(
+        ("in its sense", "against its sense"),
+        ("в том же направлении", "в обратном направлении"),
+    ),
+)
 def directed(through: Point, to: Line, side: Side) -> Line:
-    """Through {through} draw {it} along {to}, in the sense {side}."""
+    """Through {through} draw {it} along {to}, {side}."""
     return Line(through, side * to.along)
 
 
@@ -237,7 +249,8 @@ def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
 
 
 @operation(
-    "Из {start} провести касательную к дуге {arc}; отметить точку касания {it}.",
+    "Из {start} провести касательную к дуге {arc}, {side} от линии центров; отметить точку касания {it}.",
+    sides=(("to the left", "to the right"), ("слева", "справа")),
     fails=("the point lies inside the circle", "точка лежит внутри окружности"),
     gaps=(
         Gap(
@@ -248,7 +261,7 @@ def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
     ),
 )
 def touch(start: Point, arc: Arc, side: Side) -> Point:
-    """From {start} draw the tangent to the arc {arc}; mark the point of contact {it}.
+    """From {start} draw the tangent to the arc {arc}, {side} of the way to its centre; mark the contact {it}.
 
     ``side``: +1 for the contact to the left when one goes from ``start`` to the centre.
     """

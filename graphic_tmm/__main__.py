@@ -1,0 +1,206 @@
+"""The command line. Heavy packages are imported by the command that needs them.
+
+Exit status: 0 fine, 2 bad input (one clear message; never a traceback; no output half written).
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from functools import wraps
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.records import Scene
+    from graphic_tmm.studio import Work
+
+F = TypeVar("F", bound=Callable[..., Any])
+PLANS = ("extremes", "positions", "velocities", "accelerations")
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="graphic-tmm")
+def main() -> None:
+    """Emulate the drawing board: plans of mechanisms as recorded constructions.
+
+    SCENE is a path or the name of a scene that comes with the package; left out, the default scene.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(encoding="utf-8")
+
+
+def _people(command: F) -> F:
+    """Turn every error a person can mend into one message and exit status 2."""
+
+    @wraps(command)
+    def run(*args: Any, **options: Any) -> Any:
+        from graphic_tmm.errors import TmmError
+
+        try:
+            return command(*args, **options)
+        except TmmError as error:
+            _say(f"graphic-tmm: {error}")
+        except BrokenPipeError:
+            sys.stderr.close()
+        except OSError as error:
+            place = f"{error.filename}: " if error.filename else ""
+            _say(f"graphic-tmm: {place}{error.strerror or error}: check the path and its rights")
+        raise SystemExit(2)
+
+    return run  # type: ignore[return-value]
+
+
+def _say(text: str) -> None:
+    click.echo(text, err=True)
+
+
+def _read(name: str | None, *, lettered: bool = False) -> Scene:
+    from graphic_tmm.scene.read import read
+    from graphic_tmm.studio import scene_path
+
+    path = scene_path(name)
+    if not lettered:
+        return read(path)
+    from graphic_tmm.paper.letters import missing
+
+    return read(path, missing=missing)
+
+
+def _warn(work: Work) -> None:
+    from graphic_tmm.studio import warnings
+
+    for text in warnings(work):
+        _say(f"graphic-tmm: {work.scene.source}: warning: {text}")
+
+
+@main.command()
+@click.argument("scene", required=False)
+@click.option("-o", "--output", default="out", show_default=True, help="Folder for the sheets.")
+@_people
+def draw(scene: str | None, output: str) -> None:
+    """Draw the sheets of SCENE as SVG files, true to the millimetre."""
+    from pathlib import Path
+
+    from graphic_tmm.files import write
+    from graphic_tmm.paper.svg import svg
+    from graphic_tmm.studio import scene_name, sheets
+
+    work, drawn = sheets(_read(scene, lettered=True))
+    stem = scene_name(work.scene.source)
+    names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]
+    texts = {f"{name}.svg": svg(sheet) for name, sheet in zip(names, drawn, strict=True)}
+    for path in write(Path(output), texts):
+        click.echo(str(path))
+    _warn(work)
+
+
+@main.command()
+@click.argument("scene", required=False)
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice(["text", "csv", "json"]),
+    default="text",
+    show_default=True,
+)
+@click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
+@_people
+def table(scene: str | None, form: str, exact: bool) -> None:
+    """Print what the plans of SCENE give: segments in mm, quantities in SI."""
+    from graphic_tmm.studio import fitted
+    from graphic_tmm.studio import table as made
+
+    drawn = fitted(_read(scene), exact=exact)
+    text = made(drawn, form)
+    if isinstance(text, str):
+        click.echo(text, nl=False)
+    else:
+        from rich.console import Console
+
+        console = Console(width=None if sys.stdout.isatty() else 220)
+        for part in text:
+            console.print(part)
+    _warn(drawn)
+
+
+@main.command()
+@click.argument("scene", required=False)
+@click.option(
+    "-p",
+    "--plan",
+    type=click.Choice(["all", "synthesis", *PLANS]),
+    default="all",
+    show_default=True,
+)
+@click.option("-n", "--position", help="Number of the position, as on the sheet.")
+@click.option("-l", "--language", type=click.Choice(["ru", "en"]), help="Default: the scene's.")
+@click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
+@_people
+def steps(
+    scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
+) -> None:
+    """Print the numbered protocol of a plan in one position, with the calculation note."""
+    from graphic_tmm.studio import fitted, protocol
+
+    drawn = fitted(_read(scene), exact=exact)
+    chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
+    for line in protocol(drawn, chosen, position, language or drawn.scene.language):
+        click.echo(line)
+    _warn(drawn)
+
+
+@main.command()
+@_people
+def scenes() -> None:
+    """List the scenes that come with the package."""
+    import tomllib
+
+    from graphic_tmm.studio import packaged
+
+    found = packaged()
+    width = max((len(path.name) for path in found), default=0)
+    for path in found:
+        title = tomllib.loads((path / "scene.toml").read_text(encoding="utf-8")).get("title", "")
+        click.echo(f"{path.name:<{width}}  {title}")
+
+
+@main.command()
+@click.argument("folder")
+@click.option("--like", help="Scene to begin with; the default scene if left out.")
+@_people
+def new(folder: str, like: str | None) -> None:
+    """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
+    from pathlib import Path
+
+    from graphic_tmm.errors import SceneError
+    from graphic_tmm.files import write
+    from graphic_tmm.scene.read import FILE, read
+    from graphic_tmm.studio import scene_path
+
+    target = Path(folder)
+    if (target / FILE).exists():
+        raise SceneError(f"{target / FILE} exists already: choose another folder", ())
+    source = scene_path(like)
+    file = source / FILE if source.is_dir() else source
+    read(file)
+    for path in write(target, {FILE: file.read_text(encoding="utf-8")}):
+        click.echo(str(path))
+
+
+@main.command()
+@_people
+def schema() -> None:
+    """Print the JSON Schema of scenes, for editors."""
+    import json
+
+    from graphic_tmm.scene.models import schema as made
+
+    click.echo(json.dumps(made(), ensure_ascii=False, indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,44 @@
+"""Files written whole or not at all: every text first goes to a temporary name beside its place."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from graphic_tmm.errors import SheetError
+
+
+def write(folder: Path, texts: Mapping[str, str]) -> tuple[Path, ...]:
+    """Write texts (by file name) into a folder, made if it is not there; return the paths.
+
+    Raises
+    ------
+    SheetError
+        If the folder cannot be made or a file in it cannot be written; nothing is left behind then.
+    """
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    waiting: list[tuple[Path, Path]] = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in texts.items():
+            place = folder / name
+            if place.is_dir():
+                raise IsADirectoryError(21, "a folder stands there", str(place))
+            passing = folder / f".{name}.{os.getpid()}.part"
+            waiting.append((passing, place))
+            with passing.open("w", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+        for passing, place in waiting:
+            os.replace(passing, place)
+    except OSError as error:
+        for passing, _ in waiting:
+            passing.unlink(missing_ok=True)
+        for path in made:
+            if path.is_dir() and not any(path.iterdir()):
+                path.rmdir()
+        reason = (error.strerror or str(error)).lower()
+        raise SheetError(
+            f"cannot write into {folder}: {reason}; name another folder with -o"
+        ) from error
+    return tuple(place for _, place in waiting)
