@@ -95,10 +95,8 @@ def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (8
     reading = execute(log, given, still, hand=hand)
     accelerated = None
     if project.accelerations is not None:
-        whole = [
-            *project.marks("accelerations"),
-            *(m for m in log.given if m.view == "accelerations"),
-        ]
+        steps = [step for step in log.steps if step.it.view == "accelerations"]
+        whole = {mark for step in steps for mark in (step.it, *step.uses)}
         accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)
     undrawn = _undrawn(project, reading)
     if len(undrawn) == len(project.names):
@@ -284,8 +282,7 @@ def protocol(
     project = work.project
     place = _position(work, position, needs="accelerations" if len(plans) == 1 else "")
     for plan in plans:
-        for line in _plan_lines(work, plan, place, language):
-            yield line
+        yield from _plan_lines(work, plan, place, language)
         if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
             raise _refused(work, plan, project.names[place])
 

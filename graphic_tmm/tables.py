@@ -169,12 +169,14 @@ def rich_tables(
             if any(x is not None for x in column.mm):
                 cells = [fixed(column.mm[k], decimals, language) for k in shown]
                 out.add_row(Text(plain(column.letter)), unit("mm", language), *cells)
-            cells = [
-                "—" if column.value[k] is None else number(column.value[k], language) for k in shown
-            ]
+            cells = [_figure(column.value[k], language) for k in shown]
             out.add_row(Text(plain(column.letter)), unit(column.unit, language), *cells)
         made.append(out)
     return made
+
+
+def _figure(value: float | None, language: str) -> str:
+    return "—" if value is None else number(value, language)
 
 
 def _tidy(row: Sequence[float | None]) -> list[float | None]:

@@ -204,8 +204,7 @@ def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
     text = step.op.ru if russian else step.op.en
     words = _letters(step, name)
     if step.op.formula:
-        calculate = CAPTIONS[language]["calculate"]
-        return f"{calculate} {words['it']} = {text.format(**words)}."
+        return f"{CAPTIONS[language]['calculate']} {words['it']}."
     return text.format(**words)
 
 

@@ -7,13 +7,15 @@ that works across positions (a French curve) runs on whole arrays, between two s
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve, given as as_value
+from graphic_tmm.board.values import Curve
+from graphic_tmm.board.values import given as as_value
 from graphic_tmm.errors import ConstructionError
 
 BLOCK = 4096
@@ -22,29 +24,30 @@ BLOCK = 4096
 Values = dict[int, Any]
 
 
-class Reading(NamedTuple):
+@dataclass(frozen=True)
+class Reading:
     """The numbers of the marks asked for, by mark; ``positions`` is the length of the position axis."""
 
     values: Mapping[int, Any]
     positions: int
 
-    def __getitem__(self, mark: Mark) -> Any:  # type: ignore[override]
+    def __getitem__(self, mark: Mark) -> Any:
         """Return the value of ``mark``, axes (trial, position), size 1 where it does not vary."""
-        return self.values[mark.index]
+        return self.values[mark.slot]
 
     def __contains__(self, mark: object) -> bool:
         """Whether the value of ``mark`` was asked for."""
-        return isinstance(mark, Mark) and mark.index in self.values
+        return isinstance(mark, Mark) and mark.slot in self.values
 
 
 def needed(construction: Construction, wanted: Iterable[Mark]) -> tuple[Step, ...]:
     """Return the backward slice of the log: the steps that the wanted marks need, in order."""
-    alive = {mark.index for mark in wanted}
+    alive = {mark.slot for mark in wanted}
     kept = []
     for step in reversed(construction.steps):
-        if step.it.index in alive:
+        if step.it.slot in alive:
             kept.append(step)
-            alive.update(mark.index for mark in step.uses)
+            alive.update(mark.slot for mark in step.uses)
     return tuple(reversed(kept))
 
 
@@ -63,22 +66,22 @@ class Program(NamedTuple):
         for mark in self.given:
             if mark not in given:
                 raise ConstructionError(f"{mark.view}: '{mark.letter}' was not given")
-            values[mark.index] = as_value(given[mark], mark.kind)
+            values[mark.slot] = as_value(given[mark], mark.kind)
         count = max((v.shape[1] for v in values.values()), default=1)
         with np.errstate(all="ignore"):
             for pointwise, across in self.strata:
                 _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise))
                 for step in across:
-                    spread = [_spread(values[mark.index], count) for mark in step.uses]
-                    values[step.it.index] = step.op.run(*spread, **step.choice)
+                    spread = [_spread(values[mark.slot], count) for mark in step.uses]
+                    values[step.it.slot] = step.op.run(*spread, **step.choice)
         return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
 
     def _kept(self, stratum: Sequence[Step]) -> frozenset[int]:
         if len(self.strata) == 1:
             return self.wanted
-        made = {step.it.index for step in stratum}
+        made = {step.it.slot for step in stratum}
         used = {
-            mark.index
+            mark.slot
             for pointwise, across in self.strata
             for step in (*(pointwise if pointwise is not stratum else ()), *across)
             for mark in step.uses
@@ -91,21 +94,21 @@ def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) ->
     asked = (
         frozenset(range(construction.size))
         if wanted is None
-        else frozenset(mark.index for mark in wanted)
+        else frozenset(mark.slot for mark in wanted)
     )
     everything = (*construction.given, *(step.it for step in construction.steps))
-    steps = needed(construction, (mark for mark in everything if mark.index in asked))
+    steps = needed(construction, (mark for mark in everything if mark.slot in asked))
     level: dict[int, int] = {}
     for step in steps:
-        depth = max((level.get(mark.index, 0) for mark in step.uses), default=0)
-        level[step.it.index] = depth + 1 if step.op.across else depth
+        depth = max((level.get(mark.slot, 0) for mark in step.uses), default=0)
+        level[step.it.slot] = depth + 1 if step.op.across else depth
     strata = []
     for n in range(max(level.values(), default=0) + 1):
-        pointwise = tuple(s for s in steps if not s.op.across and level[s.it.index] == n)
-        across = tuple(s for s in steps if s.op.across and level[s.it.index] == n + 1)
+        pointwise = tuple(s for s in steps if not s.op.across and level[s.it.slot] == n)
+        across = tuple(s for s in steps if s.op.across and level[s.it.slot] == n + 1)
         strata.append((pointwise, across))
-    alive = asked | {mark.index for step in steps for mark in step.uses}
-    return Program(tuple(strata), asked, tuple(m for m in construction.given if m.index in alive))
+    alive = asked | {mark.slot for step in steps for mark in step.uses}
+    return Program(tuple(strata), asked, tuple(m for m in construction.given if m.slot in alive))
 
 
 def execute(
@@ -155,8 +158,8 @@ def execute(
 
 def _run(steps: Sequence[Step], values: Values, read: Callable[[Any], Any] | None) -> None:
     for op, it, uses, choice, _ in steps:
-        value = op.run(*[values[mark.index] for mark in uses], **choice)
-        values[it.index] = read(value) if read is not None and op.reads else value
+        value = op.run(*[values[mark.slot] for mark in uses], **choice)
+        values[it.slot] = read(value) if read is not None and op.reads else value
 
 
 def _in_blocks(
@@ -172,7 +175,7 @@ def _in_blocks(
         local = {i: _part(value, part) for i, value in values.items()}
         _run(steps, local, read)
         for step in steps:
-            i = step.it.index
+            i = step.it.slot
             if i in kept:
                 _keep(whole, i, local[i], part, count)
     values.update(whole)

@@ -15,9 +15,9 @@ from graphic_tmm.errors import ConstructionError
 
 
 class Mark(NamedTuple):
-    """What a plan's author holds: the place in the log, the letter, the kind, the view, the unit of a number."""
+    """What a plan's author holds: the slot in the log, the letter, the kind, the view, the unit."""
 
-    index: int
+    slot: int
     letter: str
     kind: Kind
     view: str

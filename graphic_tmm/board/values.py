@@ -72,7 +72,7 @@ def arrays(value: Any) -> tuple[NDArray[Any], ...]:
 def undefined(value: Any) -> NDArray[np.bool_]:
     """Return where a value is not a finite one, (trial, position)."""
     bad = [~np.isfinite(part) for part in arrays(value)]
-    return np.logical_or(*np.broadcast_arrays(*bad)) if len(bad) > 1 else bad[0]
+    return np.asarray(np.logical_or.reduce(np.broadcast_arrays(*bad)))
 
 
 def given(value: object, kind: Kind) -> Any:

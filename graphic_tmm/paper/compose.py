@@ -41,15 +41,11 @@ class Drawn(NamedTuple):
 def compose(drawn: Drawn) -> tuple[Sheet, ...]:
     """Return the sheets of a scene, each order followed by the sheets it spills onto."""
     scene = drawn.scene
-    laid = []
+    laid: list[tuple[str, list[Drawing]]] = []
     for order in scene.sheets:
         views = [view for plan in order.place for view in _VIEWS[plan](drawn, order)]
-
-        def room(first: bool, order: SheetOrder = order) -> Room:
-            area = drawing_area(order.format, scene.language, first and not laid)
-            return Room(tuple(area.inner), tuple(tuple(b) for b in area.occupied))
-
-        laid += [(order.format, placed) for placed in pack(views, room, order.format)]
+        rooms = (_room(order, scene, not laid), _room(order, scene, False))
+        laid += [(order.format, placed) for placed in pack(views, rooms, order.format)]
     count = len(laid)
     sheets = []
     for index, (format, placed) in enumerate(laid):
@@ -65,6 +61,11 @@ def compose(drawn: Drawn) -> tuple[Sheet, ...]:
         width, height = SIZES[format]
         sheets.append(Sheet(name, scene.title, format, width, height, (edge, *placed)))
     return tuple(sheets)
+
+
+def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
+    area = drawing_area(order.format, scene.language, first)
+    return Room(area.inner, area.occupied)
 
 
 def _fields(drawn: Drawn) -> dict[str, str]:
@@ -135,6 +136,7 @@ def _positions(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
 def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     words = CAPTIONS[language]
+    reading: Reading | None
     if plan == "velocities":
         reading, places = drawn.reading, list(range(len(project.names)))
         caption = words["velocities turned" if drawn.scene.turned else "velocities"]

@@ -115,7 +115,7 @@ def _decimals(row: Sequence[float | None]) -> int:
 
 
 def quantity(letter: str) -> str:
-    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, πb -> a_{B}, n_{ab} -> a_{ab}^{n}."""
+    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}."""
     if letter[0] in "ωε":
         return letter
     if "_" in letter:

@@ -7,7 +7,7 @@ Layout only moves views; nothing is scaled after μ is chosen.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import shapely
@@ -23,7 +23,7 @@ Box = tuple[float, float, float, float]
 
 
 class Room(NamedTuple):
-    """Where views may stand on a sheet: the inner frame and the boxes taken of it (left, bottom, right, top)."""
+    """Where views may stand on a sheet: the inner frame and the boxes taken of it."""
 
     inner: Box
     occupied: tuple[Box, ...]
@@ -40,10 +40,8 @@ def bounds(drawing: Drawing) -> Box:
     return float(left), float(bottom), float(right), float(top)
 
 
-def pack(
-    views: Sequence[Drawing], room: Callable[[bool], Room], format: str
-) -> list[list[Drawing]]:
-    """Return the views placed, sheet by sheet; ``room(first)`` tells what a sheet has room for.
+def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> list[list[Drawing]]:
+    """Return the views placed, sheet by sheet; ``rooms``: of the first sheet, and of those after it.
 
     Raises
     ------
@@ -54,8 +52,10 @@ def pack(
     free: list[Box] = []
     waiting = list(views)
     while waiting:
-        free = _free(room(not sheets))
-        placed, left = [], []
+        room = rooms[1 if sheets else 0]
+        free = _free(room)
+        placed: list[Drawing] = []
+        left: list[Drawing] = []
         for view in waiting:
             spot = _take(free, view) if not left or _small(view) else None
             if spot is None:
@@ -63,7 +63,7 @@ def pack(
             else:
                 placed.append(spot)
         if not placed:
-            raise SheetError(_too_large(left[0], room(not sheets), format))
+            raise SheetError(_too_large(left[0], room, format))
         sheets.append(placed)
         waiting = left
     return sheets

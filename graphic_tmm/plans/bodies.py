@@ -18,8 +18,9 @@ from graphic_tmm.plans.draft import ROUNDING, Draft
 class Body:
     """A link on the plan of positions while it is being drawn.
 
-    ``marks``: its points by letter; ``own``: where they are in the link's own axes, m. Its axis is a line whose beginning stands at ``at`` (own axes, m) and
-    whose direction is ``angle`` (own axes, degrees); it is drawn when it is first needed.
+    ``marks``: its points by letter; ``own``: where they are in the link's own axes, m. Its axis is a line
+    whose beginning stands at ``at`` (own axes, m) and whose direction is ``angle`` (own axes, degrees); it
+    is drawn when it is first needed.
     """
 
     link: Link

@@ -27,7 +27,7 @@ from graphic_tmm.board.operations import (
     tangent,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Number, Point, Side
+from graphic_tmm.board.values import Number, Point, Side
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.structure import Group, Leg, Pair, Structure
@@ -39,7 +39,6 @@ from graphic_tmm.plans.bodies import (
     draw_guide,
     draw_points,
     incline_by,
-    off_axis,
     stand,
 )
 from graphic_tmm.plans.draft import ROUNDING, Draft
@@ -96,17 +95,21 @@ def draw_positions(
         for leg in group.legs:
             body = bodies[leg.link]
             draw_points(draft, body, _anchor(body))
-        for leg in closing.legs:
-            marks = list(bodies[leg.link].marks.values())
-            reach = (
-                [closing.point] if isinstance(leg, PinLeg) and closing.point not in marks else []
-            )
-            draft.board.figure("link", str(leg.link), *marks, *reach)
-            if isinstance(leg, GuideLeg):
-                on = "slider" if leg.body == frame.link.number and not leg.inner else "stone"
-                at = closing.point if leg.inner else closing.root
-                draft.board.figure(on, str(leg.link), at, leg.line)
+        _tell_figures(draft, bodies, closing, frame.link.number)
     return Positions(bodies, tuple(closings), sides, phi)
+
+
+def _tell_figures(draft: Draft, bodies: dict[int, Body], closing: Closing, frame: int) -> None:
+    """Tell which marks make the bodies of a group: links, sliders, stones."""
+    for leg in closing.legs:
+        marks = dict.fromkeys(bodies[leg.link].marks.values())
+        if isinstance(leg, PinLeg):
+            marks[closing.point] = None
+        draft.board.figure("link", str(leg.link), *marks)
+        if isinstance(leg, GuideLeg):
+            on = "slider" if leg.body == frame and not leg.inner else "stone"
+            at = closing.point if leg.inner else closing.root
+            draft.board.figure(on, str(leg.link), at, leg.line)
 
 
 def _anchor(body: Body) -> str:

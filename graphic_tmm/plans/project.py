@@ -46,7 +46,7 @@ class Project:
     angles: tuple[float, ...]
     accelerated: tuple[int, ...]
     positions: Positions
-    velocities: Motion
+    velocities: Motion | None
     accelerations: Motion | None
 
     def scale(self, plan: str) -> Mark:
