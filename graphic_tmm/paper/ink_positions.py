@@ -83,6 +83,14 @@ class _Ink:
 
     def link(self, figure: Figure, index: int, pen: str) -> list[Stroke]:
         """A link between its pins: a line, or the outline of a link with pins out of line."""
+        if figure.kind == "slot":
+            start, end, path = figure.marks
+            reach = self.along(path, index) * THROUGH
+            ends = sorted(
+                (self.at(start, index), self.at(end, index)),
+                key=lambda z: (z * reach.conjugate()).real,
+            )
+            return [line(pen, ends[0] - reach, ends[1] + reach)]
         if figure.kind != "link":
             return []
         spots = [self.at(m, index) for m in figure.marks if m.kind is Point and not _centre(m)]

@@ -57,7 +57,7 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
         placed: list[Drawing] = []
         left: list[Drawing] = []
         for view in waiting:
-            spot = _take(free, view) if not left or _small(view) else None
+            spot = _take(free, view, placed) if not left or _small(view) else None
             if spot is None:
                 left.append(view)
             else:
@@ -67,6 +67,12 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
         sheets.append(placed)
         waiting = left
     return sheets
+
+
+def _beside(free: Sequence[Box], placed: Sequence[Drawing]) -> list[Box]:
+    """Return what of the free rectangles stands beside the plan of positions, not below it."""
+    edge = max((bounds(v)[2] + GAP for v in placed if v.name == "positions"), default=0.0)
+    return [(max(f[0], edge), *f[1:]) for f in free]
 
 
 def _small(view: Drawing) -> bool:
@@ -82,11 +88,15 @@ def _free(room: Room) -> list[Box]:
     return free
 
 
-def _take(free: list[Box], view: Drawing) -> Drawing | None:
+def _take(free: list[Box], view: Drawing, placed: Sequence[Drawing]) -> Drawing | None:
     """Place a view in a free rectangle that holds it; None if none does."""
     left, bottom, right, top = bounds(view)
     width, height = right - left, top - bottom
-    fits = [f for f in free if f[2] - f[0] >= width - 1e-9 and f[3] - f[1] >= height - 1e-9]
+
+    def fitting(boxes: Sequence[Box]) -> list[Box]:
+        return [f for f in boxes if f[2] - f[0] >= width - 1e-9 and f[3] - f[1] >= height - 1e-9]
+
+    fits = fitting(free)
     if not fits:
         return None
     if view.name.startswith("table"):
@@ -94,6 +104,7 @@ def _take(free: list[Box], view: Drawing) -> Drawing | None:
         x, y = best[0], best[1]
     else:
         order = (0, 3) if view.name == "positions" else (3, 0)
+        fits = fitting(_beside(free, placed)) or fits
         best = min(fits, key=lambda f: [round(f[k] if k == 0 else -f[k], 3) for k in order])
         x, y = best[0], best[3] - height
     free[:] = _without(free, (x - GAP, y - GAP, x + width + GAP, y + height + GAP))

@@ -110,6 +110,9 @@ def _tell_figures(draft: Draft, bodies: dict[int, Body], closing: Closing, frame
             on = "slider" if leg.body == frame and not leg.inner else "stone"
             at = closing.point if leg.inner else closing.root
             draft.board.figure(on, str(leg.link), at, leg.line)
+    if closing.group.kind == 5:
+        stone, yoke = closing.legs
+        draft.board.figure("slot", str(yoke.link), closing.root, closing.point, stone.line)
 
 
 def _anchor(body: Body) -> str:

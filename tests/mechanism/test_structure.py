@@ -1,0 +1,287 @@
+"""Structure: mobility, groups, formula; every wrong structure named by its links."""
+
+from __future__ import annotations
+
+import itertools
+import random
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mechanisms import KINDS, Drawn, mechanisms, sample
+
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
+from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.scene.read import read
+
+SHEETS = Path(__file__).parents[2] / "sheets"
+X = Guide("x", 0j, 0.0)
+Y = Guide("y", 0j, 90.0)
+Z = Guide("z", 0j, 45.0)
+
+
+def mechanism(*links: Link, frame: Link | None = None, drive: int = 1) -> Mechanism:
+    return Mechanism(frame or Link(0, {"O": 0j, "C": 4 + 0j}), links, Drive(drive, 1.0))
+
+
+def link(number: int, letters: str, *slides: Slide, guides: tuple[Guide, ...] = ()) -> Link:
+    return Link(number, {c: complex(k, 0) for k, c in enumerate(letters)}, guides, slides)
+
+
+FOUR_BAR = (link(1, "OA"), link(2, "AB"), link(3, "BC"))
+
+
+def parts(structure: Structure) -> list[tuple[str, str, tuple[int, int]]]:
+    return [(pair.kind, pair.name, pair.links) for pair in structure.pairs]
+
+
+def windrower() -> Mechanism:
+    return read(SHEETS / "windrower").mechanism
+
+
+def test_the_windrower_has_the_published_structure() -> None:
+    found = dissect(windrower())
+    assert found.moving == 5
+    assert len(found.pairs) == 7
+    assert found.mobility == 1
+    assert [(group.name, group.kind) for group in found.groups] == [("2-3", 3), ("4-5", 2)]
+    assert found.formula == "I(1) → II(2-3) → II(4-5)"
+    assert (found.pivot, found.pin, found.driver) == ("O", "A", 1)
+    assert {(kind, name, frozenset(links)) for kind, name, links in parts(found)} == {
+        ("R", "O", frozenset({1, 6})),
+        ("R", "A", frozenset({1, 2})),
+        ("R", "B", frozenset({3, 6})),
+        ("R", "C", frozenset({3, 4})),
+        ("R", "D", frozenset({4, 5})),
+        ("P", "BC", frozenset({2, 3})),
+        ("P", "y", frozenset({5, 6})),
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "kinds"),
+    [
+        ("engine", "I(1) → II(2-3)", [2]),
+        ("oscillating-cylinder", "I(1) → II(2-3)", [3]),
+        ("scotch-yoke", "I(1) → II(2-3)", [5]),
+        ("crank-rocker", "I(1) → II(2-3)", [1]),
+        ("tangent-mechanism", "I(1) → II(2-3) → II(4-5)", [1, 4]),
+        ("toggle-press", "I(1) → II(2-3) → II(4-5)", [1, 2]),
+    ],
+)
+def test_the_scenes_have_the_structure_of_the_textbook(
+    name: str, formula: str, kinds: list[int]
+) -> None:
+    found = dissect(read(SHEETS / name).mechanism)
+    assert found.formula == formula
+    assert [group.kind for group in found.groups] == kinds
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_kind_of_a_group_is_told_by_its_pairs(kind: str) -> None:
+    for drawn in sample(40, seed=7, dyads=(1, 1), kinds=[kind]):
+        found = dissect(drawn.mechanism)
+        assert [group.kind for group in found.groups] == [KINDS.index(kind) + 1]
+
+
+@settings(max_examples=100, deadline=None)
+@given(drawn=mechanisms(), seed=st.integers(0, 1000))
+def test_the_order_of_links_is_irrelevant(drawn: Drawn, seed: int) -> None:
+    given_order = drawn.mechanism
+    links = list(given_order.links)
+    random.Random(seed).shuffle(links)
+    shuffled = Mechanism(given_order.frame, tuple(links), given_order.drive)
+    first, second = dissect(given_order), dissect(shuffled)
+    assert first.mobility == second.mobility == 1
+    assert {(g.kind, g.links) for g in first.groups} == {(g.kind, g.links) for g in second.groups}
+    assert {(p.kind, p.name, frozenset(p.links)) for p in first.pairs} == {
+        (p.kind, p.name, frozenset(p.links)) for p in second.pairs
+    }
+
+
+def test_every_order_of_a_six_link_mechanism_gives_the_same_formula() -> None:
+    given_order = windrower()
+    found = set()
+    for links in itertools.permutations(given_order.links):
+        found.add(dissect(Mechanism(given_order.frame, links, given_order.drive)).formula)
+    assert found == {"I(1) → II(2-3) → II(4-5)"}
+
+
+def test_groups_are_attached_only_to_what_is_there() -> None:
+    for drawn in sample(100, seed=3, dyads=(2, 3)):
+        found = dissect(drawn.mechanism)
+        there = {drawn.mechanism.frame.number, found.driver}
+        for group in found.groups:
+            assert {leg.body for leg in group.legs} <= there
+            there |= set(group.links)
+        assert there == set(drawn.mechanism.by_number)
+
+
+def test_a_pivot_of_three_links_makes_two_pairs() -> None:
+    found = dissect(
+        mechanism(
+            *FOUR_BAR, link(4, "BD"), link(5, "D", Slide(0, X)), frame=Link(0, {"O": 0j, "C": 4j})
+        )
+    )
+    at_b = [pair for pair in found.pairs if pair.name == "B"]
+    assert [pair.links for pair in at_b] == [(2, 3), (2, 4)]
+    assert len(found.pairs) == 7
+    assert found.formula == "I(1) → II(2-3) → II(4-5)"
+
+
+def test_two_rods_on_the_crank_pin_make_two_groups() -> None:
+    found = dissect(
+        mechanism(
+            link(1, "OA"),
+            link(2, "AB"),
+            link(3, "B", Slide(0, X)),
+            link(4, "AD"),
+            link(5, "D", Slide(0, Y)),
+        )
+    )
+    assert found.formula == "I(1) → II(2-3) → II(4-5)"
+    assert [pair.links for pair in found.pairs if pair.name == "A"] == [(1, 2), (1, 4)]
+
+
+def test_a_group_may_stand_on_the_frame_under_any_number() -> None:
+    frame = Link(4, {"O": 0j, "C": 4j})
+    assert dissect(mechanism(*FOUR_BAR, frame=frame)).formula == "I(1) → II(2-3)"
+
+
+def test_another_driving_link_changes_the_formula() -> None:
+    assert dissect(mechanism(*FOUR_BAR, drive=3)).formula == "I(3) → II(1-2)"
+
+
+WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
+    "a pair is missing": (
+        mechanism(link(1, "OA"), link(2, "AB"), link(3, "BD")),
+        ("W = 3·3 − 2·3 = 3", "one drive", "a pair is missing", "O(1,0)", "A(1,2)", "B(2,3)"),
+    ),
+    "a pair is too many": (
+        mechanism(link(1, "OA"), link(2, "AB"), link(3, "BC", Slide(0, X))),
+        ("W = 3·3 − 2·5 = -1", "a pair is too many", "C(3,0)", "x(3,0)"),
+    ),
+    "W = 2 by one link more": (
+        mechanism(*FOUR_BAR, link(4, "BD")),
+        ("W = 3·4 − 2·5 = 2", "a pair is missing"),
+    ),
+    "tied to nothing": (
+        mechanism(*FOUR_BAR, link(4, "XY")),
+        ("link 4 is tied to nothing", "slide"),
+    ),
+    "class III": (
+        mechanism(
+            link(1, "OA"),
+            link(2, "AB"),
+            link(3, "BDE"),
+            link(4, "DC"),
+            link(5, "EF"),
+            frame=Link(0, {"O": 0j, "C": 4j, "F": 5 + 0j}),
+        ),
+        ("2, 3, 4, 5", "class III"),
+    ),
+    "two shared letters": (
+        mechanism(link(1, "OA"), link(2, "AB"), link(3, "AB")),
+        ("links 2 and 3 share A and B", "one link"),
+    ),
+    "a letter and a slide shared": (
+        mechanism(link(1, "OA"), link(2, "AB", Slide(3, Z)), link(3, "BC", guides=(Z,))),
+        ("links 2 and 3 share B and z",),
+    ),
+    "two slides shared": (
+        mechanism(link(1, "OA"), link(2, "A", Slide(3, Z), Slide(3, Y)), link(3, "C")),
+        ("links 2 and 3 share z and y",),
+    ),
+    "the drive off the frame": (
+        mechanism(*FOUR_BAR, drive=2),
+        ("driving link 2", "shares none"),
+    ),
+    "the drive on two pivots": (
+        mechanism(link(1, "OC"), link(2, "CB"), link(3, "BO")),
+        ("driving link 1", "O, C"),
+    ),
+    "the drive slides": (
+        mechanism(link(1, "A", Slide(0, X)), link(2, "AB"), link(3, "BC")),
+        ("driving link 1",),
+    ),
+    "the drive is the frame": (mechanism(*FOUR_BAR, drive=0), ("link 0", "not a moving link")),
+    "the drive is unknown": (mechanism(*FOUR_BAR, drive=9), ("link 9", "not a moving link")),
+    "no crank pin": (
+        mechanism(link(1, "O", guides=(Z,)), link(2, "B", Slide(1, Z)), link(3, "BC")),
+        ("link 1", "second letter"),
+    ),
+    "three sliding pairs": (
+        mechanism(
+            link(1, "OA", guides=(Z,)),
+            link(2, "D", Slide(1, Z), Slide(3, Y)),
+            link(3, "E", Slide(0, X)),
+        ),
+        ("links 2 and 3", "three sliding pairs"),
+    ),
+    "slides on itself": (
+        mechanism(link(1, "OA"), link(2, "AB"), link(3, "B", Slide(3, X))),
+        ("link 3 slides on itself",),
+    ),
+    "tied to each other only": (
+        mechanism(
+            *FOUR_BAR,
+            link(4, "DE"),
+            link(5, "EF"),
+            link(6, "FD"),
+            link(7, "AX"),
+            link(8, "X", Slide(0, X)),
+            link(9, "BY"),
+            link(10, "Y"),
+        ),
+        ("W =",),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_structure_is_named_by_its_links(name: str) -> None:
+    wrong, words = WRONG[name]
+    with pytest.raises(StructureError) as caught:
+        dissect(wrong)
+    for word in words:
+        assert word in str(caught.value)
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_the_message_does_not_depend_on_the_order_of_links_in_its_kind(name: str) -> None:
+    wrong, words = WRONG[name]
+    turned = Mechanism(wrong.frame, wrong.links[::-1], wrong.drive)
+    with pytest.raises(StructureError) as caught:
+        dissect(turned)
+    assert words[0].split()[0] in str(caught.value)
+
+
+def test_side_does_not_enter_the_structure() -> None:
+    sided = Link(2, FOUR_BAR[1].points, side=Side(-1, ("A", "C")))
+    assert dissect(mechanism(FOUR_BAR[0], sided, FOUR_BAR[2])).formula == "I(1) → II(2-3)"
+
+
+@settings(max_examples=150, deadline=None)
+@given(drawn=mechanisms(dyads=(1, 2)), data=st.data())
+def test_a_pair_taken_away_is_always_refused(drawn: Drawn, data: st.DataObject) -> None:
+    """Whatever letter or slide is taken off a link, the answer is a structure or a StructureError."""
+    links = list(drawn.mechanism.links)
+    place = data.draw(st.integers(0, len(links) - 1))
+    victim = links[place]
+    if victim.slides and data.draw(st.booleans()):
+        changed = Link(victim.number, victim.points, victim.guides, victim.slides[1:])
+    else:
+        gone = data.draw(st.sampled_from(sorted(victim.points)))
+        rest = {k: v for k, v in victim.points.items() if k != gone}
+        changed = Link(victim.number, rest, victim.guides, victim.slides)
+    links[place] = changed
+    before = len(dissect(drawn.mechanism).pairs)
+    broken = Mechanism(drawn.mechanism.frame, tuple(links), drawn.mechanism.drive)
+    try:
+        found = dissect(broken)
+    except StructureError as error:
+        assert str(error)
+    else:  # only a letter that made no pair can go without harm
+        assert len(found.pairs) == before
