@@ -85,13 +85,9 @@ def draw(scene: str | None, output: str) -> None:
     from pathlib import Path
 
     from graphic_tmm.files import write
-    from graphic_tmm.paper.svg import svg
-    from graphic_tmm.studio import scene_name, sheets
+    from graphic_tmm.studio import sheet_texts
 
-    work, drawn = sheets(_read(scene, lettered=True))
-    stem = scene_name(work.scene.source)
-    names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]
-    texts = {f"{name}.svg": svg(sheet) for name, sheet in zip(names, drawn, strict=True)}
+    work, texts = sheet_texts(_read(scene, lettered=True))
     for path in write(Path(output), texts):
         click.echo(str(path))
     _warn(work)

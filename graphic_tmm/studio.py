@@ -20,7 +20,7 @@ from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scene.records import Scales, Scene
 from graphic_tmm.tables import Column, as_csv, as_json, columns, rich_tables
-from graphic_tmm.words import CAPTIONS
+from graphic_tmm.words import CAPTIONS, finding
 from graphic_tmm.words import protocol as narrate
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 DEFAULT = "windrower"
 """The scene that is drawn when none is named."""
-ROOM = {"A1": 230.0, "A4": 110.0}
+ROOM = {"A1": 230.0, "A4": 130.0}
 """For a format: room for the plan of positions, mm."""
 VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
 """Room for the longest vector of a plan, mm: as much as the sheets hold."""
@@ -65,8 +65,13 @@ class Work:
     def findings(self) -> tuple[Finding, ...]:
         """Return what could not be drawn, or was drawn at the edge of its possibility."""
         log = self.project.construction
-        marks = [step.it for step in log.steps if step.it.view != "accelerations"]
-        return examine(log, self.given, marks, hand=self.hand)
+        plain = [s.it for s in log.steps if s.it.view != "accelerations" and not s.op.across]
+        found = examine(log, self.given, plain, hand=self.hand)
+        if self.project.accelerations is None:
+            return found
+        marks = self.project.marks("accelerations")
+        more = examine(log, self.given, marks, hand=self.hand, positions=self.project.accelerated)
+        return (*found, *(f for f in more if f.step.it.view == "accelerations"))
 
 
 def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
@@ -112,6 +117,16 @@ def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
     return made, compose(made.drawn())
 
 
+def sheet_texts(scene: Scene) -> tuple[Work, dict[str, str]]:
+    """Draw a scene; return the SVG texts of its sheets by file name."""
+    from graphic_tmm.paper.svg import svg
+
+    made, drawn = sheets(scene)
+    stem = scene_name(scene.source)
+    names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]
+    return made, {f"{name}.svg": svg(sheet) for name, sheet in zip(names, drawn, strict=True)}
+
+
 def fitted(scene: Scene, *, exact: bool = False) -> Work:
     """Draw a scene with its plans as large as fit on the sheets ordered.
 
@@ -135,15 +150,19 @@ def fitted(scene: Scene, *, exact: bool = False) -> Work:
 
 
 def warnings(work: Work) -> tuple[str, ...]:
-    """Return, for people, what could not be drawn and over which range of the crank it could."""
-    if not work.undrawn:
-        return ()
-    names = ", ".join(work.project.names[i] for i in work.undrawn)
-    return (f"positions {names} cannot be drawn" + _ranges(work.project),)
+    """Return, for people, what could not be drawn, why, and over which range of the crank it could."""
+    names, told = work.project.names, []
+    if work.undrawn:
+        missing = ", ".join(names[i] for i in work.undrawn)
+        told.append(f"positions {missing} cannot be drawn" + _ranges(work.project))
+    for found in work.findings():
+        if found.kind != "touching":
+            told.append(finding(found, names, "en"))
+    return tuple(told)
 
 
 def _ranges(project: Project) -> str:
-    ranges = " and ".join(f"{a:.2f}° to {b:.2f}°" for a, b in project.assembly.ranges)
+    ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in project.assembly.ranges)
     groups = ", ".join(project.assembly.groups)
     return f": group {groups} assembles for crank angles {ranges} only" if ranges else ""
 

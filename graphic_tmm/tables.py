@@ -19,6 +19,8 @@ from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.words import CAPTIONS, fixed, number, plain, unit
 
 UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
+NOISE = 1e-12
+"""A figure below this share of the largest of its plan is the rounding of the machine."""
 RATES = {"ω": "omega", "ε": "epsilon"}
 
 
@@ -69,29 +71,28 @@ def columns(
     if view is None or view.scale is None:
         return ()
     mu = reading[view.scale]
+    steps = [step for step in construction.steps if step.it.view == plan and _is_segment(step)]
+    rates = dict(sorted((shared or {}).items()))
+    lengths = _quiet([np.abs(reading[step.it]) for step in steps])
+    turning = _quiet([reading[mark] for mark in rates.values()])
     made = []
-    for step in construction.steps:
-        if step.it.view == plan and _is_segment(step):
-            mm = np.abs(reading[step.it])
-            made.append(
-                Column(
-                    plan,
-                    segment_name(step.it.letter),
-                    step.it.letter,
-                    UNITS[plan],
-                    _row(mm, places, count),
-                    _row(mm * mu, places, count),
-                )
-            )
-    for link, mark in sorted((shared or {}).items()):
-        if mark.letter.startswith("(") or reading[mark] is None:
-            continue
-        symbol = "ω" if plan == "velocities" else "ε"
-        letter = f"{symbol}_{link}"
-        empty = (None,) * count
-        values = _row(reading[mark], places, count)
-        made.append(Column(plan, segment_name(letter), letter, mark.unit, empty, values))
+    for step, mm in zip(steps, lengths, strict=True):
+        letter = step.it.letter
+        rows = _row(mm, places, count), _row(mm * mu, places, count)
+        made.append(Column(plan, segment_name(letter), letter, UNITS[plan], *rows))
+    empty = (None,) * count
+    for (link, mark), value in zip(rates.items(), turning, strict=True):
+        letter = f"{'ω' if plan == 'velocities' else 'ε'}_{link}"
+        row = _row(value, places, count)
+        made.append(Column(plan, segment_name(letter), letter, mark.unit, empty, row))
     return tuple(made)
+
+
+def _quiet(rows: list[Reals]) -> list[Reals]:
+    """Return figures with those that are nothing but rounding beside the largest of them set to zero."""
+    finite = [np.abs(row[np.isfinite(row)]) for row in rows]
+    largest = max((float(row.max()) for row in finite if row.size), default=0.0)
+    return [np.where(np.abs(row) < NOISE * largest, 0.0, row) for row in rows]
 
 
 def _is_segment(step: Step) -> bool:

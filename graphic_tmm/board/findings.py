@@ -6,7 +6,7 @@ positions concerned, to name the step that failed while everything it used was t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -45,13 +45,17 @@ def examine(
     wanted: Iterable[Mark],
     *,
     hand: Hand = EXACT,
+    positions: Sequence[int] | None = None,
 ) -> tuple[Finding, ...]:
-    """Return what happened on the way to the wanted marks, in the order of the log."""
+    """Return what happened on the way to the wanted marks, in the order of the log.
+
+    ``positions``: the indices looked at; None for all. Findings name the indices of the whole axis.
+    """
     steps = needed(construction, wanted)
     if not steps:
         return ()
     marks = {mark for step in steps for mark in (step.it, *step.uses)}
-    reading = execute(construction, given, marks, hand=hand)
+    reading = execute(construction, given, marks, hand=hand, positions=positions)
     found: list[Finding] = []
     with np.errstate(all="ignore"):
         for step in steps:
@@ -59,7 +63,11 @@ def examine(
                 continue
             values = [reading[mark] for mark in step.uses]
             found += _of_step(construction, step, values, reading[step.it], reading.positions)
-    return tuple(found)
+    if positions is None:
+        return tuple(found)
+    return tuple(
+        f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found
+    )
 
 
 def _of_step(

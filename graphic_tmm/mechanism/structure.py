@@ -1,7 +1,8 @@
 """Structure: mobility, dissection into the driving link and Assur groups, formula of structure.
 
 W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pairs. Groups are found in the order
-of attachment: two links joined by one pair, each joined by one pair to what is there already.
+of attachment: two links joined by one pair, each joined by one pair to what is there already; of groups
+that could come next, the one with the smallest numbers comes first, so the order of links changes nothing.
 """
 
 from __future__ import annotations
@@ -95,14 +96,14 @@ def dissect(mechanism: Mechanism) -> Structure:
     _refuse_loose_and_double(mechanism, pairs)
     mobility = 3 * len(mechanism.links) - 2 * len(pairs)
     if mobility != 1:
-        n, p = len(mechanism.links), len(pairs)
+        n, p, w = len(mechanism.links), len(pairs), f"{mobility}".replace("-", "−")
         remedy = "a pair is missing" if mobility > 1 else "a pair is too many"
         raise StructureError(
-            f"W = 3·{n} − 2·{p} = {mobility}, but one drive is given (link {mechanism.drive.link}): "
+            f"W = 3·{n} − 2·{p} = {w}, but one drive is given (link {mechanism.drive.link}): "
             f"{remedy} among {', '.join(_describe(pair) for pair in pairs)}"
         )
     groups: list[Group] = []
-    left = [link.number for link in mechanism.links if link.number != mechanism.drive.link]
+    left = sorted({link.number for link in mechanism.links} - {mechanism.drive.link})
     while left:
         group = _next_group(mechanism, known, left)
         if group is None:

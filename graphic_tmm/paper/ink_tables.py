@@ -120,7 +120,8 @@ def quantity(letter: str) -> str:
         return letter
     if "_" in letter:
         stem, _, rest = letter.partition("_")
-        return f"a_{{{rest.strip('{}').upper()}}}^{{{stem}}}"
+        ends = "".join(reversed(_points(rest.strip("{}"))))
+        return f"a_{{{ends.upper()}}}^{{{stem}}}"
     symbol = {"p": "v", "π": "a"}.get(letter[0])
     if symbol is not None:
         return f"{symbol}_{{{letter[1:].upper()}}}"

@@ -66,7 +66,8 @@ def _crank(
     name = f"{pivot}{pin}".lower()
     board.say(f"a_{pin} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
     normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
-    omega = velocities.rates[number]
+    omega = velocities.speed
+    assert omega is not None
     value = board.draw(product_of_squares, normal_of, omega, arm, unit="m/s²")
     length = board.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value, plan.mu)
     inward = board.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1)

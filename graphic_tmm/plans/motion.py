@@ -18,7 +18,7 @@ class Motion:
 
     ``readings[link]``: the segment read along the line of that link's leg, with its sign. ``measured``:
     images whose distance from the pole has been read. ``rates[link]``: the mark of the link's ω (or ε);
-    a link that is absent does not turn.
+    a link that is absent does not turn. ``speed``: the crank's ω without its sign, in a plan of velocities.
     """
 
     images: Images
@@ -26,6 +26,7 @@ class Motion:
     readings: dict[int, Mark] = field(default_factory=dict)
     measured: set[Mark] = field(default_factory=set)
     rates: dict[int, Mark] = field(default_factory=dict)
+    speed: Mark | None = None
 
 
 def known_image(plan: Motion, closing: Closing, leg: PinLeg | GuideLeg) -> Mark:

@@ -154,11 +154,15 @@ def _take_side(draft: Draft, mechanism: records.Mechanism, group: Group) -> dict
 
 
 def side_values(side: records.Side, degrees: object) -> object:
-    """Return the sign at crank angles (degrees): constant, or changed at each of ``flips_at``."""
+    """Return the sign at crank angles (degrees): constant, or changed at each of ``flips_at``.
+
+    The scene's sign is the one just behind the angle 0°; in the range from 0° to the next flip.
+    """
     if not side.flips_at:
         return float(side.sign)
     angles = np.asarray(degrees, dtype=np.float64) % 360.0
     flips = np.sort(np.asarray(side.flips_at, dtype=np.float64) % 360.0)
+    flips = flips[flips > 0.0]
     return side.sign * np.where(np.searchsorted(flips, angles, side="right") % 2 == 0, 1.0, -1.0)
 
 

@@ -72,6 +72,7 @@ def _crank(
     speed = mechanism.drive.speed
     board.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
     omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
+    plan.speed = omega
     arm = crank_arm(draft, positions, structure)
     velocity = board.draw(product, f"v_{pin}", omega, arm, unit="m/s")
     length = board.draw(to_board, f"p{image_letter(pin)}", velocity, plan.mu)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
+import re
 from pathlib import Path
 
 import pytest
@@ -95,10 +96,11 @@ def test_the_order_of_links_is_irrelevant(drawn: Drawn, seed: int) -> None:
     shuffled = Mechanism(given_order.frame, tuple(links), given_order.drive)
     first, second = dissect(given_order), dissect(shuffled)
     assert first.mobility == second.mobility == 1
-    assert {(g.kind, g.links) for g in first.groups} == {(g.kind, g.links) for g in second.groups}
-    assert {(p.kind, p.name, frozenset(p.links)) for p in first.pairs} == {
-        (p.kind, p.name, frozenset(p.links)) for p in second.pairs
-    }
+    assert first.formula == second.formula
+    assert [(g.kind, g.links, g.legs) for g in first.groups] == [
+        (g.kind, g.links, g.legs) for g in second.groups
+    ]
+    assert parts(first) == parts(second)
 
 
 def test_every_order_of_a_six_link_mechanism_gives_the_same_formula() -> None:
@@ -160,8 +162,8 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
         ("W = 3·3 − 2·3 = 3", "one drive", "a pair is missing", "O(1,0)", "A(1,2)", "B(2,3)"),
     ),
     "a pair is too many": (
-        mechanism(link(1, "OA"), link(2, "AB"), link(3, "BC", Slide(0, X))),
-        ("W = 3·3 − 2·5 = -1", "a pair is too many", "C(3,0)", "x(3,0)"),
+        mechanism(link(1, "OA"), link(2, "AB", Slide(0, X)), link(3, "BC")),
+        ("W = 3·3 − 2·5 = −1", "a pair is too many", "C(3,0)", "x(2,0)"),
     ),
     "W = 2 by one link more": (
         mechanism(*FOUR_BAR, link(4, "BD")),
@@ -250,12 +252,14 @@ def test_a_wrong_structure_is_named_by_its_links(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_the_message_does_not_depend_on_the_order_of_links_in_its_kind(name: str) -> None:
-    wrong, words = WRONG[name]
-    turned = Mechanism(wrong.frame, wrong.links[::-1], wrong.drive)
-    with pytest.raises(StructureError) as caught:
-        dissect(turned)
-    assert words[0].split()[0] in str(caught.value)
+def test_the_links_may_stand_in_any_order_and_the_message_tells_the_same(name: str) -> None:
+    wrong, _ = WRONG[name]
+    told = []
+    for links in (wrong.links, wrong.links[::-1]):
+        with pytest.raises(StructureError) as caught:
+            dissect(Mechanism(wrong.frame, links, wrong.drive))
+        told.append(sorted(re.findall(r"\w+", str(caught.value))))
+    assert told[0] == told[1]
 
 
 def test_side_does_not_enter_the_structure() -> None:

@@ -1,0 +1,28 @@
+"""Golden sheets: every folder of sheets/ redraws to the committed bytes; --redraw accepts new ones."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from graphic_tmm.files import write
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheet_texts
+
+HOME = Path(__file__).parent.parent / "sheets"
+FOLDERS = sorted(path.parent for path in HOME.glob("*/scene.toml"))
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_a_scene_redraws_to_the_committed_sheets(
+    folder: Path, request: pytest.FixtureRequest
+) -> None:
+    _, texts = sheet_texts(read(folder))
+    if request.config.getoption("--redraw"):
+        for stale in folder.glob("*.svg"):
+            stale.unlink()
+        write(folder, texts)
+    assert {path.name for path in folder.glob("*.svg")} == set(texts)
+    for name, text in texts.items():
+        assert (folder / name).read_text(encoding="utf-8") == text, f"{name}: redraw with --redraw"
