@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.values import KINDS, Kind
+from graphic_tmm.board.values import KINDS, Kind, Point
 from graphic_tmm.errors import ConstructionError
 
 
@@ -112,7 +112,7 @@ class Board:
         ------
         ConstructionError
             If the kinds of the marks are not those the operation takes, a choice is not one of its
-            choices, or the letter stands in this view already.
+            choices, or a point of that letter stands in this view already. Other marks are primed.
         """
         kinds = tuple(mark.kind for mark in uses)
         if kinds != op.takes:
@@ -155,6 +155,8 @@ class Board:
         return f"{self._view}, step {len(self._steps) + 1}: {op.name} '{letter}'"
 
     def _mark(self, letter: str, kind: Kind, unit: str) -> Mark:
+        if kind is not Point:  # two bodies may share a line or a length; a point bears its letter alone
+            letter = self.free(letter)
         if (self._view, letter) in self._letters:
             raise ConstructionError(
                 f"{self._view}, step {len(self._steps) + 1}: the letter '{letter}' stands in this plan already"

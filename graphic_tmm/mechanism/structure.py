@@ -160,7 +160,7 @@ def _pin(mechanism: Mechanism, pivot: str) -> str:
 
 
 def _pairs(mechanism: Mechanism) -> tuple[Pair, ...]:
-    links = (*mechanism.links, mechanism.frame)
+    links = (*sorted(mechanism.links, key=lambda link: link.number), mechanism.frame)
     letters: dict[str, list[int]] = {}
     for link in links:
         for letter in link.points:

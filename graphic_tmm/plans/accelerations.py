@@ -97,7 +97,8 @@ def _group(
         else _relative_line(draft, velocities, plan, closing, leg)
         for leg in closing.legs
     ]
-    point = draft.board.draw(meet, closing.image_letter, lines[1], lines[0])
+    letter = draft.board.free(closing.image_letter)
+    point = draft.board.draw(meet, letter, lines[1], lines[0])
     for leg, line in zip(closing.legs, lines, strict=True):
         if isinstance(leg, PinLeg):
             _read_tangential(draft, plan, closing, leg, point, line)
@@ -119,7 +120,7 @@ def _tangential_line(
         normal, f"n_{{{name}}}", reading, velocities.mu, leg.length, draft.mu_l, plan.mu
     )
     inward = board.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1)
-    end = board.draw(lay_off, f"n{leg.link}", inward, length)
+    end = board.draw(lay_off, board.free(f"n{leg.link}"), inward, length)
     return board.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1)
 
 
@@ -134,7 +135,7 @@ def _relative_line(
         name, slid = f"{start.letter}{letter}", velocities.readings[leg.link]
         length = board.draw(coriolis, f"k_{{{name}}}", turning, slid, velocities.mu, plan.mu)
         across = board.draw(square, f"(k_{{{name}}})", start, leg.line, sense=1)
-        start = board.draw(lay_off, f"k{leg.link}", across, length)
+        start = board.draw(lay_off, board.free(f"k{leg.link}"), across, length)
     return board.draw(parallel, board.free(f"({start.letter}{letter})"), start, leg.line, sense=1)
 
 

@@ -22,6 +22,8 @@ from graphic_tmm.plans.survey import STEPS, Survey
 
 CHANGE = 1e-9
 """A gap whose least value is below this share of the lengths is zero: a change point."""
+NEAR = 1e-2
+"""Degrees: crank angles nearer to each other than this are one change point."""
 
 
 class Closure(NamedTuple):
@@ -59,18 +61,26 @@ def check_assembly(survey: Survey) -> Assembly:
         through a change point, or is told to flip where there is none.
     """
     _refuse_missing_sides(survey)
-    ranges: list[np.ndarray] = []
-    names = []
-    for closure in closures(survey):
-        angles, room = _room(survey, closure)
-        _refuse_never(survey, closure, room)
-        if (room[np.isfinite(room)] < -CHANGE * _size(survey, closure)).any():
-            names.append(closure.group.name)
-        else:
-            _refuse_change_points(survey, closure, angles, room)
-    if names:
-        ranges = _ranges(survey)
-    return Assembly(tuple((float(a), float(b)) for a, b in ranges), tuple(dict.fromkeys(names)))
+    names: list[str] = []
+    critical: list[float] = []
+    for group in survey.structure.groups:
+        touched: list[float] = []
+        partly = False
+        for closure in (c for c in closures(survey) if c.group == group):
+            rooms = _room(survey, closure)
+            critical += _refuse_never(survey, closure, rooms)
+            size = _size(survey, closure)
+            lows = _lows(survey, closure, rooms)
+            critical += [angle for angle, _ in lows]
+            short = rooms[1][0, np.isfinite(rooms[1][0])] < -CHANGE * size
+            partly |= bool(short.any() or any(room < -CHANGE * size for _, room in lows))
+            touched += [angle for angle, room in lows if abs(room) <= CHANGE * size]
+        if partly:
+            names.append(group.name)
+        elif group.kind < 4:
+            _refuse_sides(survey, group, _apart(touched))
+    ranges = _ranges(survey, critical) if names else []
+    return Assembly(tuple(ranges), tuple(names))
 
 
 def _refuse_missing_sides(survey: Survey) -> None:
@@ -113,24 +123,33 @@ def _arm(survey: Survey) -> complex:
     return crank.points[survey.structure.pin] - crank.points[survey.structure.pivot]
 
 
-def _refuse_never(survey: Survey, closure: Closure, room: Reals) -> None:
-    defined = room[np.isfinite(room)]
-    if defined.size and (defined >= -CHANGE * _size(survey, closure)).any():
-        return
-    if not defined.size:
-        return
+def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) -> list[float]:
+    """Return the crank angle of the greatest gap where the samples alone do not show that it closes."""
+    angles, room = rooms
+    size = _size(survey, closure)
+    if not np.isfinite(room).any() or (room >= -CHANGE * size).any():
+        return []
+    best = float(angles[0, int(np.nanargmax(room[0]))])
+    at, least = _least(survey, closure, best, 360.0 / STEPS, sign=-1)
+    if -least >= -CHANGE * size:
+        return [at]
     letters = dict(zip(closure.step.op.arguments, closure.step.uses, strict=True))
     words = closure.gap.en.format(**{name: mark.letter for name, mark in letters.items()})
     raise StructureError(
         f"group {closure.group.name} never assembles: {words} "
-        f"(short by {_mm(-defined.max())} at the best crank angle): change {_lengths(closure)}"
+        f"(short by {_mm(least)} at the best crank angle, {at:.4g}°): change {_lengths(closure)}"
     )
 
 
 def _lengths(closure: Closure) -> str:
-    pin = closure.group.inner.name
+    inner = closure.group.inner
+    if inner.kind == "P":
+        links = " or ".join(str(leg.link) for leg in closure.group.legs)
+        return f"the distance of the guide {inner.name} from the pivots (link {links})"
     return " or ".join(
-        f"{leg.pair.name}{pin if closure.group.inner.kind == 'R' else ''} (link {leg.link})"
+        f"{leg.pair.name}{inner.name} (link {leg.link})"
+        if leg.pair.kind == "R"
+        else f"the guide {leg.pair.name} (link {leg.pair.links[1]})"
         for leg in closure.group.legs
     )
 
@@ -139,54 +158,79 @@ def _mm(metres: float) -> str:
     return f"{metres * 1000:.4g} mm"
 
 
-def _refuse_change_points(survey: Survey, closure: Closure, angles: Reals, room: Reals) -> None:
-    side = side_record(survey.mechanism, closure.group)
+def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
+    """Refuse a side that does not say what it does at the change points, or says it of other angles."""
+    side = side_record(survey.mechanism, group)
     assert side is not None
-    touched = _change_points(survey, closure, angles, room)
+    places = ", ".join(f'"{angle:.6g} deg"' for angle in touched)
     if side.flips_at is None and touched:
-        places = ", ".join(f'"{angle:.6g} deg"' for angle in touched)
         raise StructureError(
-            f"group {closure.group.name}: its side cannot hold through the change point at crank angle "
+            f"group {group.name}: its side cannot hold through the change point at crank angle "
             f"{', '.join(f'{angle:.6g}°' for angle in touched)}, where both assemblies meet: "
             f"say beside it where it flips, flips_at = [{places}], or flips_at = [] if it does not"
         )
-    for angle in side.flips_at or ():
-        gaps = [c for c in closures(survey) if c.group == closure.group]
-        rooms = [float(_measured(survey, c, np.array([[angle]]))[0, 0]) for c in gaps]
-        if min(map(abs, rooms)) > 1e-6 * _size(survey, closure):
+    flips = side.flips_at or ()
+    for angle in flips:
+        if min((_between(angle, place) for place in touched), default=360.0) > NEAR:
             raise StructureError(
-                f"group {closure.group.name}: flips_at names {angle:.6g}°, but the two assemblies do not "
-                f"meet there (they are {_mm(2 * min(map(abs, rooms)))} apart): leave it out"
+                f"group {group.name}: flips_at names {angle:.6g}°, but the two assemblies do not meet there "
+                + (f"(they meet at {places})" if touched else "(they meet nowhere)")
+                + ": leave it out"
             )
+    if len(_apart(list(flips))) < len(flips):
+        raise StructureError(f"group {group.name}: flips_at names the same crank angle twice")
+    if len(flips) % 2 and len(flips) < len(touched):
+        raise StructureError(
+            f"group {group.name}: flips_at names {len(flips)} of the {len(touched)} change points, so after a "
+            f"whole turn the group would stand on its other side: name an even number of {places}, or all"
+        )
 
 
-def _change_points(survey: Survey, closure: Closure, angles: Reals, room: Reals) -> list[float]:
-    """Return the crank angles where the gap touches zero from above."""
-    row, size = room[0], _size(survey, closure)
+def _between(one: float, other: float) -> float:
+    return abs((one - other + 180.0) % 360.0 - 180.0)
+
+
+def _apart(angles: list[float]) -> list[float]:
+    """Return the angles in order, each but once."""
+    kept: list[float] = []
+    for angle in angles:
+        if all(_between(angle, other) > NEAR for other in kept):
+            kept.append(angle)
+    return sorted(kept)
+
+
+def _lows(
+    survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]
+) -> list[tuple[float, float]]:
+    """Return where the gap is least: crank angles (degrees) and gaps (m); only small or negative ones."""
+    angles, room = rooms
+    row, size = np.where(np.isfinite(room[0]), room[0], np.inf), _size(survey, closure)
     before, after = np.roll(row, 1), np.roll(row, -1)
-    lowest = np.flatnonzero((row <= before) & (row <= after) & (row < 0.01 * size))
-    found: list[float] = []
-    for at in lowest:
-        angle, value = _least(survey, closure, float(angles[0, at]), 360.0 / STEPS)
-        if abs(value) <= CHANGE * size and not any(
-            abs((angle - f + 180) % 360 - 180) < 1e-3 for f in found
-        ):
-            found.append(angle)
-    return sorted(found)
+    lowest = np.flatnonzero((row <= before) & (row <= after) & (np.abs(row) < 0.01 * size))
+    return [_least(survey, closure, float(angles[0, at]), 360.0 / STEPS) for at in lowest]
 
 
-def _least(survey: Survey, closure: Closure, centre: float, reach: float) -> tuple[float, float]:
-    """Narrow down the least gap near an angle; return the angle (degrees, [0, 360)) and the gap, m."""
+def _least(
+    survey: Survey, closure: Closure, centre: float, reach: float, sign: int = 1
+) -> tuple[float, float]:
+    """Narrow down the least gap near an angle; return the angle (degrees, [0, 360)) and the gap, m.
+
+    ``sign`` = −1: the greatest gap, with its sign changed.
+    """
     for _ in range(24):
         row = centre + reach * np.linspace(-1.0, 1.0, 33)[None, :]
-        value = _measured(survey, closure, row)
-        best = int(np.argmin(value[0]))
+        value = sign * _measured(survey, closure, row)[0]
+        value = np.where(np.isfinite(value), value, np.inf)
+        best = int(np.argmin(value))
         centre, reach = float(row[0, best]), reach / 8
-    return round(centre, 7) % 360.0, float(value[0, best])
+    return round(centre, 7) % 360.0, float(value[best])
 
 
-def _ranges(survey: Survey) -> list[np.ndarray]:
-    """Return the ranges of the crank over which everything can be drawn, degrees."""
+def _ranges(survey: Survey, critical: list[float]) -> list[tuple[float, float]]:
+    """Return the ranges of the crank over which everything can be drawn, degrees.
+
+    ``critical``: crank angles to be tried besides the even steps, lest a narrow range be missed.
+    """
     last: list[Mark] = [closing.point for closing in survey.positions.closings]
     last += [body.axis for body in survey.positions.bodies.values() if body.drawn]
 
@@ -199,7 +243,8 @@ def _ranges(survey: Survey) -> list[np.ndarray]:
             total = total + np.abs(part)
         return np.where(np.isfinite(total), 1.0, -1.0)
 
-    angles = np.arange(STEPS + 1, dtype=np.float64)[None, :] * (360.0 / STEPS)
+    even = np.arange(STEPS + 1, dtype=np.float64) * (360.0 / STEPS)
+    angles = np.union1d(even, np.asarray(critical, dtype=np.float64))[None, :]
     good = drawable(angles)[0] > 0
     edges = np.flatnonzero(good[1:] != good[:-1])
     low, high = angles[0, edges], angles[0, edges + 1]
@@ -207,8 +252,6 @@ def _ranges(survey: Survey) -> list[np.ndarray]:
         float(narrow(drawable, np.array([[a]]), np.array([[b]]))[0, 0])
         for a, b in zip(low, high, strict=True)
     ]
-    if not at:
-        return []
-    if good[0]:
+    if at and good[0]:
         at = [*at[1:], at[0] + 360.0]
-    return [np.array(pair) for pair in zip(at[0::2], at[1::2], strict=True)]
+    return list(zip(at[0::2], at[1::2], strict=True))

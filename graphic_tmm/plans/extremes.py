@@ -81,7 +81,7 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     if not np.isfinite(place).any():
         raise StructureError(f"zero: {extreme.point} cannot be drawn at any crank angle")
     best = int(np.nanargmax(way * place))
-    low, high = (angles[0, best] + step * 360.0 / STEPS for step in (-1, 1))
+    low, high = _bracket(survey, axis, float(angles[0, best]))
     tried = refinement(_velocity(survey, axis), "", "").run(np.array([[low]]), np.array([[high]]))
     angle = float(tried[0, 0])
     if not np.isfinite(angle):
@@ -90,6 +90,19 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
             f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle"
         )
     return _Tried(float(low), float(high), angle)
+
+
+def _bracket(survey: Survey, axis: Mark, best: float) -> tuple[float, float]:
+    """Return two crank angles about ``best`` with velocities of opposite senses; NaN if there are none.
+
+    At the end of the crank's range the point stops for want of room, not because it stands still.
+    """
+    row = best + np.array([[-1.0, 0.0, 1.0]]) * (360.0 / STEPS)
+    value = _velocity(survey, axis)(row)[0]
+    for low, high in ((0, 2), (0, 1), (1, 2)):
+        if value[low] * value[high] <= 0.0:  # not so of NaN
+            return float(row[0, low]), float(row[0, high])
+    return float("nan"), float("nan")
 
 
 def _velocity(survey: Survey, axis: Mark):  # type: ignore[no-untyped-def]

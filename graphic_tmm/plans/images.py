@@ -61,7 +61,7 @@ class Images:
         anchor, image, base = self.hanging[number]
         if base is None or point == anchor:
             drawn = image
-        elif anchor == base.A:
+        elif anchor == base.A and image == base.a:
             drawn = self.draft.board.draw(
                 similar, self.draft.board.free(letter), base.a, base.b, base.A, base.B, point
             )

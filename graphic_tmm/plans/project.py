@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.records import Mechanism, Row
+from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
@@ -94,7 +94,7 @@ def draw_project(
     for group in structure.groups:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
-            given[positions.sides[group.name]] = side_values(side, numbered.angles)
+            given[positions.sides[group.name]] = _sides(side, numbered.angles, mechanism.drive)
     assert draft.mu_l is not None
     return Project(
         mechanism,
@@ -115,6 +115,24 @@ def draw_project(
 def _angle(degrees: float) -> float:
     """Return an angle in [0, 360), free of the last bits."""
     return round(float(degrees), 9) % 360.0 + 0.0
+
+
+def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
+    """Return the side in every position, carried on from the zero position in the sense of the drive.
+
+    With an odd number of flips (a pin that passes over another once a turn) the mechanism comes back to
+    its zero position only after two turns; the one turn drawn then ends on the other side.
+    """
+    if len(side.flips_at or ()) % 2 == 0:
+        return side_values(side, angles)
+    sense = 1.0 if drive.speed > 0 else -1.0
+    start = angles[0, 0]
+    travelled = np.round((angles - start) * sense, 9) % 360.0
+    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, 9) % 360.0
+    passed = (flips[:, None, None] <= travelled[None]) & (travelled[None] > 0.0)
+    if sense > 0:
+        passed &= flips[:, None, None] > 0.0
+    return side_values(side, start) * np.where(passed.sum(axis=0) % 2 == 0, 1.0, -1.0)
 
 
 def _places(row: Row, names: tuple[str, ...]) -> tuple[int, ...]:

@@ -104,7 +104,7 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
         draw = turn.across if isinstance(leg, PinLeg) else turn.along
         starts.append(start)
         lines.append(draw(board.free(f"({start.letter}{letter})"), start, leg.line))
-    point = board.draw(meet, letter, lines[1], lines[0])
+    point = board.draw(meet, board.free(letter), lines[1], lines[0])
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
         _read(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)

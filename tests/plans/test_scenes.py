@@ -67,9 +67,7 @@ def _largest(state: State, name: str) -> float:
 
 
 def test_the_scenes_use_every_kind_of_group() -> None:
-    kinds = {
-        group.kind for name in NAMES for group in dissect(scene_of(name).mechanism).groups
-    }
+    kinds = {group.kind for name in NAMES for group in dissect(scene_of(name).mechanism).groups}
     assert kinds == {1, 2, 3, 4, 5}
 
 
@@ -147,9 +145,7 @@ def _reach(state: State, group: Group) -> float:
     first, second = group.legs
     mechanism = state.mechanism
     if group.kind == 1:
-        a, c, b = (
-            state.points[pair.name].r for pair in (first.pair, second.pair, group.inner)
-        )
+        a, c, b = (state.points[pair.name].r for pair in (first.pair, second.pair, group.inner))
         return ((b - a) * (c - a).conjugate()).imag
     pair = second.pair if group.kind == 2 else group.inner
     assert pair.slide is not None
