@@ -7,7 +7,6 @@ that could come next, the one with the smallest numbers comes first, so the orde
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import NamedTuple
 
 from graphic_tmm.errors import StructureError

@@ -14,7 +14,7 @@ import numpy as np
 from graphic_tmm.board.grammar import Gap
 from graphic_tmm.board.locus import narrow
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import Line, Reals
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.structure import Group
 from graphic_tmm.plans.positions import side_record
@@ -57,10 +57,9 @@ def check_assembly(survey: Survey) -> Assembly:
     Raises
     ------
     StructureError
-        If a group never assembles (which lengths, and by how much), or its side is missing, cannot hold
+        If a group never assembles (which lengths, and by how much), or its side cannot hold
         through a change point, or is told to flip where there is none.
     """
-    _refuse_missing_sides(survey)
     names: list[str] = []
     critical: list[float] = []
     for group in survey.structure.groups:
@@ -77,23 +76,10 @@ def check_assembly(survey: Survey) -> Assembly:
             touched += [angle for angle, room in lows if abs(room) <= CHANGE * size]
         if partly:
             names.append(group.name)
-        elif group.kind < 4:
+        if group.kind < 4:
             _refuse_sides(survey, group, _apart(touched))
     ranges = _ranges(survey, critical) if names else []
     return Assembly(tuple(ranges), tuple(names))
-
-
-def _refuse_missing_sides(survey: Survey) -> None:
-    for group in survey.structure.groups:
-        if group.kind > 3 or side_record(survey.mechanism, group) is not None:
-            continue
-        if group.kind == 1:
-            a, c = (leg.pair.name for leg in group.legs)
-            remedy = f'give link {group.links[0]} or {group.links[1]} side = "left of {a}{c}" or "right of {a}{c}"'
-        else:
-            pair = group.legs[1].pair if group.kind == 2 else group.inner
-            remedy = f'give slides of link {pair.links[0]} side = "+" or "-"'
-        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}")
 
 
 def _measured(survey: Survey, closure: Closure, angles: Reals) -> Reals:
@@ -239,7 +225,7 @@ def _ranges(survey: Survey, critical: list[float]) -> list[tuple[float, float]]:
         total = np.zeros(angles.shape)
         for mark in last:
             value = reading[mark]
-            part = value.along if isinstance(value, tuple) else value
+            part = value.along if isinstance(value, Line) else value
             total = total + np.abs(part)
         return np.where(np.isfinite(total), 1.0, -1.0)
 

@@ -14,6 +14,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Reals
+from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.plans.draft import Draft
@@ -59,7 +60,14 @@ class Survey:
 
 
 def survey(mechanism: Mechanism, structure: Structure) -> Survey:
-    """Draw the mechanism on a small board of its own."""
+    """Draw the mechanism on a small board of its own.
+
+    Raises
+    ------
+    StructureError
+        If the side of a group that has two assemblies is missing.
+    """
+    _refuse_missing_sides(mechanism, structure)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
     phi = draft.board.take(Angle, "φ", "°")
@@ -82,3 +90,17 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
     return Survey(
         mechanism, structure, draft.board.construction(), given, positions, velocities, axes
     )
+
+
+def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
+    for group in structure.groups:
+        if group.kind > 3 or side_record(mechanism, group) is not None:
+            continue
+        if group.kind == 1:
+            a, c = (leg.pair.name for leg in group.legs)
+            links = "{} or {}".format(*group.links)
+            remedy = f'give link {links} side = "left of {a}{c}" or "right of {a}{c}"'
+        else:
+            pair = group.legs[1].pair if group.kind == 2 else group.inner
+            remedy = f'give slides of link {pair.links[0]} side = "+" or "-"'
+        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}")

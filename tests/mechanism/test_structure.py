@@ -285,7 +285,7 @@ def test_a_pair_taken_away_is_always_refused(drawn: Drawn, data: st.DataObject) 
     broken = Mechanism(drawn.mechanism.frame, tuple(links), drawn.mechanism.drive)
     try:
         found = dissect(broken)
-    except StructureError as error:
-        assert str(error)
-    else:  # only a letter that made no pair can go without harm
-        assert len(found.pairs) == before
+    except StructureError:
+        return
+    # only a letter that made no pair can go without harm
+    assert len(found.pairs) == before

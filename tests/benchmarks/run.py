@@ -1,0 +1,155 @@
+"""What the drawing board costs: `python tests/benchmarks/run.py`. Medians of one run, as ratios.
+
+The machine is noisy: trust the ratios of one run, not the seconds.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent.parent)]
+
+
+def median(call: Callable[[], object], seconds: float = 1.0) -> float:
+    """Median seconds of a call, warm, repeated for about ``seconds``."""
+    call()
+    times: list[float] = []
+    end = time.perf_counter() + seconds
+    while time.perf_counter() < end or len(times) < 5:
+        start = time.perf_counter()
+        call()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
+def reference() -> None:
+    """A fixed piece of numpy: 100 products of small complex arrays."""
+    a = np.full((1, 13), 1 + 1j)
+    for _ in range(100):
+        a = a * 1j
+
+
+def closed_form(phi: np.ndarray) -> np.ndarray:
+    """The windrower's positions, velocities and accelerations in bare numpy."""
+    oa, ob, bc, omega = 0.13657, 0.48, 0.16694, 39.79
+    a = oa * np.exp(1j * phi)
+    z = a + 1j * ob
+    u, d = z / np.abs(z), np.abs(z)
+    v = 1j * omega * a
+    w = (v * u.conj()).imag / d
+    rel = (v * u.conj()).real
+    eps = ((-(omega**2) * a * u.conj()).imag - 2 * w * rel) / d
+    c = -1j * ob - bc * u
+    vc, ac = 1j * w * (c + 1j * ob), (1j * eps - w**2) * (c + 1j * ob)
+    y = -ob - 1.25 * bc
+    dx = np.sqrt(bc**2 - (y - c.imag) ** 2)
+    r = dx + 1j * (y - c.imag)
+    w4 = -vc.imag / r.real
+    e4 = (-ac.imag + w4**2 * r.imag) / r.real
+    return np.concatenate([vc + 1j * w4 * r, ac + (1j * e4 - w4**2) * r])
+
+
+def windrower() -> tuple[Callable[[], object], int]:
+    """Return a run of all three plans of the windrower, and the number of its steps."""
+    from graphic_tmm.board.execute import prepare
+    from graphic_tmm.scene.read import read
+    from graphic_tmm.studio import work
+
+    made = work(read(HERE.parent.parent / "sheets" / "windrower"))
+    program = prepare(made.project.construction)
+    return lambda: program.run(made.given), len(made.project.construction.steps)
+
+
+def million(count: int = 1_000_000) -> tuple[float, int]:
+    """Run a four-bar at many positions; return seconds and how many values were kept."""
+    from drawn import board
+
+    from graphic_tmm.board.execute import execute
+    from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Side
+
+    four_bar = Mechanism(
+        Link(0, {"O": 0j, "C": 0.3}),
+        (
+            Link(1, {"O": 0j, "A": 0.1}),
+            Link(2, {"A": 0j, "B": 0.28}, side=Side(1, ("A", "C"))),
+            Link(3, {"C": 0j, "B": 0.22}),
+        ),
+        Drive(1, 10.0),
+    )
+    sheet = board(four_bar)
+    angles = np.linspace(0.0, 360.0, count, endpoint=False)[None, :]
+    wanted = [
+        sheet.velocities.images.by_letter[2]["B"],
+        sheet.accelerations.images.by_letter[2]["B"],
+        sheet.velocities.rates[2],
+        sheet.accelerations.rates[2],
+    ]
+    start = time.perf_counter()
+    reading = execute(sheet.log, sheet.given | {sheet.positions.phi: angles}, wanted)
+    return time.perf_counter() - start, len(reading.values)
+
+
+def peak_of_million() -> tuple[float, float]:
+    """Return seconds and peak memory (MB) of the million positions, in a process of its own."""
+    code = (
+        f"import sys; sys.path[:0] = {sys.path[:2]!r}; import resource, runpy;"
+        f"m = runpy.run_path({str(HERE / 'run.py')!r}); s, _ = m['million']();"
+        "print(s, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)"
+    )
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    seconds, peak = map(float, out.stdout.split())
+    return seconds, peak
+
+
+def process(*arguments: str) -> float:
+    """Median seconds of a fresh process."""
+    environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1")
+
+    def run() -> None:
+        subprocess.run(
+            [sys.executable, *arguments], check=True, capture_output=True, env=environment
+        )
+
+    return median(run, 2.0)
+
+
+def main() -> None:
+    """Print the table of the README."""
+    phi = np.radians(np.arange(13) * 30.0)
+    unit = median(reference)
+    bare = median(lambda: closed_form(phi))
+    run, steps = windrower()
+    plans = median(run)
+    rows = [
+        ("100 products of small arrays (the unit)", unit, unit),
+        ("windrower, 13 positions, closed form in numpy", bare, unit),
+        (f"windrower, 13 positions, three plans ({steps} steps)", plans, unit),
+        ("   of it, one step", plans / steps, unit),
+    ]
+    empty = process("-c", "pass")
+    light = process("-c", "import numpy, shapely, svgwrite, pydantic, click")
+    rows += [
+        ("python -c pass (the unit of what follows)", empty, empty),
+        ("import numpy, shapely, svgwrite, pydantic, click", light, empty),
+        ("graphic-tmm --help", process("-m", "graphic_tmm", "--help"), empty),
+        ("graphic-tmm draw (windrower, A1)", process("-m", "graphic_tmm", "draw", "-o", "/tmp/gtmm"), empty),
+    ]
+    print(f"{'what':<58}{'ms':>10}{'ratio':>9}")
+    for name, seconds, against in rows:
+        print(f"{name:<58}{seconds * 1000:>10.3f}{seconds / against:>9.2f}")
+    seconds, peak = peak_of_million()
+    print(f"1 000 000 positions of a four-bar, v and a: {seconds:.2f} s, peak {peak:.0f} MB")
+    print(f"Python {sys.version.split()[0]}, numpy {np.__version__}")
+
+
+if __name__ == "__main__":
+    main()
