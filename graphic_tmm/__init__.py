@@ -11,12 +11,12 @@ _HOMES = {
     "SheetError": "errors",
     "StructureError": "errors",
     "TmmError": "errors",
-    "Work": "studio",
+    "Work": "work",
     "dissect": "mechanism.structure",
+    "fitted": "studio",
     "read": "scene.read",
     "sheets": "studio",
     "svg": "paper.svg",
-    "work": "studio",
 }
 __all__ = [
     "Scene",
@@ -26,10 +26,10 @@ __all__ = [
     "TmmError",
     "Work",
     "dissect",
+    "fitted",
     "read",
     "sheets",
     "svg",
-    "work",
 ]
 
 

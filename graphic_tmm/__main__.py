@@ -14,7 +14,7 @@ import click
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.records import Scene
-    from graphic_tmm.studio import Work
+    from graphic_tmm.work import Work
 
 F = TypeVar("F", bound=Callable[..., Any])
 PLANS = ("extremes", "positions", "velocities", "accelerations")

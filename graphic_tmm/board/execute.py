@@ -166,7 +166,9 @@ def _in_blocks(
     steps: Sequence[Step], values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
 ) -> None:
     read = None if hand.ruler is None else hand.read
-    block = max(block, 2)  # in a block of one position a value that varies looks like one that does not
+    block = max(
+        block, 2
+    )  # in a block of one position a value that varies looks like one that does not
     if count <= block:
         _run(steps, values, read)
         return

@@ -65,9 +65,7 @@ def examine(
             found += _of_step(construction, step, values, reading[step.it], reading.positions)
     if positions is None:
         return tuple(found)
-    return tuple(
-        f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found
-    )
+    return tuple(f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found)
 
 
 def _of_step(

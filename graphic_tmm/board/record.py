@@ -155,7 +155,9 @@ class Board:
         return f"{self._view}, step {len(self._steps) + 1}: {op.name} '{letter}'"
 
     def _mark(self, letter: str, kind: Kind, unit: str) -> Mark:
-        if kind is not Point:  # two bodies may share a line or a length; a point bears its letter alone
+        if (
+            kind is not Point
+        ):  # two bodies may share a line or a length; a point bears its letter alone
             letter = self.free(letter)
         if (self._view, letter) in self._letters:
             raise ConstructionError(

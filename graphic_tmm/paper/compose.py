@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.scales import Scale
@@ -14,36 +13,24 @@ from graphic_tmm.paper.ink_positions import draw_positions_ink
 from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table
 from graphic_tmm.paper.layout import Room, bounds, pack
 from graphic_tmm.paper.letters import escape, letter
-from graphic_tmm.plans.project import Project
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.tables import UNITS, columns
 from graphic_tmm.words import CAPTIONS, number, unit
+from graphic_tmm.work import Work
 
 CAPTION = 5.0
 SMALL = 3.5
 
 
-class Drawn(NamedTuple):
-    """What is inked: the project, its readings, its scale factors, positions that cannot be drawn.
+def compose(drawn: Work, *, lettered: bool = True) -> tuple[Sheet, ...]:
+    """Return the sheets of a scene, each order followed by the sheets it spills onto.
 
     Unlettered plans only take the room that they will need: layout is tried with them.
     """
-
-    scene: Scene
-    project: Project
-    reading: Reading
-    accelerated: Reading | None
-    scales: Mapping[str, Scale]
-    undrawn: Sequence[int]
-    lettered: bool = True
-
-
-def compose(drawn: Drawn) -> tuple[Sheet, ...]:
-    """Return the sheets of a scene, each order followed by the sheets it spills onto."""
     scene = drawn.scene
     laid: list[tuple[str, list[Drawing]]] = []
     for order in scene.sheets:
-        views = [view for plan in order.place for view in _VIEWS[plan](drawn, order)]
+        views = [view for plan in order.place for view in _VIEWS[plan](drawn, lettered)]
         rooms = (_room(order, scene, not laid), _room(order, scene, False))
         laid += [(order.format, placed) for placed in pack(views, rooms, order.format)]
     count = len(laid)
@@ -68,7 +55,7 @@ def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
     return Room(area.inner, area.occupied)
 
 
-def _fields(drawn: Drawn) -> dict[str, str]:
+def _fields(drawn: Work) -> dict[str, str]:
     fields = dict(drawn.scene.title_block)
     fields.setdefault("name", drawn.scene.title)
     scale = drawn.scales["positions"].value * 1000.0
@@ -113,7 +100,7 @@ def captioned(view: Drawing, *lines: str) -> Drawing:
     return view._replace(labels=tuple(labels), cell=(middle - reach, low, middle + reach, top))
 
 
-def _positions(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+def _positions(drawn: Work, lettered: bool) -> list[Drawing]:
     project, words = drawn.project, CAPTIONS[drawn.scene.language]
     body = project.positions.bodies[project.structure.driver]
     there = [k for k in range(len(project.names)) if k not in drawn.undrawn]
@@ -127,13 +114,14 @@ def _positions(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
         crank=(body.marks[project.structure.pivot], body.marks[project.structure.pin]),
         sense=1 if project.mechanism.drive.speed > 0 else -1,
         title=words["positions"],
+        lettered=lettered,
     )
     return [
         captioned(view, words["positions"], _mu(drawn.scales["positions"], drawn.scene.language))
     ]
 
 
-def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
+def _plans(plan: str, drawn: Work, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     words = CAPTIONS[language]
     reading: Reading | None
@@ -161,7 +149,7 @@ def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
             title,
             scale.value,
             UNITS[plan],
-            lettered=drawn.lettered,
+            lettered=lettered,
         )
         views.append(view)
     captions = [view.title for view in views]
@@ -171,15 +159,15 @@ def _plans(plan: str, drawn: Drawn) -> list[Drawing]:
     ]
 
 
-def _velocities(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
-    return _plans("velocities", drawn)
+def _velocities(drawn: Work, lettered: bool) -> list[Drawing]:
+    return _plans("velocities", drawn, lettered)
 
 
-def _accelerations(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
-    return _plans("accelerations", drawn)
+def _accelerations(drawn: Work, lettered: bool) -> list[Drawing]:
+    return _plans("accelerations", drawn, lettered)
 
 
-def _structure(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+def _structure(drawn: Work, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     return [
         link_table(project.mechanism, project.structure, language),
@@ -187,7 +175,7 @@ def _structure(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
     ]
 
 
-def _results(drawn: Drawn, order: SheetOrder) -> list[Drawing]:
+def _results(drawn: Work, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     count, made = len(project.names), []
     for plan, motion, reading, places in (

@@ -23,6 +23,8 @@ OVERRUN = 12.0
 """How far a guide goes on behind the outermost places of its slider, mm."""
 CENTRE_RADIUS = 0.9
 """A mass centre is a small circle, mm."""
+MARGIN = 7.0
+"""Room that letters take about a plan before they have their places, mm."""
 THROUGH = 9.0
 """How far a rocker goes on behind its stone, mm."""
 
@@ -37,6 +39,7 @@ def draw_positions_ink(
     crank: tuple[Mark, Mark],
     sense: int,
     title: str,
+    lettered: bool = True,
 ) -> Drawing:
     """Return the plan of positions.
 
@@ -63,6 +66,10 @@ def draw_positions_ink(
     bearing = float(np.degrees(np.angle(pin - pivot)))
     strokes += round_arrow(pivot, reach, bearing + sense * 20.0, sense * 70.0)
     wanted = [*ink.letters(figures, main), *ink.numbers(crank, names, main)]
+    if not lettered:
+        taken = [spot for one in wanted for spot in (one.at - MARGIN, one.at + MARGIN)]
+        taken += [one.at + MARGIN * 1j * way for one in wanted for way in (-1, 1)]
+        return Drawing(PLAN, title, (*strokes, line("thin", *taken)))
     labels = place(wanted, strokes)
     return Drawing(PLAN, title, interrupt(strokes, labels), labels)
 

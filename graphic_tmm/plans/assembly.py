@@ -177,9 +177,9 @@ def _between(one: float, other: float) -> float:
 
 
 def _apart(angles: list[float]) -> list[float]:
-    """Return the angles in order, each but once."""
+    """Return the angles in order, each but once, as far as a flat minimum tells them: 1e-5°."""
     kept: list[float] = []
-    for angle in angles:
+    for angle in (round(angle, 5) % 360.0 for angle in angles):
         if all(_between(angle, other) > NEAR for other in kept):
             kept.append(angle)
     return sorted(kept)

@@ -16,7 +16,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.locus import refinement
 from graphic_tmm.board.operations import bearing, cross, cut, strike, touch
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Reals, Side
+from graphic_tmm.board.values import Reals, Side, undefined
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme
@@ -76,8 +76,13 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
             f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})"
         )
     mark = survey.positions.point(extreme.point)
-    angles, reading = survey.turn([mark])
+    closed = [
+        root for closing in survey.positions.closings for root in (closing.root, closing.point)
+    ]
+    angles, reading = survey.turn([mark, *closed])
     place = reading[mark][0].real if name == "x" else reading[mark][0].imag
+    for root in closed:
+        place = np.where(undefined(reading[root])[0], np.nan, place)
     if not np.isfinite(place).any():
         raise StructureError(f"zero: {extreme.point} cannot be drawn at any crank angle")
     best = int(np.nanargmax(way * place))

@@ -62,7 +62,7 @@ def windrower() -> tuple[Callable[[], object], int]:
     """Return a run of all three plans of the windrower, and the number of its steps."""
     from graphic_tmm.board.execute import prepare
     from graphic_tmm.scene.read import read
-    from graphic_tmm.studio import work
+    from graphic_tmm.work import work
 
     made = work(read(HERE.parent.parent / "sheets" / "windrower"))
     program = prepare(made.project.construction)

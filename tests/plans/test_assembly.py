@@ -215,7 +215,7 @@ def _brute(
     [
         (0.3, 0.22, 0.25, 0.35),
         (0.3, 0.5, 0.15, 0.4),
-        (0.4, 0.3, 0.2, 0.3),
+        (0.4, 0.35, 0.2, 0.3),
         (0.5, 0.25, 0.35, 0.3),
         (0.3, 0.25, 0.36, 0.8),
     ],
@@ -272,12 +272,11 @@ def test_the_drawable_positions_are_drawn_and_the_others_named() -> None:
     low, high = _brute(made.scene.mechanism, *lengths)[0]
     inside = {str(k) for k in range(12) if any(low <= 30 * k + turn <= high for turn in (0, 360))}
     assert {made.project.names[i] for i in made.undrawn} == {str(k) for k in range(12)} - inside
-    (text,) = warnings(made)
+    text = warnings(made)[0]
     for name in {str(k) for k in range(12)} - inside:
         assert re.search(rf"\b{name}\b", text)
     assert "group 2-3" in text
-    assert f"{low:.2f}" in text
-    assert f"{high:.2f}" in text
+    assert f"{low % 360:.2f}° to {high % 360:.2f}°" in text
     drawn = np.flatnonzero(np.isfinite(places(made.project, "B")))
     assert {str(k) for k in drawn} == inside
 

@@ -1,0 +1,162 @@
+"""A scene that has been drawn: its log, its numbers, its scale factors, what went wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.findings import Finding, examine
+from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale, standard, standard_length
+from graphic_tmm.board.values import Curve, Point, undefined
+from graphic_tmm.errors import StructureError
+from graphic_tmm.plans.project import Project, draw_project
+from graphic_tmm.scene.records import Scales, Scene
+
+ROOM = {"A1": 230.0, "A4": 130.0}
+"""For a format: room for the plan of positions, mm."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """A scene that has been drawn: its log, its numbers, its scale factors, what went wrong."""
+
+    scene: Scene
+    project: Project
+    given: Mapping[Mark, object]
+    scales: Mapping[str, Scale]
+    reading: Reading
+    accelerated: Reading | None
+    hand: Hand
+    undrawn: tuple[int, ...]
+
+    def findings(self) -> tuple[Finding, ...]:
+        """Return what could not be drawn, or was drawn at the edge of its possibility."""
+        log = self.project.construction
+        plain = [s.it for s in log.steps if s.it.view != "accelerations" and not s.op.across]
+        found = examine(log, self.given, plain, hand=self.hand)
+        if self.project.accelerations is None:
+            return found
+        marks = self.project.marks("accelerations")
+        more = examine(log, self.given, marks, hand=self.hand, positions=self.project.accelerated)
+        return (*found, *(f for f in more if f.step.it.view == "accelerations"))
+
+
+def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
+    """Draw a scene: record its plans, choose the scale factors, execute.
+
+    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room, mm, for the
+    longest vector of the plans of velocities and of accelerations.
+    """
+    return executed(scene, record(scene), exact=exact, vectors=vectors)
+
+
+def record(scene: Scene) -> Project:
+    """Record the plans that the scene's sheets ask for."""
+    wanted = {plan for sheet in scene.sheets for plan in sheet.place}
+    return draw_project(
+        scene.mechanism,
+        scene.row,
+        turned=scene.turned,
+        trajectories=scene.trajectories,
+        plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
+    )
+
+
+def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[float, float]) -> Work:
+    """Choose the scale factors of a recorded project and execute it; see `work`."""
+    formats = [sheet.format for sheet in scene.sheets]
+    scales = choose_scales(project, scene.scales, ROOM["A1" if "A1" in formats else "A4"], vectors)
+    given = dict(project.given)
+    for plan, scale in scales.items():
+        given[project.scale(plan)] = scale.value
+    hand = EXACT if exact else Hand(scene.ruler)
+    log = project.construction
+    still = [m for m in (*log.given, *(s.it for s in log.steps)) if m.view != "accelerations"]
+    reading = execute(log, given, still, hand=hand)
+    accelerated = None
+    if project.accelerations is not None:
+        steps = [step for step in log.steps if step.it.view == "accelerations"]
+        whole = {mark for step in steps for mark in (step.it, *step.uses)}
+        accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)
+    undrawn = _undrawn(project, reading)
+    if len(undrawn) == len(project.names):
+        raise StructureError("none of the positions can be drawn" + ranges(project))
+    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
+
+
+def ranges(project: Project) -> str:
+    """Return, as the end of a sentence, over which ranges of the crank the mechanism assembles."""
+    ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in project.assembly.ranges)
+    groups = ", ".join(project.assembly.groups)
+    return f": group {groups} assembles for crank angles {ranges} only" if ranges else ""
+
+
+def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
+    bad = np.zeros((1, len(project.names)), dtype=bool)
+    for mark in project.marks("positions"):
+        if mark.kind is not Curve:
+            bad = bad | undefined(reading[mark]).any(axis=0, keepdims=True)
+    return tuple(int(i) for i in np.flatnonzero(bad[0]))
+
+
+def choose_scales(
+    project: Project, wanted: Scales, room: float, vectors: tuple[float, float]
+) -> dict[str, Scale]:
+    """Return μ of every plan drawn: what the scene fixes, else a standard one, found with the exact hand.
+
+    A segment fixed in mm (OA, pa, πa) gives its μ; the choice makes the plan of positions and the longest
+    vectors as large as ``room`` and ``vectors`` (mm) allow.
+    """
+    log, given = project.construction, dict(project.given)
+    for view in log.views:
+        assert view.scale is not None
+        given[view.scale] = 1.0
+    arm, pin_speed, pin_acceleration = _crank(project)
+    points = [m for m in project.marks("positions") if m.kind is Point]
+    reading = execute(log, given, points)
+    extent = _extent([reading[mark] for mark in points])
+    mu_l = wanted.mu_l or (arm / wanted.OA if wanted.OA else standard_length(extent, room))
+    scales = {"positions": Scale("μ_l", mu_l, "m/mm")}
+    if project.velocities is not None:
+        longest = _longest(project, given, "velocities", None)
+        mu_v = wanted.mu_v or (
+            pin_speed / wanted.pa if wanted.pa else standard(longest, vectors[0])
+        )
+        if wanted.mu_v_is_mu_l_omega:
+            mu_v = mu_l * abs(project.mechanism.drive.speed)
+        scales["velocities"] = Scale("μ_v", mu_v, "(m/s)/mm")
+    if project.accelerations is not None:
+        longest = _longest(project, given, "accelerations", project.accelerated)
+        mu_a = wanted.mu_a or (
+            pin_acceleration / wanted.pi_a if wanted.pi_a else standard(longest, vectors[1])
+        )
+        scales["accelerations"] = Scale("μ_a", mu_a, "(m/s²)/mm")
+    return scales
+
+
+def _crank(project: Project) -> tuple[float, float, float]:
+    drive, structure = project.mechanism.drive, project.structure
+    crank = project.mechanism.by_number[structure.driver]
+    arm = abs(crank.points[structure.pin] - crank.points[structure.pivot])
+    return arm, abs(drive.speed) * arm, abs(drive.speed**2 + 1j * drive.acceleration) * arm
+
+
+def _extent(points: list[np.ndarray]) -> float:
+    flat = np.concatenate([np.ravel(p) for p in points])
+    flat = flat[np.isfinite(flat)]
+    width, height = np.ptp(flat.real), np.ptp(flat.imag)
+    return float(max(width, height))
+
+
+def _longest(
+    project: Project, given: Mapping[Mark, object], plan: str, at: tuple[int, ...] | None
+) -> float:
+    points = [m for m in project.marks(plan) if m.kind is Point]
+    reading = execute(project.construction, given, points, positions=at)
+    lengths = [np.abs(reading[m]) for m in points]
+    return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
