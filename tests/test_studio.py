@@ -27,16 +27,8 @@ from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
-from graphic_tmm.studio import (
-    Work,
-    packaged,
-    scene_name,
-    scene_path,
-    sheet_texts,
-    sheets,
-    warnings,
-    work,
-)
+from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_texts, sheets, warnings
+from graphic_tmm.work import Work, work
 
 SHEETS = Path(__file__).parent.parent / "sheets"
 NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))

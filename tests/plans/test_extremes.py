@@ -34,13 +34,13 @@ from graphic_tmm.scene.read import read
 SHEETS = Path(__file__).parents[2] / "sheets"
 
 
-def slider_crank(r: float, l: float, e: float, sign: int = 1, speed: float = 1.0) -> Mechanism:
+def slider_crank(r: float, rod: float, e: float, sign: int = 1, speed: float = 1.0) -> Mechanism:
     guide = Guide("x", complex(0, e), 0.0)
     return Mechanism(
         Link(0, {"O": 0j}, (guide,)),
         (
             Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j, "B": complex(l, 0), "S": complex(0.4 * l, 0.1 * l)}),
+            Link(2, {"A": 0j, "B": complex(rod, 0), "S": complex(0.4 * rod, 0.1 * rod)}),
             Link(3, {"B": 0j}, slides=(Slide(0, guide, side=Side(sign)),)),
         ),
         Drive(1, speed),
@@ -48,13 +48,13 @@ def slider_crank(r: float, l: float, e: float, sign: int = 1, speed: float = 1.0
 
 
 def four_bar(
-    r: float, l: float, s: float, c: complex, sign: int = 1, speed: float = 1.0
+    r: float, rod: float, s: float, c: complex, sign: int = 1, speed: float = 1.0
 ) -> Mechanism:
     return Mechanism(
         Link(0, {"O": 0j, "C": c}),
         (
             Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j, "B": complex(l, 0), "E": complex(0.5 * l, 0.3 * l)}),
+            Link(2, {"A": 0j, "B": complex(rod, 0), "E": complex(0.5 * rod, 0.3 * rod)}),
             Link(3, {"C": 0j, "B": complex(s, 0)}, side=Side(sign, ("A", "C"))),
         ),
         Drive(1, speed),
@@ -92,15 +92,15 @@ def bearing(z: complex) -> float:
 @pytest.mark.parametrize("speed", [2.0, -2.0])
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(
-    ("r", "l", "e"), [(0.3, 0.64, 0.0), (0.045, 0.18, -0.018), (0.1, 0.25, 0.1)]
+    ("r", "rod", "e"), [(0.3, 0.64, 0.0), (0.045, 0.18, -0.018), (0.1, 0.25, 0.1)]
 )
 def test_a_slider_is_extreme_where_crank_and_rod_are_in_line(
-    r: float, l: float, e: float, sign: int, speed: float
+    r: float, rod: float, e: float, sign: int, speed: float
 ) -> None:
-    far = complex(sign * math.sqrt((l + r) ** 2 - e * e), e)
-    near = complex(sign * math.sqrt((l - r) ** 2 - e * e), e)
+    far = complex(sign * math.sqrt((rod + r) ** 2 - e * e), e)
+    near = complex(sign * math.sqrt((rod - r) ** 2 - e * e), e)
     ways = ("right", "left") if sign > 0 else ("left", "right")
-    project = project_of(slider_crank(r, l, e, sign, speed), "B", ways[0], OTHER)
+    project = project_of(slider_crank(r, rod, e, sign, speed), "B", ways[0], OTHER)
     assert apart(project.angles[0], bearing(far)) < 1e-9
     assert apart(project.angles[-1], bearing(-near)) < 1e-9
     found = places(project, "B")
@@ -122,7 +122,7 @@ def test_a_rod_shorter_than_the_crank_is_drawn_in_line_too() -> None:
 @pytest.mark.parametrize("speed", [2.0, -2.0])
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(
-    ("r", "l", "s", "c"),
+    ("r", "rod", "s", "c"),
     [
         (0.02, 0.06, 0.045, 0.06 - 0.01j),
         (0.1, 0.35, 0.2, 0.4 + 0.05j),
@@ -130,11 +130,11 @@ def test_a_rod_shorter_than_the_crank_is_drawn_in_line_too() -> None:
     ],
 )
 def test_a_rocker_is_extreme_where_crank_and_coupler_are_in_line(
-    r: float, l: float, s: float, c: complex, sign: int, speed: float
+    r: float, rod: float, s: float, c: complex, sign: int, speed: float
 ) -> None:
-    mechanism = four_bar(r, l, s, c, sign, speed)
+    mechanism = four_bar(r, rod, s, c, sign, speed)
     due = []
-    for reach, away in ((l + r, 1), (l - r, -1)):
+    for reach, away in ((rod + r, 1), (rod - r, -1)):
         # the triangle O C B: B to the left of O -> C for +1, as of A -> C
         cosine = (reach**2 + abs(c) ** 2 - s * s) / (2 * reach * abs(c))
         b = reach * cmath.rect(1.0, cmath.phase(c) + sign * math.acos(cosine))
@@ -172,10 +172,7 @@ def test_the_rocker_of_the_windrower_is_extreme_where_the_crank_is_square_to_it(
     turned = Mechanism(mechanism.frame, mechanism.links, Drive(1, speed * mechanism.drive.speed))
     project = draw_project(turned, scene.row, plans=["positions"])
     half = math.asin((r or 0.48 * math.sin(math.radians(180 * 0.45 / 2.45) / 2)) / 0.48)
-    assert (
-        apart(project.angles[0], math.degrees(half)) < 1e-9
-        or apart(project.angles[0], 180 - math.degrees(half)) < 1e-9
-    )
+    assert apart(project.angles[0], -math.degrees(half)) < 1e-9
     assert apart(project.angles[-1], 180.0 + math.degrees(half)) < 1e-9
     names = operations(project)
     assert names.count("touch") == names.count("bearing") == 2
@@ -238,78 +235,3 @@ def test_a_coupler_point_is_found_by_refining_and_says_so() -> None:
     (step,) = [s for s in project.construction.steps if s.op.name == "refine"]
     assert "E" in step.op.en
     assert "E" in step.op.ru
-
-
-# the row
-
-
-@pytest.mark.parametrize("first", [0, 1])
-@pytest.mark.parametrize("speed", [1.0, -1.0])
-def test_the_row_goes_with_the_crank_in_equal_steps(first: int, speed: float) -> None:
-    project = project_of(slider_crank(0.045, 0.18, -0.018, 1, speed), "B", "right", first=first)
-    assert project.names == tuple(str(first + k) for k in range(12))
-    for place, angle in enumerate(project.angles):
-        assert apart(angle, project.angles[0] + speed * 30 * place) < 1e-9
-        assert 0 <= angle < 360
-
-
-def test_the_engine_keeps_an_exact_right_angle() -> None:
-    project = draw_project(read(SHEETS / "engine").mechanism, Row(12, 1, 0.0), plans=["positions"])
-    assert project.angles[3] == 90.0
-    assert project.names[3] == "4"
-
-
-@pytest.mark.parametrize(
-    ("speed", "first", "name"), [(1.0, 0, "6*"), (-1.0, 0, "5*"), (1.0, 1, "7*"), (-1.0, 1, "6*")]
-)
-def test_the_other_extreme_is_named_after_the_position_it_follows(
-    speed: float, first: int, name: str
-) -> None:
-    project = project_of(slider_crank(0.1, 0.3, 0.05, 1, speed), "B", "right", OTHER, first=first)
-    travelled = (speed * (project.angles[-1] - project.angles[0])) % 360
-    assert project.names[-1] == name
-    assert math.floor(travelled / 30) + first == int(name[:-1])
-
-
-def test_an_extreme_exactly_on_a_position_is_named_after_it() -> None:
-    project = project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", OTHER)
-    assert project.names[-1] == "6*"
-    assert project.angles[-1] == pytest.approx(180.0, abs=1e-12)
-
-
-def test_extra_angles_stand_as_given_outside_the_row() -> None:
-    project = project_of(slider_crank(0.3, 0.64, 0.0, 1, -1.0), "B", "right", 105.0, OTHER, -30.0)
-    assert project.names[12:] == ("105°", "6*", "-30°")
-    assert project.angles[12] == 105.0
-    assert project.angles[14] == 330.0
-
-
-def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
-    project = draw_project(
-        slider_crank(0.3, 0.64, 0.0), Row(4, zero=10.0, extra=(77.5,)), plans=["positions"]
-    )
-    assert project.angles == (10.0, 100.0, 190.0, 280.0, 77.5)
-    phi = math.radians(77.5)
-    due = 0.3 * math.cos(phi) + math.sqrt(0.64**2 - (0.3 * math.sin(phi)) ** 2)
-    assert abs(places(project, "B")[-1] - due) < 1e-15
-
-
-def test_the_other_extreme_needs_a_zero_that_is_one() -> None:
-    with pytest.raises(StructureError, match="needs a zero position that is an extreme itself"):
-        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12, extra=(OTHER,)))
-
-
-@pytest.mark.parametrize("letter", ["O", "Q"])
-def test_a_point_that_does_not_move_has_no_extreme(letter: str) -> None:
-    with pytest.raises(StructureError, match=f"zero: {letter} is not a moving point.*A, B"):
-        project_of(slider_crank(0.3, 0.64, 0.0), letter, "left")
-
-
-def test_an_acceleration_plan_for_a_position_that_is_not_there_is_refused() -> None:
-    with pytest.raises(StructureError, match=r"no position 13; there are 0, 1"):
-        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12, accelerations=("13",)))
-
-
-def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
-    with pytest.raises(StructureError, match="no point Q"):
-        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12), trajectories=["Q"])

@@ -16,7 +16,8 @@ from graphic_tmm.plans.positions import side_record, side_values
 from graphic_tmm.plans.row import OTHER
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import Work, warnings, work
+from graphic_tmm.studio import warnings
+from graphic_tmm.work import Work, work
 
 SHEETS = Path(__file__).parents[2] / "sheets"
 NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
