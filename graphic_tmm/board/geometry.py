@@ -18,17 +18,17 @@ def cis(degrees: Reals) -> Complexes:
     """Return e^{iφ} of an angle in degrees; exact at every multiple of 90°."""
     quarter = np.rint(degrees / 90.0)
     rest = np.radians(degrees - 90.0 * quarter)
-    turn = _QUADRANTS[np.where(np.isfinite(quarter), quarter % 4, 0).astype(np.intp)]
-    return np.asarray(turn * (np.cos(rest) + 1j * np.sin(rest)))
+    # a NaN becomes some whole number here, and stays NaN in the rest
+    return np.asarray(_QUADRANTS[quarter.astype(np.intp) & 3] * np.exp(1j * rest))
 
 
 def degrees(z: Complexes) -> Reals:
-    """Return the direction of ``z`` in degrees, (-180, 180]; exact in the eight main directions."""
-    x, y = z.real, z.imag
-    steep = np.abs(y) > np.abs(x)
-    small = np.degrees(np.arctan2(np.where(steep, x, y), np.where(steep, np.abs(y), np.abs(x))))
-    flat = np.where(x < 0, np.copysign(180.0, y + 0.0) - small, small)
-    return np.asarray(np.where(steep, np.sign(y) * (90.0 - small), flat))
+    """Return the direction of ``z`` in degrees, (-180, 180]; exact in the eight main directions.
+
+    NaN where ``z`` has no length.
+    """
+    angle = np.degrees(np.arctan2(z.imag + 0.0, z.real))
+    return np.where(z == 0.0, np.nan, angle)
 
 
 def wedge(a: Complexes, b: Complexes) -> Reals:
@@ -51,5 +51,5 @@ def root(product: Reals, gap: Reals, scale: Reals) -> Reals:
 
     ``gap`` is the factor of ``product`` that becomes negative where two figures no longer meet.
     """
-    clipped = np.where((gap < 0) & (gap >= -TANGENT * scale), 0.0, product)
-    return np.sqrt(np.where(clipped >= 0, clipped, np.nan))
+    touching = (gap < 0) & (gap >= -TANGENT * scale)
+    return np.asarray(np.sqrt(np.where(touching, 0.0, product)))

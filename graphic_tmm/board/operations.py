@@ -117,10 +117,11 @@ def cut(line: Line, arc: Arc, side: Side) -> Point:
     ``side``: +1 for the point that lies along the line from the foot of the arc's centre.
     """
     to_centre = arc.centre - line.at
-    height = np.abs(wedge(line.along, to_centre))
-    gap = arc.radius - height
-    half = root(gap * (arc.radius + height), gap, arc.radius + height)
-    return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
+    height, foot = np.abs(wedge(line.along, to_centre)), along(to_centre, line.along)
+    gap, reach = arc.radius - height, arc.radius + height
+    # the line's direction is rounded: the further it begins from the arc, the less is known of the gap
+    half = root(gap * reach, gap, reach + np.abs(foot))
+    return Point(line.at + (foot + side * half) * line.along)
 
 
 def _outer_gap(first: Arc, second: Arc, side: Side) -> Reals:

@@ -10,7 +10,7 @@ from graphic_tmm.paper.drawing import Drawing, Label, Sheet
 from graphic_tmm.paper.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.ink_plans import draw_plan
 from graphic_tmm.paper.ink_positions import draw_positions_ink
-from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table
+from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table, structure_lines
 from graphic_tmm.paper.layout import Room, bounds, pack
 from graphic_tmm.paper.letters import escape, letter
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -87,17 +87,22 @@ def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
 
 
 def captioned(view: Drawing, *lines: str) -> Drawing:
-    """Return a view with lines of lettering below it, in the middle."""
+    """Return a view with lines of lettering below it: in the middle, below a table from its left edge."""
     left, low, right, top = bounds(view)
     middle, labels = (left + right) / 2, list(view.labels)
     for k, text in enumerate(lines):
         size = CAPTION if k == 0 and view.name == "positions" else SMALL
         low -= letter(text, size=size).ascent + 2.5
-        labels.append(Label(text, complex(middle, low), size, "middle"))
+        at, anchor = (left, "start") if view.name.startswith("table") else (middle, "middle")
+        labels.append(Label(text, complex(at, low), size, anchor))
         low -= letter(text, size=size).descent
-    widths = [letter(label.text, size=label.size).width / 2 for label in labels[len(view.labels) :]]
-    reach = max([(right - left) / 2, *widths])
-    return view._replace(labels=tuple(labels), cell=(middle - reach, low, middle + reach, top))
+    widths = [letter(label.text, size=label.size).width for label in labels[len(view.labels) :]]
+    if view.name.startswith("table"):
+        cell = (left, low, max(right, left + max(widths)), top)
+    else:
+        reach = max([right - left, *widths]) / 2
+        cell = (middle - reach, low, middle + reach, top)
+    return view._replace(labels=tuple(labels), cell=cell)
 
 
 def _positions(drawn: Work, lettered: bool) -> list[Drawing]:
@@ -169,9 +174,10 @@ def _accelerations(drawn: Work, lettered: bool) -> list[Drawing]:
 
 def _structure(drawn: Work, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
+    pairs = pair_table(project.mechanism, project.structure, language)
     return [
         link_table(project.mechanism, project.structure, language),
-        pair_table(project.mechanism, project.structure, language),
+        captioned(pairs, *structure_lines(project.structure, language)),
     ]
 
 

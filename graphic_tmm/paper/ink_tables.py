@@ -61,7 +61,7 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
 
 
 def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
-    """Return the table of kinematic pairs with the formula of structure in its title."""
+    """Return the table of kinematic pairs."""
     words = CAPTIONS[language]
     rows = []
     for pair in structure.pairs:
@@ -70,11 +70,16 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
         rows.append([escape(name), joined, words[pair.kind], index])
     heads = [words["letter"], words["joined"], words["kind"], words["index"]]
+    return table("table-pairs", words["pairs"], heads, rows, size=SIZE)
+
+
+def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
+    """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
+    words = CAPTIONS[language]
+    groups = [words["group"].format(name=g.name, kind=g.kind) for g in structure.groups]
     n, p = structure.moving, len(structure.pairs)
-    title = (
-        f"{words['pairs']}: n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
-    )
-    return table("table-pairs", title, heads, rows, size=SIZE)
+    mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    return (mobility, f"{words['formula']}: {structure.formula}", *groups)
 
 
 def pair_name(pair: Pair, mechanism: Mechanism) -> str:

@@ -33,6 +33,7 @@ class Numbered(NamedTuple):
 def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     """Record where the crank stands in every position: the row first, the extras behind it."""
     sense = 1.0 if survey.mechanism.drive.speed > 0 else -1.0
+    _refuse_repeated(row)
     draft.board.open(VIEW)
     zero = (
         draw_extreme(draft, survey, frame, row.zero, "0")
@@ -59,6 +60,13 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     for extra, mark in zip(row.extra, extras, strict=True):
         names.append(_name(row, extra, (float(values[mark][0, 0]) - start) * sense))
     return Numbered(phi, tuple(names), np.broadcast_to(values[phi], (1, size)))
+
+
+def _refuse_repeated(row: Row) -> None:
+    for place, extra in enumerate(row.extra):
+        if extra in row.extra[:place]:
+            said = f'"{extra}"' if isinstance(extra, str) else f"{extra:.10g}°"
+            raise StructureError(f"extra: {said} is named twice: leave one of the two out")
 
 
 def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | str) -> Mark:

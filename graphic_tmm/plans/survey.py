@@ -65,9 +65,11 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
     Raises
     ------
     StructureError
-        If the side of a group that has two assemblies is missing.
+        If the side of a group that has two assemblies is missing, speaks of other letters than the
+        group's outer pivots, or is given twice and not alike.
     """
     _refuse_missing_sides(mechanism, structure)
+    _refuse_strange_sides(mechanism, structure)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
     phi = draft.board.take(Angle, "φ", "°")
@@ -104,3 +106,26 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
             pair = group.legs[1].pair if group.kind == 2 else group.inner
             remedy = f'give slides of link {pair.links[0]} side = "+" or "-"'
         raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}")
+
+
+def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
+    for group in structure.groups:
+        if group.kind != 1:
+            continue
+        a, c = (leg.pair.name for leg in group.legs)
+        told = []
+        for number in group.links:
+            side = mechanism.by_number[number].side
+            if side is None:
+                continue
+            if side.left_of not in ((a, c), (c, a)):
+                raise StructureError(
+                    f"link {number}: its side speaks of {''.join(side.left_of or ())}, but group {group.name} "
+                    f'has its outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of {a}{c}"'
+                )
+            told.append((side.sign if side.left_of == (a, c) else -side.sign, side.flips_at))
+        if len(set(told)) > 1:
+            raise StructureError(
+                f"links {group.links[0]} and {group.links[1]} give group {group.name} different sides: "
+                "leave the side of one of them out"
+            )

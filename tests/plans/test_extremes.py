@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from mechanisms import Drawn, mechanisms
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.values import undefined
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import (
     Drive,
@@ -220,9 +221,9 @@ def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Drawn,
         return
     tried = survey(drawn.mechanism, dissect(drawn.mechanism))
     mark = tried.positions.point(letter)
-    roots = [closing.point for closing in tried.positions.closings]
+    roots = [closing.root for closing in tried.positions.closings]
     _, reading = tried.turn([mark, *roots])
-    whole = np.isfinite(sum(np.abs(reading[root]) for root in roots))[0]
+    whole = ~np.logical_or.reduce([undefined(reading[m])[0] for m in (mark, *roots)])
     way = {"left": -1, "right": 1, "bottom": -1j, "top": 1j}[at]
     place = np.where(whole, (np.ravel(reading[mark]) * np.conj(way)).real, -np.inf)
     found = (places(project, letter)[0] * np.conj(way)).real

@@ -87,3 +87,12 @@ def test_an_acceleration_plan_for_a_position_that_is_not_there_is_refused() -> N
 def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
     with pytest.raises(StructureError, match="no point Q"):
         draw_project(slider_crank(0.3, 0.64, 0.0), Row(12), trajectories=["Q"])
+
+
+@pytest.mark.parametrize(
+    ("extra", "said"), [((OTHER, OTHER), OTHER), ((105.0, 20.0, 105.0), "105°")]
+)
+def test_an_extra_named_twice_is_refused(extra: tuple[float | str, ...], said: str) -> None:
+    with pytest.raises(StructureError, match="named twice") as caught:
+        project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", *extra)
+    assert said in str(caught.value)
