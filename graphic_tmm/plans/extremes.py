@@ -22,7 +22,8 @@ from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import Group
 from graphic_tmm.plans.bodies import Body, draw_guide
-from graphic_tmm.plans.draft import ROUNDING, Draft
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.dyads import rocker_offset
 from graphic_tmm.plans.positions import side_record
 from graphic_tmm.plans.survey import STEPS, Survey
 
@@ -136,10 +137,7 @@ def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
     frame = survey.mechanism.frame.number
     if group.kind == 3:
         stone, rocker = (survey.mechanism.by_number[leg.link] for leg in group.legs)
-        offset = level(group.inner, stone.number, stone.points[first.pair.name]) - level(
-            group.inner, rocker.number, rocker.points[second.pair.name]
-        )
-        straight = abs(offset) <= ROUNDING * max(map(abs, (*rocker.points.values(), offset)))
+        straight = rocker_offset(group, stone, rocker) == 0.0
         return straight and first.pair.name == survey.structure.pin and second.body == frame
     crank_leg = first if first.body == survey.structure.driver else second
     other = second if crank_leg is first else first

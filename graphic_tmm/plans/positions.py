@@ -1,7 +1,6 @@
 """The plan of positions: the crank, then the groups in the order of attachment, all five kinds.
 
-Each group is closed where two loci meet: arcs (kind 1), an arc and a guide (2), a tangent (3), two guides
-(4, 5). What the other plans need of it, the closing point and two legs, is left in `Closing`.
+What the other plans need of a group, its closing point and two legs, is left in its `Closing`.
 """
 
 from __future__ import annotations
@@ -12,36 +11,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from graphic_tmm.board.operations import (
-    cross,
-    cut,
-    directed,
-    join,
-    lay_off,
-    measure,
-    meet,
-    parallel,
-    ray,
-    rocker_line,
-    strike,
-    tangent,
-)
+from graphic_tmm.board.operations import lay_off, ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point, Side
 from graphic_tmm.mechanism import records
-from graphic_tmm.mechanism.guides import direction, level, turn
-from graphic_tmm.mechanism.structure import Group, Leg, Pair, Structure
-from graphic_tmm.plans.bodies import (
-    Body,
-    Closing,
-    GuideLeg,
-    PinLeg,
-    draw_guide,
-    draw_points,
-    incline_by,
-    stand,
-)
-from graphic_tmm.plans.draft import ROUNDING, Draft
+from graphic_tmm.mechanism.structure import Group, Structure
+from graphic_tmm.plans.bodies import Body, Closing, GuideLeg, PinLeg, draw_points, stand
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.dyads import DYADS, Site
 
 VIEW = "positions"
 
@@ -90,7 +67,9 @@ def draw_positions(
     for group in structure.groups:
         draft.board.say(f"II({group.name})")
         sides |= _take_side(draft, mechanism, group)
-        closing = _KINDS[group.kind](draft, mechanism, group, bodies, sides.get(group.name))
+        first, second = (mechanism.by_number[leg.link] for leg in group.legs)
+        site = Site(draft, bodies, group, (first, second), sides.get(group.name))
+        closing = DYADS[group.kind](site)
         closings.append(closing)
         for leg in group.legs:
             body = bodies[leg.link]
@@ -164,230 +143,3 @@ def side_values(side: records.Side, degrees: object) -> object:
     flips = np.sort(np.asarray(side.flips_at, dtype=np.float64) % 360.0)
     flips = flips[flips > 0.0]
     return side.sign * np.where(np.searchsorted(flips, angles, side="right") % 2 == 0, 1.0, -1.0)
-
-
-def _pivot(bodies: dict[int, Body], leg: Leg) -> Mark:
-    return bodies[leg.body].marks[leg.pair.name]
-
-
-def _swung(draft: Draft, bodies: dict[int, Body], link: records.Link, leg: Leg, pin: str) -> Mark:
-    """Strike the arc of the inner pin about the outer pivot of a leg."""
-    outer = leg.pair.name
-    length = draft.length(f"{outer}{pin}", abs(link.points[pin] - link.points[outer]))
-    return draft.board.draw(
-        strike, draft.board.free(f"({outer}; {outer}{pin})"), _pivot(bodies, leg), length
-    )
-
-
-def _pinned(
-    draft: Draft, bodies: dict[int, Body], link: records.Link, leg: Leg, pin: str, mark: Mark
-) -> Mark:
-    """Enter a link that turns about an outer pivot and whose inner pin has been found; return its line."""
-    outer, pivot = leg.pair.name, _pivot(bodies, leg)
-    line = draft.board.draw(join, f"({outer}{pin})", pivot, mark)
-    arm = link.points[pin] - link.points[outer]
-    body = Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: line)
-    stand(body, outer, pivot, link.points[outer])
-    stand(body, pin, mark, link.points[pin])
-    bodies[link.number] = body
-    return line
-
-
-def _sliding(
-    draft: Draft,
-    bodies: dict[int, Body],
-    link: records.Link,
-    pair: Pair,
-    pin: str,
-    mark: Mark,
-    line: Mark,
-    side: Mark | None = None,
-) -> None:
-    """Enter a link that lies along ``line`` (in the sense ``side``) with a point of it at ``mark``."""
-    name = f"({link.number})"
-
-    def axis() -> Mark:
-        if side is not None:
-            return draft.board.draw(directed, name, mark, line, side)
-        return draft.board.draw(parallel, name, mark, line)
-
-    own = link.points.get(pin, 0j)
-    body = Body(link, own, direction(pair, link.number), axis)
-    stand(body, pin, mark, own)
-    bodies[link.number] = body
-
-
-def _guide_leg(
-    draft: Draft,
-    mechanism: records.Mechanism,
-    bodies: dict[int, Body],
-    leg: Leg,
-    own: complex,
-    name: str,
-) -> Mark:
-    """Draw the path of a point (own axes of the leg's link) along the guide of its outer sliding pair."""
-    return draw_guide(draft, bodies[leg.body], leg.pair, level(leg.pair, leg.link, own), name)
-
-
-def _rrr(
-    draft: Draft,
-    mechanism: records.Mechanism,
-    group: Group,
-    bodies: dict[int, Body],
-    side: Mark | None,
-) -> Closing:
-    assert side is not None
-    pin = group.inner.name
-    links = [mechanism.by_number[leg.link] for leg in group.legs]
-    arcs = [
-        _swung(draft, bodies, link, leg, pin) for link, leg in zip(links, group.legs, strict=True)
-    ]
-    mark = draft.board.draw(cross, pin, *arcs, side)
-    legs = []
-    for link, leg, arc in zip(links, group.legs, arcs, strict=True):
-        line = _pinned(draft, bodies, link, leg, pin, mark)
-        radius = draft.board.uses(arc)[1]
-        legs.append(PinLeg(link.number, leg.body, leg.pair.name, _pivot(bodies, leg), line, radius))
-    return Closing(group, pin, mark, mark, (legs[0], legs[1]))
-
-
-def _rrp(
-    draft: Draft,
-    mechanism: records.Mechanism,
-    group: Group,
-    bodies: dict[int, Body],
-    side: Mark | None,
-) -> Closing:
-    assert side is not None
-    pin = group.inner.name
-    turning, sliding = group.legs
-    rod, slider = mechanism.by_number[turning.link], mechanism.by_number[sliding.link]
-    arc = _swung(draft, bodies, rod, turning, pin)
-    guide = _guide_leg(draft, mechanism, bodies, sliding, slider.points[pin], sliding.pair.name)
-    mark = draft.board.draw(cut, pin, guide, arc, side)
-    line = _pinned(draft, bodies, rod, turning, pin, mark)
-    _sliding(draft, bodies, slider, sliding.pair, pin, mark, guide)
-    pinned = PinLeg(
-        rod.number,
-        turning.body,
-        turning.pair.name,
-        _pivot(bodies, turning),
-        line,
-        draft.board.uses(arc)[1],
-    )
-    return Closing(
-        group, pin, mark, mark, (pinned, GuideLeg(slider.number, sliding.body, guide, False))
-    )
-
-
-def _rpr(
-    draft: Draft,
-    mechanism: records.Mechanism,
-    group: Group,
-    bodies: dict[int, Body],
-    side: Mark | None,
-) -> Closing:
-    assert side is not None
-    stone_leg, rocker_leg = group.legs
-    stone, rocker = mechanism.by_number[stone_leg.link], mechanism.by_number[rocker_leg.link]
-    pin, centre = stone_leg.pair.name, rocker_leg.pair.name
-    a, c = _pivot(bodies, stone_leg), _pivot(bodies, rocker_leg)
-    inner = group.inner
-    offset = level(inner, stone.number, stone.points[pin]) - level(
-        inner, rocker.number, rocker.points[centre]
-    )
-    size = max(map(abs, (*stone.points.values(), *rocker.points.values(), offset)))
-    name = f"({centre}{pin})"
-    straight = abs(offset) <= ROUNDING * size
-    if straight:
-        guide = line = draft.board.draw(rocker_line, name, c, a)
-    else:
-        guide = draft.board.draw(
-            tangent, f"({pin})", a, c, draft.length(f"h_{{{pin}}}", offset), side
-        )
-        line = draft.board.draw(join, name, c, a)
-    distance = draft.board.draw(measure, f"{centre}{pin}", c, a)
-    turned = side if straight else None
-    _sliding(draft, bodies, stone, inner, pin, a, guide, turned)
-    _sliding(draft, bodies, rocker, inner, centre, c, guide, turned)
-    inner_leg = GuideLeg(stone.number, stone_leg.body, guide, True)
-    return Closing(
-        group,
-        pin,
-        a,
-        guide,
-        (inner_leg, PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance)),
-    )
-
-
-def _prp(
-    draft: Draft,
-    mechanism: records.Mechanism,
-    group: Group,
-    bodies: dict[int, Body],
-    side: Mark | None,
-) -> Closing:
-    pin = group.inner.name
-    links = [mechanism.by_number[leg.link] for leg in group.legs]
-    guides = [
-        _guide_leg(draft, mechanism, bodies, leg, link.points[pin], leg.pair.name)
-        for link, leg in zip(links, group.legs, strict=True)
-    ]
-    mark = draft.board.draw(meet, pin, *guides)
-    for link, leg, guide in zip(links, group.legs, guides, strict=True):
-        _sliding(draft, bodies, link, leg.pair, pin, mark, guide)
-    first, second = (
-        GuideLeg(leg.link, leg.body, guide, False)
-        for leg, guide in zip(group.legs, guides, strict=True)
-    )
-    return Closing(group, pin, mark, mark, (first, second))
-
-
-def _rpp(
-    draft: Draft,
-    mechanism: records.Mechanism,
-    group: Group,
-    bodies: dict[int, Body],
-    side: Mark | None,
-) -> Closing:
-    stone_leg, yoke_leg = group.legs
-    stone, yoke = mechanism.by_number[stone_leg.link], mechanism.by_number[yoke_leg.link]
-    pin, inner = stone_leg.pair.name, group.inner
-    a = _pivot(bodies, stone_leg)
-    letter, own = _on_inner_guide(yoke, inner, level(inner, stone.number, stone.points[pin]))
-    path = _guide_leg(draft, mechanism, bodies, yoke_leg, own, yoke_leg.pair.name)
-    bend = direction(inner, yoke.number) - direction(yoke_leg.pair, yoke.number)
-    guide = incline_by(draft, inner.name, a, path, bend)
-    mark = draft.board.draw(meet, draft.board.free(letter), path, guide)
-    _sliding(draft, bodies, stone, inner, pin, a, guide)
-    _sliding(draft, bodies, yoke, yoke_leg.pair, letter, mark, path)
-    body = bodies[yoke.number]
-    body.at = own
-    body.own[letter] = own
-    return Closing(
-        group,
-        pin,
-        a,
-        mark,
-        (
-            GuideLeg(stone.number, stone_leg.body, guide, True),
-            GuideLeg(yoke.number, yoke_leg.body, path, False),
-        ),
-    )
-
-
-def _on_inner_guide(yoke: records.Link, inner: Pair, wanted: float) -> tuple[str, complex]:
-    """Return a point of the yoke that the stone's pivot slides over: one of its letters, or a new one."""
-    size = max([abs(wanted), *map(abs, yoke.points.values())])
-    levels = {k: level(inner, yoke.number, own) for k, own in yoke.points.items()}
-    for letter, at in levels.items():
-        if abs(at - wanted) <= ROUNDING * size:
-            return letter, yoke.points[letter]
-    letter, own = next(iter(yoke.points.items()), (str(yoke.number), 0j))
-    lifted = own + 1j * turn(direction(inner, yoke.number)) * (
-        wanted - level(inner, yoke.number, own)
-    )
-    return f"{letter}′", lifted
-
-
-_KINDS = {1: _rrr, 2: _rrp, 3: _rpr, 4: _prp, 5: _rpp}

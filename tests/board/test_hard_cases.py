@@ -75,7 +75,9 @@ def test_arcs_tangent_to_the_last_bit(
         exact = _mp(c) + mp.mpc(x, side * y) * base / long
         size = r + s + d
         condition = p * q / (long * y) if y else mp.inf
-        bound = min(16 * EPS * condition, 32 * mp.sqrt(EPS)) * size + EPS * (8 * size + 2 * abs(exact))
+        bound = min(16 * EPS * condition, 32 * mp.sqrt(EPS)) * size + EPS * (
+            8 * size + 2 * abs(exact)
+        )
         _judge(found, gap, size, exact, bound)
 
 

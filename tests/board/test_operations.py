@@ -315,7 +315,9 @@ def test_a_mark_that_is_not_there_leaves_none(op: Operation) -> None:
     """NaN in any argument gives NaN, without a warning; other positions do not notice."""
     samples: dict[Any, Any] = {
         Point: lambda k: np.array([[1 + 2j, 0.5 + k, 3 + 1j * k]]),
-        Line: lambda k: Line(np.array([[0j, 1j, 2.0 + k]]), np.exp(1j * np.array([[0.3, 1, 2]]) * k)),
+        Line: lambda k: Line(
+            np.array([[0j, 1j, 2.0 + k]]), np.exp(1j * np.array([[0.3, 1, 2]]) * k)
+        ),
         Arc: lambda k: Arc(np.array([[0j, 1j, 2.0 + k]]), np.array([[3.0, 3.0, 3.0]])),
         Side: lambda k: np.array([[1.0, 1.0, -1.0]]),
         Length: lambda k: np.array([[0.5, 0.6, 0.7]]) * k,
