@@ -131,7 +131,7 @@ class _Ink:
             return list(stone(self.at(pin, index), angle))
         if figure.kind == "link":
             pins = [m for m in figure.marks if m.kind is Point]
-            return [
+            return self.ties(pins, index) + [
                 stroke
                 for mark in pins
                 for stroke in (
@@ -141,6 +141,19 @@ class _Ink:
                 )
             ]
         return []
+
+    def ties(self, marks: Sequence[Mark], index: int) -> list[Stroke]:
+        """Thin lines that tie a mass centre off the line of its link to the link's pins."""
+        pins = [self.at(m, index) for m in marks if not _centre(m)]
+        if len(pins) < 2:
+            return []
+        hull = shapely.MultiPoint([(z.real, z.imag) for z in pins]).convex_hull
+        free = [
+            spot
+            for spot in (self.at(m, index) for m in marks if _centre(m))
+            if hull.distance(shapely.Point(spot.real, spot.imag)) > 2 * CENTRE_RADIUS
+        ]
+        return [line("thin", pin, spot) for spot in free for pin in pins[:2]]
 
     def pivots(self, figures: Sequence[Figure]) -> list[Stroke]:
         """The fixed pivots."""
