@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -51,10 +52,22 @@ def needed(construction: Construction, wanted: Iterable[Mark]) -> tuple[Step, ..
     return tuple(reversed(kept))
 
 
+class Call(NamedTuple):
+    """A step made ready to run: the operation with its choice, the slots it takes, the slot it fills."""
+
+    run: Callable[..., Any]
+    takes: tuple[int, ...]
+    fills: int
+    reads: bool
+
+
+Calls = tuple[Call, ...]
+
+
 class Program(NamedTuple):
     """A slice of a log made ready to run: strata of pointwise steps, each ended by steps across positions."""
 
-    strata: tuple[tuple[tuple[Step, ...], tuple[Step, ...]], ...]
+    strata: tuple[tuple[Calls, Calls], ...]
     wanted: frozenset[int]
     given: tuple[Mark, ...]
 
@@ -64,29 +77,28 @@ class Program(NamedTuple):
         """Run at all positions of ``given``; see `execute`."""
         values: Values = {}
         for mark in self.given:
-            if mark not in given:
+            value = given.get(mark)
+            if value is None:
                 raise ConstructionError(f"{mark.view}: '{mark.letter}' was not given")
-            values[mark.slot] = as_value(given[mark], mark.kind)
+            values[mark.slot] = as_value(value, mark.kind)
         count = max((v.shape[1] for v in values.values()), default=1)
         with np.errstate(all="ignore"):
             for pointwise, across in self.strata:
                 _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise))
-                for step in across:
-                    spread = [_spread(values[mark.slot], count) for mark in step.uses]
-                    values[step.it.slot] = step.op.run(*spread, **step.choice)
+                for call in across:
+                    values[call.fills] = call.run(*[_spread(values[i], count) for i in call.takes])
         return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
 
-    def _kept(self, stratum: Sequence[Step]) -> frozenset[int]:
+    def _kept(self, stratum: Calls) -> frozenset[int]:
         if len(self.strata) == 1:
             return self.wanted
-        made = {step.it.slot for step in stratum}
         used = {
-            mark.slot
+            i
             for pointwise, across in self.strata
-            for step in (*(pointwise if pointwise is not stratum else ()), *across)
-            for mark in step.uses
+            for call in (*(pointwise if pointwise is not stratum else ()), *across)
+            for i in call.takes
         }
-        return frozenset(made & (used | self.wanted))
+        return frozenset({call.fills for call in stratum} & (used | self.wanted))
 
 
 def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
@@ -104,9 +116,9 @@ def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) ->
         level[step.it.slot] = depth + 1 if step.op.across else depth
     strata = []
     for n in range(max(level.values(), default=0) + 1):
-        pointwise = tuple(s for s in steps if not s.op.across and level[s.it.slot] == n)
-        across = tuple(s for s in steps if s.op.across and level[s.it.slot] == n + 1)
-        strata.append((pointwise, across))
+        pointwise = (s for s in steps if not s.op.across and level[s.it.slot] == n)
+        across = (s for s in steps if s.op.across and level[s.it.slot] == n + 1)
+        strata.append((tuple(map(_call, pointwise)), tuple(map(_call, across))))
     alive = asked | {mark.slot for step in steps for mark in step.uses}
     return Program(tuple(strata), asked, tuple(m for m in construction.given if m.slot in alive))
 
@@ -156,31 +168,34 @@ def execute(
     return program.run(given, hand=hand, block=block)
 
 
-def _run(steps: Sequence[Step], values: Values, read: Callable[[Any], Any] | None) -> None:
-    for op, it, uses, choice, _ in steps:
-        value = op.run(*[values[mark.slot] for mark in uses], **choice)
-        values[it.slot] = read(value) if read is not None and op.reads else value
+def _call(step: Step) -> Call:
+    run = partial(step.op.run, **step.choice) if step.choice else step.op.run
+    return Call(run, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads)
+
+
+def _run(calls: Calls, values: Values, read: Callable[[Any], Any] | None) -> None:
+    for run, takes, fills, reads in calls:
+        value = run(*[values[i] for i in takes])
+        values[fills] = read(value) if reads and read is not None else value
 
 
 def _in_blocks(
-    steps: Sequence[Step], values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
+    calls: Calls, values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
 ) -> None:
     read = None if hand.ruler is None else hand.read
-    block = max(
-        block, 2
-    )  # in a block of one position a value that varies looks like one that does not
+    # in a block of one position a value that varies would look like one that does not
+    block = max(block, 2)
     if count <= block:
-        _run(steps, values, read)
+        _run(calls, values, read)
         return
     whole: Values = {}
     for start in range(0, count, block):
         part = slice(start, min(start + block, count))
         local = {i: _part(value, part) for i, value in values.items()}
-        _run(steps, local, read)
-        for step in steps:
-            i = step.it.slot
-            if i in kept:
-                _keep(whole, i, local[i], part, count)
+        _run(calls, local, read)
+        for call in calls:
+            if call.fills in kept:
+                _keep(whole, call.fills, local[call.fills], part, count)
     values.update(whole)
 
 

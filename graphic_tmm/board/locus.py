@@ -32,9 +32,12 @@ def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
         found = np.take_along_axis(changes, at, axis=1)
         low = np.where(found, np.take_along_axis(row, at, axis=1), np.nan)
         high = np.where(found, np.take_along_axis(row, at + 1, axis=1), np.nan)
-        exact = np.abs(value) == 0.0
-        if exact.any(axis=1).all():
-            return np.take_along_axis(row, np.argmax(exact, axis=1)[:, None], axis=1)
+        zero = np.broadcast_to(value, row.shape) == 0.0
+        hit = zero.any(axis=1, keepdims=True)
+        exact = np.take_along_axis(row, np.argmax(zero, axis=1)[:, None], axis=1)
+        low, high = np.where(hit, exact, low), np.where(hit, exact, high)
+        if hit.all():
+            break
     return np.asarray((low + high) / 2.0)
 
 

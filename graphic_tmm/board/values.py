@@ -78,5 +78,4 @@ def undefined(value: Any) -> NDArray[np.bool_]:
 def given(value: object, kind: Kind) -> Any:
     """Return plain numbers as a value of ``kind`` with axes (trial, position): a scalar becomes (1, 1)."""
     dtype = np.complex128 if kind is Point else np.float64
-    array = np.asarray(value, dtype=dtype)
-    return array.reshape((1,) * (2 - array.ndim) + array.shape) if array.ndim < 2 else array
+    return np.array(value, dtype=dtype, ndmin=2)

@@ -30,6 +30,8 @@ from graphic_tmm.plans.survey import STEPS, Survey
 VIEW = "extremes"
 SAME = 1e-6
 """Degrees: a drawn extreme that is nearer than this to the one tried out is the same."""
+STILL = 1e-9
+"""A point that travels less than this share of its distance from the crank's pivot stands still."""
 _WAY = {"left": ("x", -1), "right": ("x", 1), "bottom": ("y", -1), "top": ("y", 1)}
 OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}
 
@@ -86,6 +88,11 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
         place = np.where(undefined(reading[root])[0], np.nan, place)
     if not np.isfinite(place).any():
         raise StructureError(f"zero: {extreme.point} cannot be drawn at any crank angle")
+    if np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
+        ways = "left nor right" if name == "x" else "up nor down"
+        raise StructureError(
+            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle"
+        )
     best = int(np.nanargmax(way * place))
     low, high = _bracket(survey, axis, float(angles[0, best]))
     tried = refinement(_velocity(survey, axis), "", "").run(np.array([[low]]), np.array([[high]]))

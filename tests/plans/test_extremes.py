@@ -236,3 +236,28 @@ def test_a_coupler_point_is_found_by_refining_and_says_so() -> None:
     (step,) = [s for s in project.construction.steps if s.op.name == "refine"]
     assert "E" in step.op.en
     assert "E" in step.op.ru
+
+
+@pytest.mark.parametrize(("e", "at"), [(0.0, "top"), (-0.018, "top"), (-0.018, "bottom")])
+def test_a_slider_on_a_level_guide_has_no_highest_position(e: float, at: str) -> None:
+    with pytest.raises(StructureError, match="B moves neither up nor down"):
+        project_of(slider_crank(0.045, 0.18, e), "B", at)
+
+
+def test_a_link_that_stands_still_has_no_extreme_position() -> None:
+    still = (Link(4, {"O": 0j, "D": 0.3 + 0j}), Link(5, {"C": 0j, "D": 0.3 + 0j, "E": 0.1 + 0.1j}))
+    moving = four_bar(0.1, 0.35, 0.2, 0.4 + 0j)
+    sided = Link(still[0].number, still[0].points, side=Side(1, ("O", "C")))
+    mechanism = Mechanism(
+        moving.frame,
+        (*(replaced(link, "E", "F") for link in moving.links), sided, still[1]),
+        moving.drive,
+    )
+    with pytest.raises(StructureError, match="E moves neither left nor right"):
+        project_of(mechanism, "E", "left")
+
+
+def replaced(link: Link, old: str, new: str) -> Link:
+    """A link with one letter written otherwise."""
+    points = {new if letter == old else letter: place for letter, place in link.points.items()}
+    return Link(link.number, points, link.guides, link.slides, side=link.side)
