@@ -58,13 +58,16 @@ def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (8
 def record(scene: Scene) -> Project:
     """Record the plans that the scene's sheets ask for."""
     wanted = {plan for sheet in scene.sheets for plan in sheet.place}
-    return draw_project(
-        scene.mechanism,
-        scene.row,
-        turned=scene.turned,
-        trajectories=scene.trajectories,
-        plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
-    )
+    try:
+        return draw_project(
+            scene.mechanism,
+            scene.row,
+            turned=scene.turned,
+            trajectories=scene.trajectories,
+            plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
+        )
+    except StructureError as error:
+        raise StructureError(f"{scene.source}: {error}") from error
 
 
 def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[float, float]) -> Work:
@@ -85,7 +88,9 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
         accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)
     undrawn = _undrawn(project, reading)
     if len(undrawn) == len(project.names):
-        raise StructureError("none of the positions can be drawn" + ranges(project))
+        raise StructureError(
+            f"{scene.source}: none of the positions can be drawn" + ranges(project)
+        )
     return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
 
 

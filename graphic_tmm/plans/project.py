@@ -83,6 +83,11 @@ def draw_project(
     frame = draw_frame(draft, mechanism, structure)
     numbered = draw_row(draft, tried, frame, row)
     positions = draw_positions(draft, mechanism, structure, frame, numbered.phi)
+    if trajectories and tried.returning_late:
+        raise StructureError(
+            f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
+            "number of times in it: leave trajectories out"
+        )
     _draw_trajectories(draft, positions, trajectories, row.count)
     velocities = accelerations = None
     if "velocities" in plans or "accelerations" in plans:

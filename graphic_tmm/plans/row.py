@@ -77,6 +77,11 @@ def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | s
             'extra: "other extreme" needs a zero position that is an extreme itself: '
             'give zero = { point = "D", at = "left" }, or the crank angle in degrees'
         )
+    if survey.returning_late:
+        raise StructureError(
+            f'extra: "other extreme" may lie in the second turn (group {survey.returning_late[0]} flips an odd '
+            "number of times in a turn): give the crank angle in degrees"
+        )
     other = Extreme(row.zero.point, OPPOSITE[row.zero.at])
     return draw_extreme(draft, survey, frame, other, "*")
 

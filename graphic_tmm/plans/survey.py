@@ -44,6 +44,14 @@ class Survey:
     velocities: Motion
     axes: dict[tuple[str, str], Mark]
 
+    @property
+    def returning_late(self) -> tuple[str, ...]:
+        """The groups that flip an odd number of times in a turn: back in their place after two turns only."""
+        sides = [
+            (g.name, side_record(self.mechanism, g)) for g in self.structure.groups if g.kind < 4
+        ]
+        return tuple(name for name, side in sides if side and len(side.flips_at or ()) % 2)
+
     def at(self, angles: Reals, wanted: Iterable[Mark]) -> Reading:
         """Run at crank angles, degrees (trial, position)."""
         given = self.given | {self.positions.phi: angles}

@@ -202,3 +202,22 @@ def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(
         assert len(made.project.names) == 6 + len(row.extra)
         warnings(made)
         made.findings()
+
+
+# a mechanism that comes back after two turns
+
+
+def test_a_path_that_closes_after_two_turns_is_not_drawn_as_if_it_closed_after_one() -> None:
+    over = coulisse(0.1, 0.1 + 0j, flips=(0.0,))
+    with pytest.raises(StructureError, match=r"trajectories: .*group 2-3 flips an odd number"):
+        draw_project(over, Row(12, zero=15.0), trajectories=["D"])
+    whole = coulisse(0.1, 0.1 + 0j, flips=())
+    assert draw_project(whole, Row(12, zero=15.0), trajectories=["D"]).names
+
+
+def test_the_other_extreme_of_a_mechanism_that_comes_back_after_two_turns_is_refused() -> None:
+    over = coulisse(0.1, 0.1 + 0j, flips=(0.0,))
+    with pytest.raises(StructureError, match="may lie in the second turn"):
+        draw_project(over, Row(12, zero=Extreme("A", "left"), extra=("other extreme",)))
+    project = draw_project(over, Row(12, zero=Extreme("A", "left")), plans=["positions"])
+    assert project.angles[0] == pytest.approx(180.0)

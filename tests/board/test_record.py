@@ -1,0 +1,131 @@
+"""The log is checked while it is written: kinds, choices, letters."""
+
+from __future__ import annotations
+
+import pytest
+
+from graphic_tmm.board.grammar import OPERATIONS, operation
+from graphic_tmm.board.operations import join, lay_off, meet, parallel, ray
+from graphic_tmm.board.record import Board
+from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.errors import ConstructionError
+
+
+def _board() -> tuple[Board, dict[str, object]]:
+    board = Board()
+    board.open("positions")
+    marks = {
+        "O": board.take(Point, "O"),
+        "φ": board.take(Angle, "φ", "°"),
+        "l": board.take(Length, "l"),
+    }
+    return board, marks
+
+
+def test_a_wrong_kind_is_refused_where_it_is_written() -> None:
+    board, marks = _board()
+    line = board.draw(ray, "(OA)", marks["O"], marks["φ"])
+    with pytest.raises(ConstructionError) as caught:
+        board.draw(lay_off, "A", line, marks["φ"])
+    told = str(caught.value)
+    for part in ("positions", "step 2", "'A'", "lay_off", "(Line, Length)", "(Line, Angle)"):
+        assert part in told, told
+
+
+@pytest.mark.parametrize("count", [0, 1, 3])
+def test_a_wrong_number_of_marks_is_refused(count: int) -> None:
+    board, marks = _board()
+    with pytest.raises(ConstructionError, match=r"step 1: join '\(AB\)' takes \(Point, Point\)"):
+        board.draw(join, "(AB)", *[marks["O"]] * count)
+
+
+def test_an_unknown_choice_is_refused() -> None:
+    board, marks = _board()
+    line = board.draw(ray, "(OA)", marks["O"], marks["φ"])
+    with pytest.raises(ConstructionError, match=r"step 2: parallel 'm' has no choice \['side'\]"):
+        board.draw(parallel, "m", marks["O"], line, side=1)
+
+
+def test_a_letter_stands_once_in_a_view_and_again_in_another() -> None:
+    board, marks = _board()
+    with pytest.raises(ConstructionError, match="step 1: the letter 'O' stands in this plan"):
+        board.draw(ray, "O", marks["O"], marks["φ"])
+    board.open("velocities")
+    mark = board.draw(ray, "O", marks["O"], marks["φ"])
+    assert (mark.view, mark.letter) == ("velocities", "O")
+    assert board.free("O") == "O′"
+    assert board.free("Q") == "Q"
+
+
+def test_what_was_refused_is_not_in_the_log() -> None:
+    board, marks = _board()
+    for letter, uses in (("A", (marks["O"],)), ("O", (marks["O"], marks["φ"]))):
+        with pytest.raises(ConstructionError):
+            board.draw(ray, letter, *uses)
+    mark = board.draw(ray, "A", marks["O"], marks["φ"])
+    log = board.construction()
+    assert [step.it for step in log.steps] == [mark]
+    assert log.step(mark) is log.steps[0]
+    assert log.mark("positions", "A") == mark
+    assert log.mark("velocities", "A") is None
+    assert log.step(marks["O"]) is None
+
+
+def test_a_remark_stands_before_the_next_step_only() -> None:
+    board, marks = _board()
+    board.say("v_A = ω·l")
+    board.say("⊥ OA")
+    line = board.draw(ray, "m", marks["O"], marks["φ"])
+    other = board.draw(parallel, "n", marks["O"], line)
+    board.draw(meet, "X", line, other)
+    assert [step.note for step in board.construction().steps] == ["v_A = ω·l\n⊥ OA", "", ""]
+
+
+def test_what_is_recorded_does_not_change_when_the_board_goes_on() -> None:
+    board, marks = _board()
+    before = board.construction()
+    board.draw(ray, "m", marks["O"], marks["φ"])
+    assert before.steps == ()
+    assert len(board.construction().steps) == 1
+
+
+def test_views_keep_their_pole_and_scale() -> None:
+    board, marks = _board()
+    mu = board.take(Number, "μ_l", "m/mm")
+    board.lay_out(marks["O"], mu)
+    board.figure("link", "1", marks["O"])
+    log = board.construction()
+    view = log.view("positions")
+    assert view is not None
+    assert (view.pole, view.scale) == (marks["O"], mu)
+    assert log.view("velocities") is None
+    assert log.figures[0].marks == (marks["O"],)
+
+
+def test_an_operation_needs_kinds_and_a_name_of_its_own() -> None:
+    def odd(start: Point, by: int) -> Point:
+        """Move {start}."""
+        return start
+
+    def measure(start: Point, end: Point) -> Length:
+        """Measure something else."""
+        return start.real
+
+    before = dict(OPERATIONS)
+    with pytest.raises(TypeError, match=r"odd: \['by'\] has no kind"):
+        operation("")(odd)
+    with pytest.raises(TypeError, match="two operations called measure"):
+        operation("")(measure)
+    assert before == OPERATIONS
+
+
+@pytest.mark.parametrize("op", list(OPERATIONS.values()), ids=repr)
+def test_sentences_name_all_arguments_and_nothing_else(op: object) -> None:
+    """The English and the Russian sentence hold the same names in braces."""
+    import string
+
+    texts = [op.en, op.ru]  # type: ignore[attr-defined]
+    names = [{name for _, name, _, _ in string.Formatter().parse(text) if name} for text in texts]
+    assert names[0] == names[1]
+    assert names[0] <= {*op.arguments, "it"}  # type: ignore[attr-defined]
+    assert op.formula or op.ru  # type: ignore[attr-defined]
