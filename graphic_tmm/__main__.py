@@ -79,15 +79,27 @@ def _warn(work: Work) -> None:
 @main.command()
 @click.argument("scene", required=False)
 @click.option("-o", "--output", default="out", show_default=True, help="Folder for the sheets.")
+@click.option(
+    "-f",
+    "--format",
+    "forms",
+    default="svg",
+    show_default=True,
+    help="svg, pdf, png, dxf; several with commas.",
+)
 @_people
-def draw(scene: str | None, output: str) -> None:
-    """Draw the sheets of SCENE as SVG files, true to the millimetre."""
+def draw(scene: str | None, output: str, forms: str) -> None:
+    """Draw the sheets of SCENE as files, true to the millimetre."""
     from pathlib import Path
 
+    from graphic_tmm.errors import SheetError
     from graphic_tmm.files import write
-    from graphic_tmm.studio import sheet_texts
+    from graphic_tmm.studio import FORMATS, sheet_files
 
-    work, texts = sheet_texts(_read(scene, lettered=True))
+    wanted = [form.strip().lower() for form in forms.split(",")]
+    if unknown := [form for form in wanted if form not in FORMATS]:
+        raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
+    work, texts = sheet_files(_read(scene, lettered=True), wanted)
     for path in write(Path(output), texts):
         click.echo(str(path))
     _warn(work)

@@ -9,8 +9,8 @@ from pathlib import Path
 from graphic_tmm.errors import SheetError
 
 
-def write(folder: Path, texts: Mapping[str, str]) -> tuple[Path, ...]:
-    """Write texts (by file name) into a folder, made if it is not there; return the paths.
+def write(folder: Path, texts: Mapping[str, str | bytes]) -> tuple[Path, ...]:
+    """Write texts or bytes (by file name) into a folder, made if it is not there; return the paths.
 
     Raises
     ------
@@ -27,8 +27,7 @@ def write(folder: Path, texts: Mapping[str, str]) -> tuple[Path, ...]:
                 raise IsADirectoryError(21, "a folder stands there", str(place))
             passing = folder / f".{name}.{os.getpid()}.part"
             waiting.append((passing, place))
-            with passing.open("w", encoding="utf-8", newline="\n") as file:
-                file.write(text)
+            passing.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
         for passing, place in waiting:
             os.replace(passing, place)
     except OSError as error:

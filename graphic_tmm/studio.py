@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,14 +32,30 @@ def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
     return made, compose(made)
 
 
-def sheet_texts(scene: Scene) -> tuple[Work, dict[str, str]]:
-    """Draw a scene; return the SVG texts of its sheets by file name."""
+FORMATS = ("svg", "pdf", "png", "dxf")
+"""What sheets can be written as."""
+
+
+def sheet_files(
+    scene: Scene, formats: Sequence[str] = ("svg",)
+) -> tuple[Work, dict[str, str | bytes]]:
+    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
+    from graphic_tmm.paper.dxf import dxf
+    from graphic_tmm.paper.export import pdf, png
     from graphic_tmm.paper.svg import svg
 
+    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": dxf}
     made, drawn = sheets(scene)
     stem = scene_name(scene.source)
     names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]
-    return made, {f"{name}.svg": svg(sheet) for name, sheet in zip(names, drawn, strict=True)}
+    files: dict[str, str | bytes] = {}
+    for form in formats:
+        if form == "pdf":
+            files[f"{stem}.pdf"] = pdf(drawn)
+        else:
+            for name, sheet in zip(names, drawn, strict=True):
+                files[f"{name}.{form}"] = one[form](sheet)
+    return made, files
 
 
 def fitted(scene: Scene, *, exact: bool = False) -> Work:

@@ -8,7 +8,7 @@ import pytest
 
 from graphic_tmm.files import write
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheet_texts
+from graphic_tmm.studio import sheet_files
 
 HOME = Path(__file__).parent.parent / "sheets"
 FOLDERS = sorted(path.parent for path in HOME.glob("*/scene.toml"))
@@ -18,7 +18,7 @@ FOLDERS = sorted(path.parent for path in HOME.glob("*/scene.toml"))
 def test_a_scene_redraws_to_the_committed_sheets(
     folder: Path, request: pytest.FixtureRequest
 ) -> None:
-    _, texts = sheet_texts(read(folder))
+    _, texts = sheet_files(read(folder))
     if request.config.getoption("--redraw"):
         for stale in folder.glob("*.svg"):
             stale.unlink()

@@ -27,7 +27,7 @@ from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
-from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_texts, sheets, warnings
+from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_files, sheets, warnings
 from graphic_tmm.work import Work, work
 
 SHEETS = Path(__file__).parent.parent / "sheets"
@@ -141,16 +141,16 @@ def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
 
 @pytest.mark.parametrize("name", SMALL)
 def test_the_same_scene_gives_the_same_bytes(name: str) -> None:
-    first, second = (sheet_texts(read(SHEETS / name))[1] for _ in range(2))
+    first, second = (sheet_files(read(SHEETS / name))[1] for _ in range(2))
     assert first == second
     assert list(first) == list(second)
 
 
 def test_the_bytes_do_not_depend_on_the_process() -> None:
     code = (
-        "import sys; from graphic_tmm.studio import sheet_texts, scene_path;"
+        "import sys; from graphic_tmm.studio import sheet_files, scene_path;"
         "from graphic_tmm.scene.read import read;"
-        "texts = sheet_texts(read(scene_path('crank-rocker')))[1];"
+        "texts = sheet_files(read(scene_path('crank-rocker')))[1];"
         "sys.stdout.buffer.write(''.join(texts.values()).encode())"
     )
     found = []
@@ -165,12 +165,12 @@ def test_the_bytes_do_not_depend_on_the_process() -> None:
         )
         found.append(run.stdout)
     assert found[0] == found[1]
-    here = "".join(sheet_texts(read(scene_path("crank-rocker")))[1].values())
+    here = "".join(sheet_files(read(scene_path("crank-rocker")))[1].values())
     assert found[0] == here.encode()
 
 
 def test_sheets_are_named_after_their_folder() -> None:
-    _, texts = sheet_texts(read(SHEETS / "crank-rocker"))
+    _, texts = sheet_files(read(SHEETS / "crank-rocker"))
     assert list(texts) == [f"crank-rocker-{k + 1}.svg" for k in range(len(texts))]
 
 

@@ -81,11 +81,15 @@ def _meet_condition(base: Line, other: Line) -> Reals:
 def meet(base: Line, other: Line) -> Point:
     """Where {base} and {other} meet, mark {it}.
 
-    The point is found along ``base``: give the line that begins nearest to the answer.
+    The point is found along the line that begins nearer to it, so that a line that begins in the answer
+    gives it exactly.
     """
+    between = other.at - base.at
     sine = wedge(base.along, other.along)
     sine = np.where(np.abs(sine) > PARALLEL, sine, np.nan)
-    return Point(base.at + wedge(other.at - base.at, other.along) / sine * base.along)
+    t, s = wedge(between, other.along) / sine, wedge(between, base.along) / sine
+    nearer = np.abs(t) <= np.abs(s)
+    return Point(np.where(nearer, base.at + t * base.along, other.at + s * other.along))
 
 
 def _cut_gap(line: Line, arc: Arc, side: Side) -> Reals:

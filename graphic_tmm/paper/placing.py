@@ -59,7 +59,7 @@ def box(label: Label) -> shapely.Polygon:
 def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
     """Return a stroke as a shape; curves by points near enough for placing."""
     if isinstance(stroke, Bezier):
-        return shapely.LineString([(z.real, z.imag) for z in _flat(stroke.controls)])
+        return shapely.LineString([(z.real, z.imag) for z in flat(stroke.controls)])
     points: list[complex] = []
     count = len(stroke.path)
     for k, (x, y, bulge) in enumerate(stroke.path):
@@ -69,11 +69,12 @@ def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
             points += _bow(complex(x, y), complex(nx, ny), bulge)
     if stroke.closed:
         points.append(points[0])
-    flat = [(z.real, z.imag) for z in points]
-    return shapely.Polygon(flat) if stroke.filled else shapely.LineString(flat)
+    corners = [(z.real, z.imag) for z in points]
+    return shapely.Polygon(corners) if stroke.filled else shapely.LineString(corners)
 
 
-def _flat(controls: Sequence[complex]) -> list[complex]:
+def flat(controls: Sequence[complex]) -> list[complex]:
+    """Return points along a chain of cubic arcs, eight to an arc."""
     t = np.linspace(0.0, 1.0, 9)[1:]
     points = [controls[0]]
     for k in range(0, len(controls) - 1, 3):

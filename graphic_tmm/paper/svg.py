@@ -151,7 +151,7 @@ class _Writer:
             written = letters.letter(label.text, size=label.size, inclined=label.inclined)
             if not written.parts:
                 continue
-            start = label.at - _shift(label, written.width)
+            start = label.at - shift(label, written.width)
             x, y = start.real, self.height - start.imag
             words = clean(letters.plain(label.text))
             element = group.add(self.page.g(class_="label", aria_label=words, role="img"))
@@ -273,7 +273,7 @@ def _by_width(labels: Iterable[Label]) -> dict[float, list[Label]]:
     return groups
 
 
-def _shift(label: Label, width: float) -> complex:
+def shift(label: Label, width: float) -> complex:
     """Return the way from the start of a label's lettering to its anchor."""
     if label.anchor not in ANCHORS:
         raise SheetError(

@@ -46,26 +46,39 @@ def test_an_unknown_choice_is_refused() -> None:
         board.draw(parallel, "m", marks["O"], line, side=1)
 
 
-def test_a_letter_stands_once_in_a_view_and_again_in_another() -> None:
+def test_a_point_bears_its_letter_alone_in_a_view() -> None:
     board, marks = _board()
-    with pytest.raises(ConstructionError, match="step 1: the letter 'O' stands in this plan"):
-        board.draw(ray, "O", marks["O"], marks["φ"])
+    line = board.draw(ray, "m", marks["O"], marks["φ"])
+    with pytest.raises(ConstructionError, match="positions, step 2: the letter 'O' stands in this"):
+        board.draw(lay_off, "O", line, marks["l"])
     board.open("velocities")
-    mark = board.draw(ray, "O", marks["O"], marks["φ"])
+    mark = board.draw(lay_off, "O", line, marks["l"])
     assert (mark.view, mark.letter) == ("velocities", "O")
     assert board.free("O") == "O′"
     assert board.free("Q") == "Q"
 
 
+def test_two_bodies_may_share_a_line_or_a_length() -> None:
+    board, marks = _board()
+    first, second, third = (board.draw(ray, "m", marks["O"], marks["φ"]) for _ in range(3))
+    assert [mark.letter for mark in (first, second, third)] == ["m", "m′", "m′′"]
+    assert len({first, second, third}) == 3
+
+
 def test_what_was_refused_is_not_in_the_log() -> None:
     board, marks = _board()
-    for letter, uses in (("A", (marks["O"],)), ("O", (marks["O"], marks["φ"]))):
+    line = board.draw(ray, "m", marks["O"], marks["φ"])
+    for op, letter, uses in (
+        (ray, "A", (marks["O"],)),
+        (lay_off, "O", (line, marks["l"])),
+        (lay_off, "A", (line, marks["φ"])),
+    ):
         with pytest.raises(ConstructionError):
-            board.draw(ray, letter, *uses)
-    mark = board.draw(ray, "A", marks["O"], marks["φ"])
+            board.draw(op, letter, *uses)
+    mark = board.draw(lay_off, "A", line, marks["l"])
     log = board.construction()
-    assert [step.it for step in log.steps] == [mark]
-    assert log.step(mark) is log.steps[0]
+    assert [step.it for step in log.steps] == [line, mark]
+    assert log.step(mark) is log.steps[1]
     assert log.mark("positions", "A") == mark
     assert log.mark("velocities", "A") is None
     assert log.step(marks["O"]) is None
