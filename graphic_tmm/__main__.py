@@ -184,14 +184,15 @@ def new(folder: str, like: str | None) -> None:
     """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
     from pathlib import Path
 
-    from graphic_tmm.errors import SceneError
+    from graphic_tmm.errors import Fault, SceneError
     from graphic_tmm.files import write
     from graphic_tmm.scene.read import FILE, read
     from graphic_tmm.studio import scene_path
 
     target = Path(folder)
     if (target / FILE).exists():
-        raise SceneError(f"{target / FILE} exists already: choose another folder", ())
+        fault = Fault("", 0, "it exists already; choose another folder")
+        raise SceneError(str(target / FILE), (fault,))
     source = scene_path(like)
     file = source / FILE if source.is_dir() else source
     read(file)

@@ -17,7 +17,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scene.records import Scales, Scene
 
-ROOM = {"A1": 230.0, "A4": 130.0}
+ROOM = {"A1": 230.0, "A4": 140.0}
 """For a format: room for the plan of positions, mm."""
 
 

@@ -86,7 +86,7 @@ def meet(base: Line, other: Line) -> Point:
     """
     between = other.at - base.at
     sine = wedge(base.along, other.along)
-    sine = np.where(np.abs(sine) > PARALLEL, sine, np.nan)
+    sine[np.abs(sine) <= PARALLEL] = np.nan
     t, s = wedge(between, other.along) / sine, wedge(between, base.along) / sine
     nearer = np.abs(t) <= np.abs(s)
     return Point(np.where(nearer, base.at + t * base.along, other.at + s * other.along))
@@ -287,6 +287,12 @@ def similar(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Point
 def homologous(start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E: Point) -> Point:
     """From {start} draw the segment that is to {Q}{E} as {a}{b} is to {A}{B}, turned alike; mark {it}."""
     return Point(start + (b - a) * ((E - Q) / (B - A)))
+
+
+@operation("Точка {it} совпадает с {image}: звено не вращается.")
+def coincide(image: Point) -> Point:
+    """The image {it} falls on {image}: the link does not turn."""
+    return Point(image)
 
 
 @operation("Измерить {start}{end}.", reads=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board.operations import homologous, similar
+from graphic_tmm.board.operations import coincide, homologous, similar
 from graphic_tmm.board.record import Mark
 from graphic_tmm.plans.bodies import Body
 from graphic_tmm.plans.draft import Draft
@@ -59,8 +59,10 @@ class Images:
         if point.letter in known:
             return known[point.letter]
         anchor, image, base = self.hanging[number]
-        if base is None or point == anchor:
+        if point == anchor or (base is None and image == self.pole):
             drawn = image
+        elif base is None:
+            drawn = self.draft.board.draw(coincide, self.draft.board.free(letter), image)
         elif anchor == base.A and image == base.a:
             drawn = self.draft.board.draw(
                 similar, self.draft.board.free(letter), base.a, base.b, base.A, base.B, point

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -66,6 +67,24 @@ def windrower() -> tuple[Callable[[], object], int]:
     made = work(read(HERE.parent.parent / "sheets" / "windrower"))
     program = prepare(made.project.construction)
     return lambda: program.run(made.given), len(made.project.construction.steps)
+
+
+def by_operation() -> list[tuple[str, int, float]]:
+    """Return the operations of the windrower's plans: how often, and median seconds of one."""
+    from graphic_tmm.board.execute import execute
+    from graphic_tmm.scene.read import read
+    from graphic_tmm.work import work
+
+    made = work(read(HERE.parent.parent / "sheets" / "windrower"))
+    log = made.project.construction
+    reading = execute(log, made.given)
+    spent: dict[str, list[float]] = {}
+    with np.errstate(all="ignore"):
+        for step in log.steps:
+            run = partial(step.op.run, *[reading[mark] for mark in step.uses], **step.choice)
+            spent.setdefault(step.op.name, []).append(median(run, 0.02))
+    rows = [(name, len(times), statistics.mean(times)) for name, times in spent.items()]
+    return sorted(rows, key=lambda row: -row[1] * row[2])
 
 
 def million(count: int = 1_000_000) -> tuple[float, int]:
@@ -130,6 +149,7 @@ def main() -> None:
         ("windrower, 13 positions, closed form in numpy", bare, unit),
         (f"windrower, 13 positions, three plans ({steps} steps)", plans, unit),
         ("   of it, one step", plans / steps, unit),
+        ("   the same, against the closed form", plans, bare),
     ]
     empty = process("-c", "pass")
     light = process("-c", "import numpy, shapely, svgwrite, pydantic, click")
@@ -146,6 +166,12 @@ def main() -> None:
     print(f"{'what':<58}{'ms':>10}{'ratio':>9}")
     for name, seconds, against in rows:
         print(f"{name:<58}{seconds * 1000:>10.3f}{seconds / against:>9.2f}")
+    print(f"{'operation':<26}{'times':>6}{'µs':>8}{'share':>8}")
+    each = by_operation()
+    total = sum(times * seconds for _, times, seconds in each)
+    for name, times, seconds in each:
+        share = times * seconds / total
+        print(f"{name:<26}{times:>6}{seconds * 1e6:>8.2f}{share:>8.0%}")
     seconds, peak = peak_of_million()
     print(f"1 000 000 positions of a four-bar, v and a: {seconds:.2f} s, peak {peak:.0f} MB")
     print(f"Python {sys.version.split()[0]}, numpy {np.__version__}")
