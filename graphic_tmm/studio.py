@@ -78,6 +78,8 @@ def fitted(scene: Scene, *, exact: bool = False) -> Work:
     rooms = next(((r, r) for r in VECTORS if fits((r, r))), (VECTORS[-1], VECTORS[-1]))
     for larger in reversed([r for r in VECTORS if r > rooms[1]]):
         rooms = (rooms[0], larger) if fits((rooms[0], larger)) else rooms
+    for larger in reversed([r for r in VECTORS if r > rooms[0]]):
+        rooms = (larger, rooms[1]) if fits((larger, rooms[1])) else rooms
     return executed(scene, project, exact=exact, vectors=rooms)
 
 

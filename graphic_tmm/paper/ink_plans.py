@@ -17,7 +17,7 @@ from graphic_tmm.board.operations import lay_off, measure, measure_along, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.placing import Wanted, interrupt, place
+from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import ARROW_LENGTH, arrowhead, pole
 from graphic_tmm.tables import segment_name
 
@@ -103,8 +103,9 @@ def draw_plan(
         x, y = [z.real for z in spots], [z.imag for z in spots]
         m = MARGIN
         return Drawing(name, title, cell=(min(x) - m, min(y) - m, max(x) + m, max(y) + m))
-    labels = place(list(_letters(construction, plan, at, view.pole)), strokes)
-    return Drawing(name, title, interrupt(strokes, labels), labels)
+    wanted = list(_letters(construction, plan, at, view.pole))
+    labels = place(wanted, strokes)
+    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
 
 
 def _vector(vector: Vector, a: complex, b: complex, mu: float, unit: str) -> list[Stroke]:

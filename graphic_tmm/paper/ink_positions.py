@@ -13,7 +13,7 @@ from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import TOGETHER, markup
-from graphic_tmm.paper.placing import Wanted, interrupt, place
+from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import fixed_pivot, guide, round_arrow, slider, stone, turning_pair
 
 PLAN = "positions"
@@ -71,7 +71,7 @@ def draw_positions_ink(
         taken += [one.at + MARGIN * 1j * way for one in wanted for way in (-1, 1)]
         return Drawing(PLAN, title, (*strokes, line("thin", *taken)))
     labels = place(wanted, strokes)
-    return Drawing(PLAN, title, interrupt(strokes, labels), labels)
+    return Drawing(PLAN, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
 
 
 class _Ink:

@@ -11,16 +11,18 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from graphic_tmm.paper.drawing import Bezier, Label, Stroke
+from graphic_tmm.paper.drawing import Bezier, Label, Stroke, line
 from graphic_tmm.paper.letters import letter
 
 CLEAR = 0.8
 """Clear space about a label, mm."""
-RINGS = (0.0, 2.0, 4.5, 8.0)
+RINGS = (0.0, 1.2, 3.0, 6.0, 10.0)
 DIRECTIONS = 24
 _HEAVY = ("main", "medium", "joint", "body", "rod")
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""
+LEADER = 2.2
+"""A label farther than this from the ink of its point, mm, gets a leader line."""
 APART = 0.9
 """Clear space between two labels beyond that, mm."""
 _COST = {"label": 1000.0, "heavy": 12.0, "light": 4.0, "ring": 2.0, "turn": 0.6}
@@ -147,6 +149,19 @@ def _best(
     best = int(np.argmin(np.round(cost, 6)))
     label = Label(one.text, complex(x[best], y[best] + made.descent), one.size)
     return label, tried[best]
+
+
+def leaders(wanted: Sequence[Wanted], labels: Sequence[Label]) -> tuple[Stroke, ...]:
+    """Return thin lines from points to those of their labels that found no place beside them."""
+    made = []
+    for one, label in zip(wanted, labels, strict=True):
+        spot, frame = shapely.Point(one.at.real, one.at.imag), box(label)
+        if frame.distance(spot) > one.radius + LEADER:
+            near = shapely.get_coordinates(shapely.shortest_line(spot, frame))
+            start, end = (complex(x, y) for x, y in near)
+            reach = (end - start) / abs(end - start)
+            made.append(line("thin", start + one.radius * reach, end - 0.5 * CLEAR * reach))
+    return tuple(made)
 
 
 def interrupt(

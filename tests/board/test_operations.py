@@ -252,6 +252,7 @@ REFERENCES: dict[str, Callable[..., Bounded]] = {
     "touch": _touch,
     "similar": lambda a, b, A, B, S: _image(a, b - a, B - A, S - A),
     "homologous": lambda s, a, b, A, B, Q, E: _image(s, b - a, B - A, E - Q),
+    "coincide": lambda image: (image, 0),
     "measure": lambda a, b: (abs(b - a), 4 * EPS * abs(b - a)),
     "measure_along": lambda a, b, on: (_dot(b - a, on[1]), 8 * EPS * abs(b - a)),
     "bearing": _bearing,
