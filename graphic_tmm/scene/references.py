@@ -143,7 +143,7 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         at: Path = (*path, "slides", i) if several else (*path, "slides")
         on = table(slide).get("on")
         number = names.frame if on == "frame" else on
-        if not _is_whole(number):
+        if not isinstance(number, int) or isinstance(number, bool):
             continue
         if number not in names.bodies:
             yield from _no_link((*at, "on"), number, names)
@@ -156,7 +156,8 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
 def _no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
     if names.complete:
         listed = ", ".join(str(n) for n in sorted(names.bodies))
-        says = f"there is no link {number}; links are {listed} ({names.frame} is the frame)"
+        shown = number if abs(number) < 10**40 else "of so large a number"
+        says = f"there is no link {shown}; links are {listed} ({names.frame} is the frame)"
         yield Found(path, says)
 
 

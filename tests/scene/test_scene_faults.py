@@ -390,3 +390,11 @@ def test_any_wrong_value_gives_faults_in_words(name, data):
     assert not [item for item in told if re.search("Input|valid|pydantic", item.message)]
     if not found:
         assert build.scene(parts, "").mechanism.links
+
+
+def test_a_link_number_of_any_size_is_looked_up(tmp_path: Path) -> None:
+    text = (SHEETS / "engine" / "scene.toml").read_text(encoding="utf-8")
+    path = tmp_path / "scene.toml"
+    path.write_text(text.replace('on = "frame"', f"on = {10**30}"), encoding="utf-8")
+    with pytest.raises(SceneError, match=f"there is no link {10**30}"):
+        read(path)
