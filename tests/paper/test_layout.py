@@ -1,0 +1,60 @@
+"""Layout: views never overlap, never leave their room; what does not fit says so."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.drawing import Drawing, line
+from graphic_tmm.paper.layout import GAP, Room, bounds, pack
+
+ROOM = Room((20.0, 5.0, 836.0, 589.0), ((651.0, 5.0, 836.0, 60.0), (20.0, 575.0, 90.0, 589.0)))
+kinds = st.sampled_from(["velocities-1", "table-links", "accelerations-2"])
+sizes = st.tuples(kinds, st.integers(5, 300), st.integers(5, 250))
+
+
+def view(name: str, width: float, height: float) -> Drawing:
+    return Drawing(name, name, (line("thin", 3 + 4j, complex(3 + width, 4 + height)),))
+
+
+def apart(a: tuple, b: tuple) -> bool:
+    return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+
+
+@settings(max_examples=80, deadline=None)
+@given(st.lists(sizes, min_size=1, max_size=25), st.booleans())
+def test_views_never_overlap_or_leave_their_room(rows: list, first: bool) -> None:
+    views = [view("positions", 200, 230)] * first + [view(*row) for row in rows]
+    sheets = pack(views, (ROOM, ROOM), "A1")
+    assert sum(map(len, sheets)) == len(views)
+    for sheet in sheets:
+        boxes = [bounds(v) for v in sheet]
+        for box in boxes:
+            assert box[0] + 1e-6 >= 20 + GAP
+            assert box[2] <= 836 - GAP + 1e-6
+            assert box[1] + 1e-6 >= 5 + GAP
+            assert box[3] <= 589 - GAP + 1e-6
+            assert all(apart(box, taken) for taken in ROOM.occupied)
+        assert all(apart(a, b) for a, b in itertools.combinations(boxes, 2))
+
+
+def test_plans_stand_in_rows_beside_the_plan_of_positions() -> None:
+    views = [view("positions", 200, 300)] + [view(f"velocities-{k}", 100, 90) for k in range(8)]
+    (sheet,) = pack(views, (ROOM, ROOM), "A1")
+    first, *rest = map(bounds, sheet)
+    assert first[0] == 20 + GAP
+    assert all(box[0] >= first[2] + GAP - 1e-6 for box in rest)
+    tops = [box[3] for box in rest]
+    assert tops == sorted(tops, reverse=True)
+    assert len(set(tops)) == 2
+
+
+def test_a_view_that_fits_no_sheet_says_what_would_help() -> None:
+    with pytest.raises(
+        SheetError, match=r"900×20 mm and does not fit on A1 .*larger format.*larger μ"
+    ):
+        pack([view("velocities-1", 900, 20)], (ROOM, ROOM), "A1")
