@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import Fault, SceneError, SheetError
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables import Column, as_csv, as_json, columns, rich_tables
@@ -59,27 +60,33 @@ def sheet_files(
 
 
 def fitted(scene: Scene, *, exact: bool = False) -> Work:
-    """Draw a scene with its plans as large as fit on the sheets ordered.
+    """Draw a scene with its plans as large as fit on the sheets ordered, or on as few more as they need.
 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn.
     """
     from graphic_tmm.paper.compose import compose
 
     project = record(scene)
-    tried: dict[tuple[float, ...], bool] = {}
+    tried: dict[tuple[float, ...], float] = {}
 
-    def fits(rooms: tuple[float, float]) -> bool:
+    def count(rooms: tuple[float, float]) -> float:
+        """Return how many sheets the plans take; without end if one of them fits none."""
         made = executed(scene, project, exact=True, vectors=rooms)
         factors = tuple(scale.value for scale in made.scales.values())
         if factors not in tried:
-            tried[factors] = len(compose(made, lettered=False)) <= len(scene.sheets)
+            try:
+                tried[factors] = len(compose(made, lettered=False))
+            except SheetError:
+                tried[factors] = math.inf
         return tried[factors]
 
-    rooms = next(((r, r) for r in VECTORS if fits((r, r))), (VECTORS[-1], VECTORS[-1]))
+    least = (VECTORS[-1], VECTORS[-1])
+    most = max(len(scene.sheets), count(least))
+    rooms = next(((r, r) for r in VECTORS if count((r, r)) <= most), least)
     for larger in reversed([r for r in VECTORS if r > rooms[1]]):
-        rooms = (rooms[0], larger) if fits((rooms[0], larger)) else rooms
+        rooms = (rooms[0], larger) if count((rooms[0], larger)) <= most else rooms
     for larger in reversed([r for r in VECTORS if r > rooms[0]]):
-        rooms = (larger, rooms[1]) if fits((larger, rooms[1])) else rooms
+        rooms = (larger, rooms[1]) if count((larger, rooms[1])) <= most else rooms
     return executed(scene, project, exact=exact, vectors=rooms)
 
 

@@ -1,9 +1,17 @@
-"""Make the oracle and the strategies importable from every test folder."""
+"""Make the oracle and the strategies importable from every test folder; set hypothesis up."""
 
+import os
 import sys
 from pathlib import Path
 
+from hypothesis import settings
+
 sys.path.insert(0, str(Path(__file__).parent))
+
+# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones.
+settings.register_profile("person", deadline=None)
+settings.register_profile("ci", deadline=None, derandomize=True, database=None)
+settings.load_profile("ci" if os.environ.get("CI") else "person")
 
 
 def pytest_addoption(parser):
