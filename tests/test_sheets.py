@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import shapely
 
 from graphic_tmm.files import write
+from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheet_files
+from graphic_tmm.studio import sheet_files, sheets
 
 HOME = Path(__file__).parent.parent / "sheets"
 FOLDERS = sorted(path.parent for path in HOME.glob("*/scene.toml"))
@@ -26,3 +28,17 @@ def test_a_scene_redraws_to_the_committed_sheets(
     assert {path.name for path in folder.glob("*.svg")} == set(texts)
     for name, text in texts.items():
         assert (folder / name).read_text(encoding="utf-8") == text, f"{name}: redraw with --redraw"
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
+    _, drawn = sheets(read(folder))
+    count = crossed = 0
+    for drawing in (drawing for sheet in drawn for drawing in sheet.drawings):
+        heavy = [shape(s) for s in drawing.strokes if s.pen in ("main", "rod", "medium")]
+        tree = shapely.STRtree(heavy)
+        count += len(drawing.labels)
+        crossed += sum(
+            bool(tree.query(box(k), predicate="intersects").size) for k in drawing.labels
+        )
+    assert crossed <= 0.02 * count
