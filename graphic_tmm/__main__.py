@@ -27,9 +27,9 @@ def main() -> None:
 
     SCENE is a path or the name of a scene that comes with the package; left out, the default scene.
     """
-    for stream in (sys.stdout, sys.stderr):
+    for stream, errors in ((sys.stdout, "surrogateescape"), (sys.stderr, "backslashreplace")):
         if hasattr(stream, "reconfigure"):
-            stream.reconfigure(encoding="utf-8")
+            stream.reconfigure(encoding="utf-8", errors=errors)
 
 
 def _people(command: F) -> F:
@@ -100,7 +100,7 @@ def draw(scene: str | None, output: str, forms: str) -> None:
     if unknown := [form for form in wanted if form not in FORMATS]:
         raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
     work, texts = sheet_files(_read(scene, lettered=True), wanted)
-    for path in write(Path(output), texts):
+    for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
     _warn(work)
 

@@ -9,8 +9,12 @@ from pathlib import Path
 from graphic_tmm.errors import SheetError
 
 
-def write(folder: Path, texts: Mapping[str, str | bytes]) -> tuple[Path, ...]:
+def write(
+    folder: Path, texts: Mapping[str, str | bytes], *, remedy: str = "name another folder"
+) -> tuple[Path, ...]:
     """Write texts or bytes (by file name) into a folder, made if it is not there; return the paths.
+
+    ``remedy``: what a person can do if the folder cannot be written.
 
     Raises
     ------
@@ -31,13 +35,19 @@ def write(folder: Path, texts: Mapping[str, str | bytes]) -> tuple[Path, ...]:
         for passing, place in waiting:
             os.replace(passing, place)
     except OSError as error:
-        for passing, _ in waiting:
-            passing.unlink(missing_ok=True)
-        for path in made:
-            if path.is_dir() and not any(path.iterdir()):
-                path.rmdir()
+        _clear(waiting, made)
         reason = (error.strerror or str(error)).lower()
-        raise SheetError(
-            f"cannot write into {folder}: {reason}; name another folder with -o"
-        ) from error
+        raise SheetError(f"cannot write into {folder}: {reason}; {remedy}") from error
+    except BaseException:
+        _clear(waiting, made)
+        raise
     return tuple(place for _, place in waiting)
+
+
+def _clear(waiting: list[tuple[Path, Path]], made: list[Path]) -> None:
+    """Take away the temporary files, and the folders that were made if nothing stands in them."""
+    for passing, _ in waiting:
+        passing.unlink(missing_ok=True)
+    for path in made:
+        if path.is_dir() and not any(path.iterdir()):
+            path.rmdir()

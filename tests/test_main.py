@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import os
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner, Result
@@ -251,3 +255,340 @@ def test_help_is_light() -> None:
         "assert not heavy, heavy"
     )
     subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
+
+
+# every command, on names, folders and files
+
+
+def outcome(*arguments: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [sys.executable, "-m", "graphic_tmm", *arguments],
+        cwd=ROOT,
+        env={**os.environ, **environment},
+        capture_output=True,
+        check=False,
+    )
+
+
+COMMANDS = {
+    "table": (),
+    "table json": ("-f", "json"),
+    "table csv": ("-f", "csv", "--exact"),
+    "steps": (),
+    "steps velocities": ("-p", "velocities", "-n", "3", "-l", "en"),
+    "draw": ("-o", "OUT"),
+}
+
+
+@pytest.mark.parametrize("name", ["windrower", "engine"])
+@pytest.mark.parametrize("what", COMMANDS)
+def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path: Path) -> None:
+    folder = ROOT / "sheets" / name
+    said = []
+    for number, scene_name in enumerate((name, folder, folder / "scene.toml")):
+        out = tmp_path / str(number)
+        options = [str(out) if o == "OUT" else o for o in COMMANDS[what]]
+        result = run(what.split()[0], str(scene_name), *options)
+        assert (result.exit_code, result.stderr) == (0, "")
+        files = {p.name: p.read_bytes() for p in out.iterdir()} if out.exists() else {}
+        said.append((result.stdout.replace(str(out), ""), files))
+    assert said[0] == said[1] == said[2]
+    assert bool(said[0][1]) == (what == "draw")
+
+
+@pytest.mark.parametrize("what", ["table", "steps", "draw"])
+def test_the_windrower_is_the_scene_left_out(what: str, tmp_path: Path) -> None:
+    options = ("-o", str(tmp_path)) if what == "draw" else ()
+    assert run(what, *options).stdout == run(what, "windrower", *options).stdout
+
+
+def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
+    result = run("draw", "crank-rocker", "-o", str(tmp_path), "-f", "svg, PDF,png,dxf")
+    assert result.exit_code == 0, result.output
+    starts = {"svg": b"<svg", "pdf": b"%PDF", "png": b"\x89PNG", "dxf": b"  0"}
+    found = sorted(path.name for path in tmp_path.iterdir())
+    due = [f"crank-rocker-{k}.{form}" for k in (1, 2, 3) for form in ("svg", "png", "dxf")]
+    assert found == sorted([*due, "crank-rocker.pdf"])
+    assert sorted(Path(line).name for line in result.stdout.splitlines()) == found
+    for path in tmp_path.iterdir():
+        assert path.read_bytes().startswith(starts[path.suffix[1:]]), path.name
+
+
+def test_a_scene_that_is_a_file_of_another_name_names_its_sheet(tmp_path: Path) -> None:
+    path = scene(tmp_path).rename(tmp_path / "мой двигатель.toml")
+    assert run("draw", str(path), "-o", str(tmp_path / "out")).exit_code == 0
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["мой двигатель.svg"]
+    assert made(str(path))["scene"] == "мой двигатель"
+
+
+def test_the_document_is_as_written_down() -> None:
+    document = made("engine")
+    assert list(document) == ["scene", "scales", "positions", "columns", "results"]
+    assert document["scene"] == "engine"
+    assert list(document["scales"]) == ["mu_l", "mu_v", "mu_a"]
+    assert document["scales"]["mu_l"] == {"value": 0.005, "unit": "m/mm"}
+    assert document["scales"]["mu_a"]["unit"] == "(m/s²)/mm"
+    assert document["positions"][3] == {"number": "4", "angle_deg": 90.0}
+    assert {tuple(c) for c in document["columns"]} == {("plan", "segment", "unit", "mm", "value")}
+    segments = [c["segment"] for c in document["columns"] if c["plan"] == "velocities"]
+    assert segments == ["pa", "ab", "pb", "ps2", "omega1", "omega2"]
+    assert all(len(c["mm"]) == len(c["value"]) == 12 for c in document["columns"])
+    assert column(document, "velocities", "omega2")["mm"] == [None] * 12
+
+
+def test_an_angle_is_the_direction_of_the_crank_whatever_its_zero(tmp_path: Path) -> None:
+    clockwise = [
+        ('"counterclockwise"', '"clockwise"'),
+        ('zero          = "0 deg"', 'zero = "90 deg"'),
+    ]
+    document = made(str(scene(tmp_path, *clockwise)))
+    assert [p["angle_deg"] for p in document["positions"]][:5] == [90.0, 60.0, 30.0, 0.0, 330.0]
+    assert column(document, "velocities", "omega1")["value"][0] == -50
+
+
+def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path) -> None:
+    path = scene(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'), ("[2, 5]", "[2, 5]"))
+    result = run("table", str(path), "--format", "json", "--exact")
+    assert result.exit_code == 0
+    assert "warning: positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
+    document = json.loads(result.stdout)  # the warning is not in it
+    gone = [2, 3, 4, 8, 9, 10]
+    for one in document["columns"]:
+        assert all(one["value"][k] is None and one["mm"][k] is None for k in gone), one["segment"]
+    accelerated = column(document, "accelerations", "πb")
+    assert [k for k, mm in enumerate(accelerated["mm"]) if mm is not None] == [1]
+    # by the vector loop: x = r·cos φ + √(l² − r²·sin² φ), 30° further than the dead centre
+    r, h, phi = 0.3, 0.25, math.radians(30)
+    beam = math.sqrt(h**2 - (r * math.sin(phi)) ** 2)
+    speed = 50 * (r * math.sin(phi) + r * r * math.sin(phi) * math.cos(phi) / beam)
+    assert column(document, "velocities", "pb")["value"][1] == pytest.approx(speed, rel=1e-9)
+
+
+# bad input
+
+
+DRIVE = ENGINE[ENGINE.index("[drive]") : ENGINE.index("[plans]")]
+MORE_BAD = {
+    "no drive at all": ([(DRIVE, "")], ["drive: it is missing", "[drive]"]),
+    "two drives": ([("[plans]", "[drive]\nlink = 1\n[plans]")], [":", "drive"]),
+    "an unknown position": (
+        [("[2, 5]", "[2, 50]")],
+        ["drive.accelerations[2]", "no position 50", "from 1 to 12"],
+    ),
+    "an unknown trajectory": ([('["S2"]', '["S9"]')], ["trajectories", "S9"]),
+    "no title": ([('title    = "Двигатель одноцилиндровый"\n', "")], ["title", "missing"]),
+    "a format": ([('format = "A1"', 'format = "A7"')], ["format", "A7", "A4"]),
+    "not TOML": ([("[frame]", "[frame")], ["scene.toml:12"]),
+    "a view larger than the paper": (
+        [('pa   = "60 mm"', 'pa   = "700 mm"')],
+        ["does not fit on A1", "larger format", "larger μ"],
+    ),
+    "a character without a letter": ([("кривошип", "克")], ["克"]),
+}
+
+
+@pytest.mark.parametrize("what", MORE_BAD)
+def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
+    edits, words = MORE_BAD[what]
+    path, out = scene(tmp_path, *edits), tmp_path / "out"
+    result = run("draw", str(path), "-o", str(out))
+    assert result.exit_code == 2, result.output
+    assert all(word in result.stderr for word in words), result.stderr
+    assert result.stdout == ""
+    assert "Traceback" not in result.stderr
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("what", ["change point", "never assembles", "no side", "wrong unit"])
+@pytest.mark.parametrize("command", ["table", "steps", "draw"])
+def test_every_command_tells_a_bad_scene_alike(command: str, what: str, tmp_path: Path) -> None:
+    edits, words = BAD[what]
+    path = scene(tmp_path, *edits)
+    options = ("-o", str(tmp_path / "out")) if command == "draw" else ()
+    result = run(command, str(path), *options)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert result.stderr.startswith("graphic-tmm: ")
+    assert all(word in result.stderr for word in words), result.stderr
+
+
+def test_a_parallelogram_is_refused_with_its_change_points(tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(PARALLELOGRAM, encoding="utf-8")
+    result = run("draw", str(path), "-o", str(tmp_path / "out"))
+    assert result.exit_code == 2, result.output
+    assert "change point" in result.stderr
+    assert "flips_at" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+PARALLELOGRAM = """
+title = "Parallelogram"
+language = "en"
+[frame]
+O = [0, 0]
+C = ["0.4 m", 0]
+[[link]]
+number = 1
+points = { O = [0, 0], A = ["0.1 m", 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = ["0.4 m", 0] }
+[[link]]
+number = 3
+points = { C = [0, 0], B = ["0.1 m", 0] }
+side = "left"
+[drive]
+link = 1
+speed = "10 1/s"
+turns = "counterclockwise"
+positions = 12
+zero = "0 deg"
+"""
+
+
+@pytest.mark.parametrize(
+    "name", ["", ".", "no/such/folder", "engine/scene.toml", "a\x01b", "x" * 300, "~", "/dev/null"]
+)
+def test_a_name_that_is_no_scene(name: str, tmp_path: Path, monkeypatch: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    for command in ("table", "steps", "draw"):
+        result = run(command, name)
+        assert (result.exit_code, result.stdout) == (2, ""), result.output
+        assert result.stderr.startswith("graphic-tmm: ")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_in_no_encoding_is_told_without_a_traceback(tmp_path: Path) -> None:
+    for what in (b"\xff", "\ud83d".encode("utf-8", "surrogatepass")):
+        done = outcome("draw", os.fsdecode(what), "-o", str(tmp_path / "out"))
+        assert done.returncode == 2
+        assert b"Traceback" not in done.stderr
+        assert b"there is no such file" in done.stderr
+    place = os.fsdecode(bytes(tmp_path) + b"/\xff")
+    done = outcome("draw", "engine", "-o", place)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout == bytes(tmp_path) + b"/\xff/engine.svg\n"
+
+
+@pytest.mark.parametrize("stand", ["file", "file/below", "proc"])
+def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("a file")
+    out = "/proc/nothing/here" if stand == "proc" else str(tmp_path / stand)
+    for command in (("draw", "engine", "-o", out), ("new", out, "--like", "engine")):
+        result = run(*command)
+        assert result.exit_code == 2, result.output
+        assert "cannot write into" in result.stderr
+        assert "name another folder" in result.stderr
+        # -o is an option of draw, not of new
+        assert ("with -o" in result.stderr) == (command[0] == "draw")
+        assert result.stdout == ""
+    assert (tmp_path / "file").read_text() == "a file"
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
+
+
+def test_new_copies_nothing_that_is_no_scene(tmp_path: Path) -> None:
+    bad = scene(tmp_path, ("[drive]", "[drivel]"))
+    for like in ("no-such-scene", str(bad)):
+        result = run("new", str(tmp_path / "mine"), "--like", like)
+        assert result.exit_code == 2
+        assert not (tmp_path / "mine").exists()
+
+
+def test_new_is_a_copy_to_the_byte_and_leaves_a_scene_that_is_there(tmp_path: Path) -> None:
+    assert run("new", str(tmp_path)).stdout == f"{tmp_path / 'scene.toml'}\n"
+    due = (ROOT / "sheets" / "windrower" / "scene.toml").read_bytes()
+    assert (tmp_path / "scene.toml").read_bytes() == due
+    (tmp_path / "scene.toml").write_text("mine")
+    result = run("new", str(tmp_path), "--like", "engine")
+    assert (result.exit_code, (tmp_path / "scene.toml").read_text()) == (2, "mine")
+
+
+def test_a_broken_pipe_leaves_no_traceback() -> None:
+    for arguments in (("table", "engine"), ("steps", "engine"), ("table", "engine", "-f", "json")):
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = subprocess.run(
+            [sys.executable, "-m", "graphic_tmm", *arguments],
+            cwd=ROOT,
+            stdout=writer,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+        os.close(writer)
+        assert done.returncode != 0
+        assert done.stderr == b""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_a_full_device_is_told() -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "graphic_tmm", "table", "engine", "-f", "csv"],
+            cwd=ROOT,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+    assert done.returncode != 0
+    assert b"Traceback" not in done.stderr
+    assert b"No space left" in done.stderr
+
+
+# text is data
+
+
+NASTY = "<b onload='x'>&amp; &lt;/svg&gt; [red]r[/red] [/] {0} %s \\\\ ${HOME} ]]> --> \\\"q\\\""
+
+
+def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: Path) -> None:
+    edits = [
+        ('"Двигатель одноцилиндровый"', f'"{NASTY}"'),
+        ('"шатун"', f'"{NASTY}"'),
+        ('"Динамическое исследование двигателя"', f'"{NASTY}"'),
+    ]
+    path = scene(tmp_path, *edits)
+    meant = tomllib.loads(path.read_text(encoding="utf-8"))["title"]
+    result = run("draw", str(path), "-o", str(tmp_path / "out"))
+    assert result.exit_code == 0, result.output
+    root = ElementTree.parse(tmp_path / "out" / f"{tmp_path.name}.svg").getroot()
+    assert {e.tag.rpartition("}")[2] for e in root.iter()} <= {
+        *("svg", "title", "rect", "g", "path", "text", "tspan", "circle", "line", "polyline")
+    }
+    assert not [k for e in root.iter() for k in e.attrib if k.lower().startswith("on")]
+    assert root.find("{http://www.w3.org/2000/svg}title").text == meant
+    words = "".join(root.itertext())
+    assert words.count(meant) >= 2
+    text = " ".join(run("table", str(path)).stdout.split())
+    assert meant in text
+    english = run("steps", str(path), "-l", "en")
+    assert english.exit_code == 0
+
+
+# lightness and bytes
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["draw", "--help"], ["table", "-h"], ["--version"], ["scenes"]]
+)
+def test_help_and_scenes_import_nothing_heavy(arguments: list[str]) -> None:
+    code = (
+        "import sys; from click.testing import CliRunner; from graphic_tmm.__main__ import main;"
+        f"done = CliRunner().invoke(main, {arguments!r});"
+        "assert done.exit_code == 0, done.output;"
+        "print(*sorted({'shapely', 'matplotlib', 'svgwrite', 'pydantic', 'rich'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=True, text=True
+    )
+    assert done.stdout.strip() == ""
+
+
+@pytest.mark.parametrize("arguments", [("table", "engine"), ("steps", "engine"), ("scenes",)])
+def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str, ...]) -> None:
+    first, second = (
+        outcome(*arguments, PYTHONHASHSEED=seed, LC_ALL=locale, PYTHONIOENCODING=coding)
+        for seed, locale, coding in (("0", "C", "ascii"), ("1", "C.UTF-8", "utf-8"))
+    )
+    assert (first.returncode, first.stderr) == (0, b"")
+    assert first.stdout == second.stdout
+    assert "Двигатель" in first.stdout.decode("utf-8") or arguments[0] == "steps"
