@@ -436,7 +436,7 @@ points = { A = [0, 0], B = ["0.4 m", 0] }
 [[link]]
 number = 3
 points = { C = [0, 0], B = ["0.1 m", 0] }
-side = "left"
+side = "left of AC"
 [drive]
 link = 1
 speed = "10 1/s"
