@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
+from test_main import ROOT, made, run, scene
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write
@@ -88,3 +89,80 @@ def test_a_place_that_will_not_be_replaced_leaves_no_temporary_file(
     with pytest.raises(SheetError, match="permission denied"):
         write(tmp_path / "new", {"x.svg": "abc"})
     assert found(tmp_path) == {}
+
+
+# the command line
+
+
+@pytest.mark.parametrize("stand", ["file", "file/below", "proc"])
+def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("a file")
+    out = "/proc/nothing/here" if stand == "proc" else str(tmp_path / stand)
+    for command in (("draw", "engine", "-o", out), ("new", out, "--like", "engine")):
+        result = run(*command)
+        assert result.exit_code == 2, result.output
+        assert "cannot write into" in result.stderr
+        assert "name another folder" in result.stderr
+        # -o is an option of draw, not of new
+        assert ("with -o" in result.stderr) == (command[0] == "draw")
+        assert result.stdout == ""
+    assert (tmp_path / "file").read_text() == "a file"
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
+
+
+def test_new_begins_a_scene_and_never_overwrites(tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    assert run("new", str(folder), "--like", "engine").exit_code == 0
+    assert run("table", str(folder)).exit_code == 0
+    again = run("new", str(folder))
+    assert again.exit_code == 2
+    assert "exists already" in again.stderr
+
+
+def test_new_copies_nothing_that_is_no_scene(tmp_path: Path) -> None:
+    bad = scene(tmp_path, ("[drive]", "[drivel]"))
+    for like in ("no-such-scene", str(bad)):
+        result = run("new", str(tmp_path / "mine"), "--like", like)
+        assert result.exit_code == 2
+        assert not (tmp_path / "mine").exists()
+
+
+def test_new_is_a_copy_to_the_byte_and_leaves_a_scene_that_is_there(tmp_path: Path) -> None:
+    assert run("new", str(tmp_path)).stdout == f"{tmp_path / 'scene.toml'}\n"
+    due = (ROOT / "sheets" / "windrower" / "scene.toml").read_bytes()
+    assert (tmp_path / "scene.toml").read_bytes() == due
+    (tmp_path / "scene.toml").write_text("mine")
+    result = run("new", str(tmp_path), "--like", "engine")
+    assert (result.exit_code, (tmp_path / "scene.toml").read_text()) == (2, "mine")
+
+
+def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
+    result = run("draw", "crank-rocker", "-o", str(tmp_path), "-f", "svg, PDF,png,dxf")
+    assert result.exit_code == 0, result.output
+    starts = {"svg": b"<svg", "pdf": b"%PDF", "png": b"\x89PNG", "dxf": b"  0"}
+    found = sorted(path.name for path in tmp_path.iterdir())
+    due = [f"crank-rocker-{k}.{form}" for k in (1, 2, 3) for form in ("svg", "png", "dxf")]
+    assert found == sorted([*due, "crank-rocker.pdf"])
+    assert sorted(Path(line).name for line in result.stdout.splitlines()) == found
+    for path in tmp_path.iterdir():
+        assert path.read_bytes().startswith(starts[path.suffix[1:]]), path.name
+
+
+def test_a_scene_that_is_a_file_of_another_name_names_its_sheet(tmp_path: Path) -> None:
+    path = scene(tmp_path).rename(tmp_path / "мой двигатель.toml")
+    assert run("draw", str(path), "-o", str(tmp_path / "out")).exit_code == 0
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["мой двигатель.svg"]
+    assert made(str(path))["scene"] == "мой двигатель"
+
+
+def test_an_unreadable_file_and_an_unwritable_folder(tmp_path: Path) -> None:
+    (tmp_path / "scene.toml").write_bytes(b"\xff\xfe\x00")
+    result = run("draw", str(tmp_path), "-o", str(tmp_path / "out"))
+    assert (result.exit_code, "UTF-8" in result.stderr) == (2, True)
+    wall = tmp_path / "wall"
+    wall.write_text("a file")
+    result = run("draw", "engine", "-o", str(wall / "out"))
+    assert result.exit_code == 2
+    assert "cannot write into" in result.stderr
+    assert "-o" in result.stderr
+    assert wall.read_text() == "a file"

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import string
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -69,3 +71,108 @@ def test_every_operation_is_in_the_table() -> None:
         v.name for room in rooms for v in vars(room).values() if type(v).__name__ == "Operation"
     }
     assert made == set(OPERATIONS)
+
+
+# the command line
+
+
+def outcome(*arguments: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [sys.executable, "-m", "graphic_tmm", *arguments],
+        cwd=ROOT,
+        env={**os.environ, **environment},
+        capture_output=True,
+        check=False,
+    )
+
+
+def test_a_broken_pipe_leaves_no_traceback() -> None:
+    for arguments in (("table", "engine"), ("steps", "engine"), ("table", "engine", "-f", "json")):
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = subprocess.run(
+            [sys.executable, "-m", "graphic_tmm", *arguments],
+            cwd=ROOT,
+            stdout=writer,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+        os.close(writer)
+        assert done.returncode != 0
+        assert done.stderr == b""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_a_full_device_is_told() -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "graphic_tmm", "table", "engine", "-f", "csv"],
+            cwd=ROOT,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+    assert done.returncode != 0
+    assert b"Traceback" not in done.stderr
+    assert b"No space left" in done.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["draw", "--help"], ["table", "-h"], ["--version"], ["scenes"]]
+)
+def test_help_and_scenes_import_nothing_heavy(arguments: list[str]) -> None:
+    code = (
+        "import sys; from click.testing import CliRunner; from graphic_tmm.__main__ import main;"
+        f"done = CliRunner().invoke(main, {arguments!r});"
+        "assert done.exit_code == 0, done.output;"
+        "print(*sorted({'shapely', 'matplotlib', 'svgwrite', 'pydantic', 'rich'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=True, text=True
+    )
+    assert done.stdout.strip() == ""
+
+
+def test_help_is_light() -> None:
+    code = (
+        "import sys; from click.testing import CliRunner; from graphic_tmm.__main__ import main;"
+        "assert CliRunner().invoke(main, ['--help']).exit_code == 0;"
+        "heavy = {'numpy', 'shapely', 'matplotlib', 'svgwrite', 'pydantic', 'rich'} & set(sys.modules);"
+        "assert not heavy, heavy"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
+
+
+@pytest.mark.parametrize("arguments", [("table", "engine"), ("steps", "engine"), ("scenes",)])
+def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str, ...]) -> None:
+    first, second = (
+        outcome(*arguments, PYTHONHASHSEED=seed, LC_ALL=locale, PYTHONIOENCODING=coding)
+        for seed, locale, coding in (("0", "C", "ascii"), ("1", "C.UTF-8", "utf-8"))
+    )
+    assert (first.returncode, first.stderr) == (0, b"")
+    assert first.stdout == second.stdout
+    assert "Двигатель" in first.stdout.decode("utf-8") or arguments[0] == "steps"
+
+
+def test_the_same_bytes_whatever_the_hash_and_the_locale(tmp_path: Path) -> None:
+    written = []
+    for seed, locale in (("0", "C"), ("1", "C.UTF-8")):
+        out = tmp_path / seed
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": locale}
+        command = [sys.executable, "-m", "graphic_tmm", "draw", "crank-rocker", "-o", str(out)]
+        subprocess.run(command, check=True, env=environment, capture_output=True, cwd=ROOT)
+        written.append({p.name: p.read_bytes() for p in out.iterdir()})
+    assert written[0] == written[1]
+    assert len(written[0]) == 3
+
+
+def test_a_name_in_no_encoding_is_told_without_a_traceback(tmp_path: Path) -> None:
+    for what in (b"\xff", "\ud83d".encode("utf-8", "surrogatepass")):
+        done = outcome("draw", os.fsdecode(what), "-o", str(tmp_path / "out"))
+        assert done.returncode == 2
+        assert b"Traceback" not in done.stderr
+        assert b"there is no such file" in done.stderr
+    place = os.fsdecode(bytes(tmp_path) + b"/\xff")
+    done = outcome("draw", "engine", "-o", place)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout == bytes(tmp_path) + b"/\xff/engine.svg\n"

@@ -5,12 +5,14 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
 from rich.console import Console
+from test_main import column, made, run, scene
 
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted, table, table_columns
@@ -20,6 +22,10 @@ from graphic_tmm.work import Work
 SHEETS = Path(__file__).parent.parent / "sheets"
 NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 MU = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
+# reference A2: exact mm at positions 1..12
+X = [0, 42.53, 65.29, 60, 38.64, 17.47, 0, 17.47, 38.64, 60, 65.29, 42.53]
+S = [39.38, 48.37, 59.87, 60, 51.31, 42.70, 39.38, 42.70, 51.31, 60, 59.87, 48.37]
+H = [60, 53.45, 32.83, 0, 32.83, 53.45, 60, 53.45, 32.83, 0, 32.83, 53.45]
 COLUMN = Column("velocities", "pb", "pb", "m/s", (1.0, -0.0, None), (0.25, -0.0, None))
 
 
@@ -212,3 +218,96 @@ def test_text_and_figures_of_a_scene_agree() -> None:
     row = next(line for line in text.splitlines() if line.split()[1:2] == ["pb"])
     cells = [cell.strip() for cell in row.strip("│").split("│")][2:]
     assert cells == [f"{mm:.1f}".replace(".", ",") for mm in due if mm is not None]
+
+
+# the command line
+
+
+def test_the_exact_table_of_the_engine_is_the_reference() -> None:
+    document = made("engine", "--exact")
+    assert [p["number"] for p in document["positions"]] == [str(k) for k in range(1, 13)]
+    assert [p["angle_deg"] for p in document["positions"]] == [30.0 * k for k in range(12)]
+    for segment, due in (("pb", X), ("ps2", S), ("ab", H)):
+        found = column(document, "velocities", segment)
+        assert found["mm"] == pytest.approx(due, abs=0.01)
+        assert found["value"] == pytest.approx(
+            [0.25 * mm for mm in found["mm"]], rel=1e-9, abs=1e-12
+        )
+    assert document["scales"]["mu_v"] == {"value": 0.25, "unit": "(m/s)/mm"}
+    assert document["results"] == {"W": 1, "formula": "I(1) → II(2-3)"}
+
+
+def test_the_default_table_differs_by_the_rulers_rounding_only() -> None:
+    exact, read = made("engine", "--exact"), made("engine")
+    for segment in ("pa", "pb", "ps2", "ab"):
+        pairs = zip(
+            column(exact, "velocities", segment)["mm"],
+            column(read, "velocities", segment)["mm"],
+            strict=True,
+        )
+        for due, found in pairs:
+            assert abs(due - found) <= 0.05 + 1e-9
+            assert found * 10 == pytest.approx(round(found * 10), abs=1e-6)
+    # ω2 = ab·μ_v/(AB·μ_l): only ab is read
+    bound = 0.05 * 0.25 / (128 * 0.005) + 1e-9
+    pairs = zip(*(column(d, "velocities", "omega2")["value"] for d in (exact, read)), strict=True)
+    assert all(abs(due - found) <= bound for due, found in pairs)
+
+
+def test_null_where_a_position_has_no_acceleration_plan() -> None:
+    found = column(made("engine"), "accelerations", "nab")
+    assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is not None] == [2, 5]
+    assert found["unit"] == "m/s²"
+
+
+def test_the_document_is_as_written_down() -> None:
+    document = made("engine")
+    assert list(document) == ["scene", "scales", "positions", "columns", "results"]
+    assert document["scene"] == "engine"
+    assert list(document["scales"]) == ["mu_l", "mu_v", "mu_a"]
+    assert document["scales"]["mu_l"] == {"value": 0.005, "unit": "m/mm"}
+    assert document["scales"]["mu_a"]["unit"] == "(m/s²)/mm"
+    assert document["positions"][3] == {"number": "4", "angle_deg": 90.0}
+    assert {tuple(c) for c in document["columns"]} == {("plan", "segment", "unit", "mm", "value")}
+    segments = [c["segment"] for c in document["columns"] if c["plan"] == "velocities"]
+    assert segments == ["pa", "ab", "pb", "ps2", "omega1", "omega2"]
+    assert all(len(c["mm"]) == len(c["value"]) == 12 for c in document["columns"])
+    assert column(document, "velocities", "omega2")["mm"] == [None] * 12
+
+
+def test_an_angle_is_the_direction_of_the_crank_whatever_its_zero(tmp_path: Path) -> None:
+    clockwise = [
+        ('"counterclockwise"', '"clockwise"'),
+        ('zero          = "0 deg"', 'zero = "90 deg"'),
+    ]
+    document = made(str(scene(tmp_path, *clockwise)))
+    assert [p["angle_deg"] for p in document["positions"]][:5] == [90.0, 60.0, 30.0, 0.0, 330.0]
+    assert column(document, "velocities", "omega1")["value"][0] == -50
+
+
+def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path) -> None:
+    path = scene(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'), ("[2, 5]", "[2, 5]"))
+    result = run("table", str(path), "--format", "json", "--exact")
+    assert result.exit_code == 0
+    assert "warning: positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
+    document = json.loads(result.stdout)  # the warning is not in it
+    gone = [2, 3, 4, 8, 9, 10]
+    for one in document["columns"]:
+        assert all(one["value"][k] is None and one["mm"][k] is None for k in gone), one["segment"]
+    accelerated = column(document, "accelerations", "πb")
+    assert [k for k, mm in enumerate(accelerated["mm"]) if mm is not None] == [1]
+    # by the vector loop: x = r·cos φ + √(l² − r²·sin² φ), 30° further than the dead centre
+    r, h, phi = 0.3, 0.25, math.radians(30)
+    beam = math.sqrt(h**2 - (r * math.sin(phi)) ** 2)
+    speed = 50 * (r * math.sin(phi) + r * r * math.sin(phi) * math.cos(phi) / beam)
+    assert column(document, "velocities", "pb")["value"][1] == pytest.approx(speed, rel=1e-9)
+
+
+def test_the_windrower_stands_as_its_task_says() -> None:
+    document = made()
+    assert document["scene"] == "windrower"
+    assert [p["number"] for p in document["positions"]][-1] == "7*"
+    assert document["results"]["formula"] == "I(1) → II(2-3) → II(4-5)"
+    assert column(document, "velocities", "omega3")["value"][0] == 0
+    assert column(document, "velocities", "pd")["mm"][0] == 0
+    assert column(document, "velocities", "pd")["mm"][-1] == 0
