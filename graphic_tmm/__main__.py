@@ -102,7 +102,8 @@ def draw(scene: str | None, output: str, forms: str) -> None:
     work, texts = sheet_files(_read(scene, lettered=True), wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
-    _warn(work)
+    if work is not None:
+        _warn(work)
 
 
 @main.command()

@@ -25,12 +25,12 @@ VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
 """Room for the longest vector of a plan, mm: as much as the sheets hold."""
 
 
-def sheets(scene: Scene) -> tuple[Work, tuple[Sheet, ...]]:
+def sheets(scene: Scene) -> tuple[Work | None, tuple[Sheet, ...]]:
     """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
     from graphic_tmm.paper.compose import compose
 
-    made = fitted(scene)
-    return made, compose(made)
+    made = fitted(scene) if scene.mechanism is not None else None
+    return made, compose(scene, made)
 
 
 FORMATS = ("svg", "pdf", "png", "dxf")
@@ -39,7 +39,7 @@ FORMATS = ("svg", "pdf", "png", "dxf")
 
 def sheet_files(
     scene: Scene, formats: Sequence[str] = ("svg",)
-) -> tuple[Work, dict[str, str | bytes]]:
+) -> tuple[Work | None, dict[str, str | bytes]]:
     """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
     from graphic_tmm.paper.dxf import dxf
     from graphic_tmm.paper.export import pdf, png
@@ -75,7 +75,7 @@ def fitted(scene: Scene, *, exact: bool = False) -> Work:
         factors = tuple(scale.value for scale in made.scales.values())
         if factors not in tried:
             try:
-                tried[factors] = len(compose(made, lettered=False))
+                tried[factors] = len(compose(scene, made, lettered=False))
             except SheetError:
                 tried[factors] = math.inf
         return tried[factors]
@@ -186,7 +186,8 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
         if work.accelerated is None or place not in project.accelerated:
             return
         reading, index = work.accelerated, project.accelerated.index(place)
-    lines = list(narrate(log, plan, reading, index, language))
+    turned = work.scene.turned and plan == "velocities"
+    lines = list(narrate(log, plan, reading, index, language, turned=turned))
     if not lines:
         return
     words = CAPTIONS[language]

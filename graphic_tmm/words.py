@@ -14,6 +14,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length, Side
+from graphic_tmm.equations import equations
 
 CAPTIONS: dict[str, dict[str, str]] = {
     "ru": {
@@ -21,6 +22,9 @@ CAPTIONS: dict[str, dict[str, str]] = {
         "velocities": "План скоростей",
         "velocities turned": "Повёрнутый план скоростей",
         "accelerations": "План ускорений",
+        "equations velocities": "Уравнения скоростей",
+        "equations accelerations": "Уравнения ускорений",
+        "all positions": "все положения",
         "table velocities": "Скорости по планам",
         "table accelerations": "Ускорения по планам",
         "position": "положение",
@@ -62,6 +66,9 @@ CAPTIONS: dict[str, dict[str, str]] = {
         "velocities": "Velocity plan",
         "velocities turned": "Turned velocity plan",
         "accelerations": "Acceleration plan",
+        "equations velocities": "Equations of velocities",
+        "equations accelerations": "Equations of accelerations",
+        "all positions": "all positions",
         "table velocities": "Velocities from the plans",
         "table accelerations": "Accelerations from the plans",
         "position": "position",
@@ -243,18 +250,27 @@ def _unit_of(mark: Mark, language: str) -> str:
 
 
 def protocol(
-    construction: Construction, plan: str, reading: Reading, place: int, language: str
+    construction: Construction,
+    plan: str,
+    reading: Reading,
+    place: int,
+    language: str,
+    *,
+    turned: bool = False,
 ) -> Iterator[Line]:
-    """Yield the numbered protocol of one plan in one position, with the calculation note.
+    """Yield the numbered protocol of one plan in one position, with equations and the calculation note.
 
-    ``place``: the index of the position in ``reading``.
+    ``place``: the index of the position in ``reading``; ``turned``: the plan is turned by 90°.
     """
     counted = 0
+    solved = {e.group: e for e in equations(construction, plan, turned=turned)}
     for step in construction.steps:
         if step.it.view != plan:
             continue
         for note in filter(None, step.note.split("\n")):
             yield Line(0, _remark(note, language))
+            if note in solved:
+                yield Line(0, f"{solved[note].text};  {plain(solved[note].directions)}")
         counted += 1
         yield Line(
             counted,

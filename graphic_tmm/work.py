@@ -13,7 +13,7 @@ from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point, undefined
-from graphic_tmm.errors import StructureError
+from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scene.records import Scales, Scene
 
@@ -56,7 +56,20 @@ def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (8
 
 
 def record(scene: Scene) -> Project:
-    """Record the plans that the scene's sheets ask for."""
+    """Record the plans that the scene's sheets ask for.
+
+    Raises
+    ------
+    SceneError
+        If the scene has no mechanism.
+    StructureError
+        If its mechanism cannot be drawn.
+    """
+    if scene.mechanism is None:
+        says = (
+            "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
+        )
+        raise SceneError(scene.source, (Fault("", 0, says),))
     wanted = {plan for sheet in scene.sheets for plan in sheet.place}
     try:
         return draw_project(

@@ -6,14 +6,12 @@ from pathlib import Path
 
 import pytest
 import shapely
+from gallery import FOLDERS
 
 from graphic_tmm.files import write
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files, sheets
-
-HOME = Path(__file__).parent.parent / "sheets"
-FOLDERS = sorted(path.parent for path in HOME.glob("*/scene.toml"))
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from gallery import NAMES, SHEETS
 from rich.console import Console
 from test_main import column, made, run, scene
 
@@ -19,8 +20,6 @@ from graphic_tmm.studio import fitted, table, table_columns
 from graphic_tmm.tables import Column, as_csv, as_json, columns, rich_tables, segment_name
 from graphic_tmm.work import Work
 
-SHEETS = Path(__file__).parent.parent / "sheets"
-NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 MU = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
 # reference A2: exact mm at positions 1..12
 X = [0, 42.53, 65.29, 60, 38.64, 17.47, 0, 17.47, 38.64, 60, 65.29, 42.53]

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from gallery import NAMES, SHEETS
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,13 +20,10 @@ from graphic_tmm.studio import fitted, synthesis
 from graphic_tmm.words import CAPTIONS, LINK_NAMES, finding, fixed, number, protocol, unit
 from graphic_tmm.work import Work
 
-HOME = Path(__file__).parent.parent / "sheets"
-NAMES = sorted(path.parent.name for path in HOME.glob("*/scene.toml"))
-
 
 @cache
 def drawn(name: str) -> Work:
-    return fitted(read(HOME / name))
+    return fitted(read(SHEETS / name))
 
 
 @pytest.mark.parametrize(
@@ -306,7 +304,7 @@ def test_every_unit_of_a_log_has_a_russian_name() -> None:
 
 
 def test_a_finding_names_plan_step_reason_amount_and_positions(tmp_path: Path) -> None:
-    text = (HOME / "engine" / "scene.toml").read_text(encoding="utf-8")
+    text = (SHEETS / "engine" / "scene.toml").read_text(encoding="utf-8")
     short = tmp_path / "scene.toml"
     short.write_text(text.replace('l  = "0.64 m"', 'l  = "0.25 m"'), encoding="utf-8")
     work = fitted(read(short))

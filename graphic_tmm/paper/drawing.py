@@ -87,6 +87,12 @@ class Sheet(NamedTuple):
     height: float
     drawings: tuple[Drawing, ...]
 
+    def _repr_svg_(self) -> str:
+        """Return the sheet as SVG: a notebook shows it."""
+        from graphic_tmm.paper.svg import svg
+
+        return svg(self)
+
 
 def line(pen: str, *points: complex, closed: bool = False, filled: bool = False) -> Stroke:
     """Return a straight-sided stroke through ``points`` (complex, mm)."""

@@ -1,4 +1,4 @@
-"""Plans of velocities and accelerations in ink, read off the log.
+"""Plans of velocities and accelerations in ink, each position by itself or all from a common pole.
 
 A vector is what was measured between two points or laid off as a calculated length; a line in which two loci
 met goes a little on behind the point. Images that coincide share one label, a vector of no length has no
@@ -7,7 +7,7 @@ arrow.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -28,6 +28,8 @@ SHORTEST = 0.01
 TOGETHER = 0.35
 """Points nearer than this, mm, share one label."""
 SIZE = 3.5
+SMALL = 2.5
+"""Letters of a plan, and of one whose positions share a pole, mm."""
 MARGIN = 7.0
 """Room that letters and overrunning lines take about a plan, mm."""
 
@@ -66,11 +68,18 @@ def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | Non
     return None
 
 
+class Place(NamedTuple):
+    """A position of a plan: its index in the reading, and the number that its letters bear ("" for none)."""
+
+    at: int
+    number: str = ""
+
+
 def draw_plan(
     construction: Construction,
     reading: Reading,
     plan: str,
-    place_index: int,
+    places: Sequence[Place],
     name: str,
     title: str,
     mu: float,
@@ -78,38 +87,47 @@ def draw_plan(
     *,
     lettered: bool = True,
 ) -> Drawing:
-    """Return a plan in one position: vectors with arrows, construction lines, letters.
+    """Return a plan in one position, or in several from a common pole: vectors with arrows, lines, letters.
 
-    ``place_index``: the index of the position in ``reading``; ``mu`` (SI per mm) and ``unit`` are told to a
-    page that reads the sheet.
+    From a common pole the vectors between images are thin and construction lines are left out. ``mu``
+    (SI per mm) and ``unit`` are told to a page that reads the sheet.
     """
-    at = _Places(reading, place_index)
-    drawn = [v for v in vectors(construction, plan) if at.there(v.start) and at.there(v.end)]
-    longest = max((abs(at[v.end] - at[v.start]) for v in drawn), default=0.0)
-    least = max(SHORTEST * longest, 0.5)
-    strokes: list[Stroke | Bezier] = []
-    for ends in _beyond(construction, plan, at, least):
-        strokes.append(line("thin", *ends))
-    for vector in drawn:
-        a, b = at[vector.start], at[vector.end]
-        if abs(b - a) >= least:
-            strokes += _vector(vector, a, b, mu, unit)
     view = construction.view(plan)
     assert view is not None
     assert view.pole is not None
+    common = len(places) > 1
+    seen = [(place, _Places(reading, place.at)) for place in places]
+    drawn = [
+        (at, v)
+        for _, at in seen
+        for v in vectors(construction, plan)
+        if at.there(v.start) and at.there(v.end)
+    ]
+    longest = max((abs(at[v.end] - at[v.start]) for at, v in drawn), default=0.0)
+    least = max(SHORTEST * longest, 0.5)
+    strokes: list[Stroke | Bezier] = []
+    if not common:
+        strokes += [line("thin", *ends) for ends in _beyond(construction, plan, seen[0][1], least)]
+    for at, vector in drawn:
+        a, b = at[vector.start], at[vector.end]
+        if abs(b - a) >= least:
+            strokes += _vector(vector, a, b, mu, unit, thin=common)
+    at = seen[0][1]
     strokes += pole(at[view.pole])
     if not lettered:
-        spots = [at[v.end] for v in drawn] + [at[view.pole]]
+        spots = [there[v.end] for there, v in drawn] + [at[view.pole]]
         x, y = [z.real for z in spots], [z.imag for z in spots]
         m = MARGIN
         return Drawing(name, title, cell=(min(x) - m, min(y) - m, max(x) + m, max(y) + m))
-    wanted = list(_letters(construction, plan, at, view.pole))
+    wanted = list(_letters(construction, plan, seen, view.pole))
     labels = place(wanted, strokes)
     return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
 
 
-def _vector(vector: Vector, a: complex, b: complex, mu: float, unit: str) -> list[Stroke]:
-    pen = "main" if vector.absolute else "medium"
+def _vector(
+    vector: Vector, a: complex, b: complex, mu: float, unit: str, *, thin: bool
+) -> list[Stroke]:
+    pen = ("medium" if thin else "main") if vector.absolute else ("thin" if thin else "medium")
     head = min(ARROW_LENGTH, 0.45 * abs(b - a))
     shaft = b - (b - a) / abs(b - a) * head * 0.5
     mm = abs(b - a)
@@ -156,30 +174,32 @@ class _Places:
 
 
 def _letters(
-    construction: Construction, plan: str, at: _Places, pole_mark: Mark
+    construction: Construction, plan: str, seen: Sequence[tuple[Place, _Places]], pole_mark: Mark
 ) -> Iterator[Wanted]:
-    points = [pole_mark] + [
-        step.it
-        for step in construction.steps
-        if step.it.view == plan and step.it.kind is Point and at.there(step.it)
-    ]
-    middle = complex(np.mean([at[mark] for mark in points]))
+    steps = [s.it for s in construction.steps if s.it.view == plan and s.it.kind is Point]
+    spots = [(seen[0][1][pole_mark], markup(pole_mark.letter))]
+    for stood, at in seen:
+        spots += [(at[m], markup(m.letter, stood.number)) for m in steps if at.there(m)]
+    common = len(seen) > 1
+    middle = spots[0][0] if common else complex(np.mean([spot for spot, _ in spots]))
     groups: list[tuple[complex, list[str]]] = []
-    for mark in points:
-        spot = at[mark]
+    for spot, text in spots:
         near = next((names for place_at, names in groups if abs(place_at - spot) < TOGETHER), None)
         if near is None:
-            groups.append((spot, [mark.letter]))
+            groups.append((spot, [text]))
         else:
-            near.append(mark.letter)
+            near.append(text)
     for spot, names in groups:
-        yield Wanted(", ".join(map(markup, names)), spot, SIZE, 1.0, spot - middle)
+        yield Wanted(", ".join(names), spot, SMALL if common else SIZE, 1.0, spot - middle)
 
 
-def markup(letter: str) -> str:
-    """Return a letter of the log as lettered on the sheet: figures at its end become an index, a3 -> a_{3}."""
+def markup(letter: str, number: str = "") -> str:
+    """Return a letter of the log as lettered on the sheet: figures at its end become an index, a3 -> a_{3}.
+
+    The number of a position follows in the index: a_{3,5}.
+    """
     if "_" in letter:
         return letter
     stem = letter.rstrip("0123456789")
-    figures = letter[len(stem) :]
-    return f"{stem}_{{{figures}}}" if stem and figures else letter
+    index = ",".join(filter(None, (letter[len(stem) :], number)))
+    return f"{stem}_{{{index}}}" if stem and index else letter

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from graphic_tmm.equations import quantity
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
 from graphic_tmm.paper.drawing import Drawing
@@ -117,29 +118,3 @@ def _decimals(row: Sequence[float | None]) -> int:
     """Return how many decimals give the largest figure of a row three significant digits."""
     largest = max((abs(x) for x in row if x is not None), default=0.0)
     return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
-
-
-def quantity(letter: str) -> str:
-    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}."""
-    if letter[0] in "ωε":
-        return letter
-    if "_" in letter:
-        stem, _, rest = letter.partition("_")
-        ends = "".join(reversed(_points(rest.strip("{}"))))
-        return f"a_{{{ends.upper()}}}^{{{stem}}}"
-    symbol = {"p": "v", "π": "a"}.get(letter[0])
-    if symbol is not None:
-        return f"{symbol}_{{{letter[1:].upper()}}}"
-    points = _points(letter)
-    return f"v_{{{''.join(reversed(points)).upper()}}}"
-
-
-def _points(letter: str) -> list[str]:
-    """Split a segment into the letters of its ends: aa3 -> a, a3."""
-    points: list[str] = []
-    for sign in letter:
-        if sign.isdigit() or sign == "′":
-            points[-1] += sign
-        else:
-            points.append(sign)
-    return points

@@ -136,11 +136,22 @@ def _inside(f: Box, g: Box) -> bool:
     return g[0] <= f[0] and g[1] <= f[1] and g[2] >= f[2] and g[3] >= f[3]
 
 
+def _remedy(view: Drawing, format: str) -> str:
+    """Return what would make a view fit that does not fit an empty sheet of its format."""
+    plan = view.name.partition("-")[0]
+    drawn = {"positions": "OA", "velocities": "pa", "accelerations": "pi_a"}.get(plan)
+    factor = {"OA": "mu_l", "pa": "mu_v", "pi_a": "mu_a"}.get(drawn or "")
+    larger = [] if format == "A1" else ['a further sheet with format = "A1" for it']
+    smaller = [f"a smaller {drawn} (or a larger {factor}) in [scales]"] if drawn else []
+    fewer = ["fewer positions"] if plan == "table" else []
+    return "what helps: " + ", or ".join([*larger, *smaller, *fewer])
+
+
 def _too_large(view: Drawing, room: Room, format: str) -> str:
     left, bottom, right, top = bounds(view)
     inner = room.inner
     return (
         f"the view '{view.title or view.name}' is {right - left:.0f}×{top - bottom:.0f} mm and does not fit on "
         f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm): "
-        "take a larger format, or a larger μ (a smaller OA, pa or pi_a)"
+        f"{_remedy(view, format)}"
     )

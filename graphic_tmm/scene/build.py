@@ -23,8 +23,6 @@ def scene(parts: Parts, source: str) -> Scene:
     head, frame, drive = parts.head, parts.frame, parts.drive
     plans, scales, hand, block = parts.plans, parts.scales, parts.hand, parts.title_block
     assert head is not None
-    assert frame is not None
-    assert drive is not None
     assert plans is not None
     assert scales is not None
     assert hand is not None
@@ -35,9 +33,11 @@ def scene(parts: Parts, source: str) -> Scene:
         source=source,
         title=head.title,
         language=head.language,
-        mechanism=_mechanism(frame, links, drive),
-        row=_row(drive),
+        mechanism=_mechanism(frame, links, drive) if frame and drive else None,
+        row=_row(drive) if drive else Row(),
         turned=plans.velocities == "turned",
+        common_pole=plans.velocity_pole == "common",
+        main=plans.main,
         trajectories=plans.trajectories,
         scales=_scales(scales),
         ruler=hand.ruler,

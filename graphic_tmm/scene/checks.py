@@ -26,6 +26,8 @@ def check(parts: Parts) -> Iterator[Found]:
             yield from _sense(at, slide, parts)
     if parts.drive is not None:
         yield from _row(parts.drive)
+        if parts.plans is not None and parts.plans.main is not None:
+            yield from _position(parts.drive, ("plans", "main"), parts.plans.main)
     if parts.scales is not None:
         yield from _scales(parts.scales)
 
@@ -82,7 +84,6 @@ def _sense(path: Path, slide: SlideTable, parts: Parts) -> Iterator[Found]:
 
 def _row(drive: DriveTable) -> Iterator[Found]:
     """Positions named for acceleration plans, and extras, that the row does not have."""
-    last = drive.first + drive.positions - 1
     extreme = isinstance(drive.zero, ExtremeTable)
     if OTHER_EXTREME in drive.extra and not extreme:
         says = 'the other extreme of what? write zero = { point = "D", at = "left" }'
@@ -91,16 +92,19 @@ def _row(drive: DriveTable) -> Iterator[Found]:
         return
     for i, name in enumerate(drive.accelerations):
         path: Path = ("drive", "accelerations", i)
-        if not drive.first <= int(name.rstrip("*")) <= last:
-            yield Found(
-                path, f"there is no position {name}; the row goes from {drive.first} to {last}"
-            )
-        elif name.endswith("*") and not drive.extra:
-            yield Found(
-                path, f'there is no position {name}; name it first, extra = ["{OTHER_EXTREME}"]'
-            )
-        elif name in drive.accelerations[:i]:
+        yield from _position(drive, path, name)
+        if name in drive.accelerations[:i]:
             yield Found(path, f"position {name} is named twice; leave one out")
+
+
+def _position(drive: DriveTable, path: Path, name: str) -> Iterator[Found]:
+    """A position named that the row does not have."""
+    last = drive.first + drive.positions - 1
+    if not drive.first <= int(name.rstrip("*")) <= last:
+        yield Found(path, f"there is no position {name}; the row goes from {drive.first} to {last}")
+    elif name.endswith("*") and not drive.extra:
+        says = f'there is no position {name}; name it first, extra = ["{OTHER_EXTREME}"]'
+        yield Found(path, says)
 
 
 def _scales(scales: ScalesTable) -> Iterator[Found]:

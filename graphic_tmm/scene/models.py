@@ -150,7 +150,11 @@ class PlansTable(Table):
     """What is drawn, and how."""
 
     velocities: v.Velocities = _key("velocity plans as they are, or turned by 90°", None, "direct")
+    velocity_pole: v.Poles = _key(
+        "a velocity plan for each position, or all of them from a common pole", None, "own"
+    )
     trajectories: v.Letters = _key("points whose paths are drawn", ["C"], ())
+    main: v.Position | None = _key("the position drawn in heavy lines", 2, None)
 
 
 class ScalesTable(Table):
@@ -176,7 +180,7 @@ class SheetTable(Table):
     """A sheet, and what is placed on it, in order."""
 
     format: v.Format = _key("the format of the sheet", "A1", "A1")
-    place: v.Places = _key("the plans on it", ["positions", "velocities"], v.PLACES)
+    place: v.Places = _key("the plans on it", ["positions", "velocities"], v.USUAL_PLACES)
 
 
 class TitleBlockTable(Table):
@@ -207,9 +211,9 @@ class SceneFile(Head):
 
     lengths: dict[str, v.PlainLength] = Field(default_factory=dict, description="named lengths")
     task: TaskTable | None = _key("lengths found from a task", None, None)
-    frame: FrameTable
-    link: list[LinkTable] = _key("the moving links, in order")
-    drive: DriveTable
+    frame: FrameTable | None = _key("the fixed link", None, None)
+    link: list[LinkTable] = Field(default_factory=list, description="the moving links, in order")
+    drive: DriveTable | None = _key("the driving link and its motion", None, None)
     plans: PlansTable = Field(default_factory=PlansTable)
     scales: ScalesTable = Field(default_factory=ScalesTable)
     hand: HandTable = Field(default_factory=HandTable)

@@ -44,14 +44,20 @@ class Task:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on."""
+    """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
+
+    ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
+    drawn in heavy lines.
+    """
 
     source: str
     title: str
     language: str
-    mechanism: Mechanism
-    row: Row
+    mechanism: Mechanism | None = None
+    row: Row = field(default_factory=Row)
     turned: bool = False
+    common_pole: bool = False
+    main: str | None = None
     trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)
     ruler: float | None = 0.1

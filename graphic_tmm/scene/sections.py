@@ -18,6 +18,7 @@ from pydantic_core import ErrorDetails
 from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
+from graphic_tmm.scene import values as v
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.lines import Path
 
@@ -92,9 +93,21 @@ def _top_level(doc: Document) -> list[Found]:
     known = list(m.SceneFile.model_fields)
     found = [Found((key,), unknown_key(key, known)) for key in doc if key not in known]
     for key, example in _EXAMPLES.items():
-        if key not in doc or doc[key] == []:
+        if needs_mechanism(doc) and (key not in doc or doc[key] == []):
             found.append(Found((key,), f"it is missing; write {example}"))
     return found
+
+
+def needs_mechanism(doc: Document) -> bool:
+    """Whether the sheets of a document show anything that cannot stand without a mechanism."""
+    raw = doc.get("sheet")
+    sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
+    places = [place for s in sheets for place in _listed(s.get("place", v.USUAL_PLACES))]
+    return any(place not in v.FREE_PLACES for place in places) or "drive" in doc
+
+
+def _listed(value: object) -> list[object]:
+    return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
 def _one(

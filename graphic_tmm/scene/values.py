@@ -247,13 +247,14 @@ def _accelerations(value: object, names: Names) -> tuple[str, ...]:
         raise ValueError(
             f'{kind_of(value)} stands here; write a list of positions, [2, 6, "6*"], or "all"'
         )
-    for item in value:
-        whole = isinstance(item, int) and not isinstance(item, bool) and 0 <= item <= 10**6
-        if not whole and not (isinstance(item, str) and re.fullmatch(r"[0-9]{1,6}\*{0,3}", item)):
-            raise ValueError(
-                f'{kind_of(item)} in the list; a position is a number, 6, or a text, "6*"'
-            )
-    return tuple(str(item) for item in value)
+    return tuple(_position(item, " in the list") for item in value)
+
+
+def _position(value: object, where: str = " stands here") -> str:
+    whole = isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= 10**6
+    if not whole and not (isinstance(value, str) and re.fullmatch(r"[0-9]{1,6}\*{0,3}", value)):
+        raise ValueError(f'{kind_of(value)}{where}; a position is a number, 6, or a text, "6*"')
+    return str(value)
 
 
 def _places(value: object, names: Names) -> tuple[str, ...]:
@@ -273,7 +274,13 @@ def _letters(value: object, names: Names) -> tuple[str, ...]:
     return tuple(value)
 
 
-PLACES = ("positions", "velocities", "accelerations", "structure", "results")
+FREE_PLACES = ("lettering",)
+"""What a sheet can show without a mechanism."""
+USUAL_PLACES = (
+    "positions", "velocities", "accelerations", "equations", "structure", "results",
+)  # fmt: skip
+"""What stands on a sheet that does not say what does."""
+PLACES = (*USUAL_PLACES, "velocity table", "acceleration table", *FREE_PLACES)
 _MM: Schema = {
     "anyOf": [{"type": "string"}, {"type": "number"}],
     "description": 'a length on the sheet, "60 mm"',
@@ -340,6 +347,10 @@ Accelerations = Annotated[
     tuple[str, ...], Rule(_accelerations, {"anyOf": [_NUMBERS, {"type": "string", "const": "all"}]})
 ]
 Velocities = Annotated[str, choice("direct", "turned", повёрнутый="turned", прямой="direct")]
+Poles = Annotated[str, choice("own", "common", свой="own", общий="common")]
+Position = Annotated[
+    str, Rule(lambda value, names: _position(value), {"type": ["integer", "string"]})
+]
 Letters = Annotated[tuple[str, ...], Rule(_letters, _WORDS)]
 MuL = Annotated[float, Rule(_mu_l, _SCALE)]
 MuV = Annotated[float | str, Rule(_mu_v, _SCALE)]

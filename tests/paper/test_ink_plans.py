@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
+from gallery import NAMES, SHEETS
 
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.paper.ink_plans import BEYOND, draw_plan, markup, vectors
+from graphic_tmm.paper.ink_plans import BEYOND, Place, draw_plan, markup, vectors
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols import POLE_RADIUS
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
 from graphic_tmm.work import Work
-
-SHEETS = Path(__file__).parent.parent.parent / "sheets"
-NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 
 
 @cache
@@ -33,7 +30,7 @@ def plan(name: str, which: str, index: int, lettered: bool = True) -> Drawing:
     reading = work.accelerated if which == "accelerations" else work.reading
     assert reading is not None
     log, mu = work.project.construction, work.scales[which].value
-    return draw_plan(log, reading, which, index, "x", "X", mu, "m/s", lettered=lettered)
+    return draw_plan(log, reading, which, [Place(index)], "x", "X", mu, "m/s", lettered=lettered)
 
 
 def arrows(view: Drawing) -> dict[str, Stroke]:
@@ -190,3 +187,25 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
 )
 def test_figures_at_the_end_of_a_letter_become_an_index(letter: str, due: str) -> None:
     assert markup(letter) == due
+
+
+def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
+    work = drawn("crank-rocker")
+    log, mu = work.project.construction, work.scales["velocities"].value
+    places = [Place(k, name) for k, name in enumerate(work.project.names)]
+    view = draw_plan(log, work.reading, "velocities", places, "x", "X", mu, "m/s")
+    lengths = sorted(dict(s.data)["mm"] for s in view.strokes if isinstance(s, Stroke) and s.data)
+    single = [
+        dict(s.data)["mm"]
+        for k in range(len(places))
+        for s in arrows(plan("crank-rocker", "velocities", k)).values()
+    ]
+    assert set(lengths) <= set(single)
+    assert len(single) - len(lengths) <= 1  # too short beside the longest of all positions
+    texts = ", ".join(label.text for label in view.labels).split(", ")
+    assert texts.count("p") == 1
+    for name in work.project.names:
+        assert f"a_{{{name}}}" in texts
+        assert f"s_{{2,{name}}}" in texts
+    pens = {s.pen for s in view.strokes if isinstance(s, Stroke) and s.data}
+    assert pens <= {"medium", "thin"}

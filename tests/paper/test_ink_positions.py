@@ -5,11 +5,11 @@ from __future__ import annotations
 import cmath
 import math
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
+from gallery import NAMES, SHEETS
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
@@ -19,9 +19,6 @@ from graphic_tmm.paper.placing import box
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
 from graphic_tmm.work import Work
-
-SHEETS = Path(__file__).parent.parent.parent / "sheets"
-NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 
 
 @cache

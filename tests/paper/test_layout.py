@@ -55,6 +55,10 @@ def test_plans_stand_in_rows_beside_the_plan_of_positions() -> None:
 
 def test_a_view_that_fits_no_sheet_says_what_would_help() -> None:
     with pytest.raises(
-        SheetError, match=r"900×20 mm and does not fit on A1 .*larger format.*larger μ"
+        SheetError, match=r"900×20 mm and does not fit on A1 .*smaller pa \(or a larger mu_v\)"
     ):
         pack([view("velocities-1", 900, 20)], (ROOM, ROOM), "A1")
+    with pytest.raises(SheetError, match=r'further sheet with format = "A1".*smaller OA'):
+        pack([view("positions", 900, 20)], (ROOM, ROOM), "A4")
+    with pytest.raises(SheetError, match=r'further sheet with format = "A1".*, or fewer positions'):
+        pack([view("table-velocities", 900, 20)], (ROOM, ROOM), "A4")

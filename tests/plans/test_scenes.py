@@ -5,10 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
+from gallery import NAMES, SHEETS
 from oracle import Motion, State, solve_from_points
 
 from graphic_tmm.mechanism.structure import Group, dissect
@@ -19,8 +19,6 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import warnings
 from graphic_tmm.work import Work, work
 
-SHEETS = Path(__file__).parents[2] / "sheets"
-NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 RATIO = 1e-9
 
 

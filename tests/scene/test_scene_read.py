@@ -70,7 +70,7 @@ def test_engine():
     assert engine.row.accelerations == ("2", "5")
     assert engine.scales == Scales(mu_l=0.005, pa=60.0)
     assert engine.sheets == (SheetOrder("A1", (
-        "positions", "velocities", "accelerations", "structure", "results")),)  # fmt: skip
+        "positions", "velocities", "accelerations", "equations", "structure", "results")),)  # fmt: skip
 
 
 def test_windrower():
@@ -120,7 +120,7 @@ def test_the_shipped_schema_is_the_one_of_the_models():
 def test_the_schema_describes_every_key_and_refuses_others():
     schema = models.schema()
     assert schema["additionalProperties"] is False
-    assert set(schema["required"]) == {"title", "frame", "link", "drive"}
+    assert set(schema["required"]) == {"title"}
     drive = schema["$defs"]["DriveTable"]
     assert drive["additionalProperties"] is False
     assert all(part.get("description") for part in drive["properties"].values())
@@ -141,7 +141,8 @@ def test_defaults(scene):
     assert (plain.row.count, plain.row.first, plain.row.zero) == (12, 0, 0.0)
     assert plain.row.accelerations == plain.row.extra == plain.trajectories == ()
     assert plain.scales == Scales()
-    assert len(plain.sheets[0].place) == 5
+    assert len(plain.sheets[0].place) == 6
+    assert (plain.common_pole, plain.main) == (False, None)
     assert plain.title_block == {}
     assert plain.task is None
     assert plain.mechanism.frame.number == 0

@@ -1,0 +1,17 @@
+"""The scenes that come with the package: all of them, and those of a mechanism."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+SHEETS = Path(__file__).parent.parent / "sheets"
+FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
+ALL = [folder.name for folder in FOLDERS]
+
+
+def _has_mechanism(folder: Path) -> bool:
+    return "drive" in tomllib.loads((folder / "scene.toml").read_text(encoding="utf-8"))
+
+
+NAMES = [folder.name for folder in FOLDERS if _has_mechanism(folder)]
