@@ -7,6 +7,7 @@ arrow.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -194,12 +195,13 @@ def _letters(
 
 
 def markup(letter: str, number: str = "") -> str:
-    """Return a letter of the log as lettered on the sheet: figures at its end become an index, a3 -> a_{3}.
+    """Return a letter of the log as lettered on the sheet: figures become indices, d3d -> d_{3}d.
 
-    The number of a position follows in the index: a_{3,5}.
+    The number of a position follows in the last index: a_{3,5}.
     """
     if "_" in letter:
         return letter
-    stem = letter.rstrip("0123456789")
-    index = ",".join(filter(None, (letter[len(stem) :], number)))
-    return f"{stem}_{{{index}}}" if stem and index else letter
+    text = re.sub(r"([^\W\d])(\d+)", r"\1_{\2}", letter)
+    if not number:
+        return text
+    return f"{text[:-1]},{number}}}" if text.endswith("}") else f"{text}_{{{number}}}"

@@ -179,6 +179,9 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
         ("a3", "a_{3}"),
         ("ps2", "ps_{2}"),
         ("pa12", "pa_{12}"),
+        ("d3d", "d_{3}d"),
+        ("b2c3", "b_{2}c_{3}"),
+        ("b′", "b′"),
         ("n_{ab}", "n_{ab}"),
         ("ω_2", "ω_2"),
         ("12", "12"),
@@ -209,3 +212,8 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
         assert f"s_{{2,{name}}}" in texts
     pens = {s.pen for s in view.strokes if isinstance(s, Stroke) and s.data}
     assert pens <= {"medium", "thin"}
+
+
+def test_the_number_of_a_position_follows_in_the_index() -> None:
+    assert markup("a", "5") == "a_{5}"
+    assert markup("a3", "5*") == "a_{3,5*}"
