@@ -11,7 +11,11 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
+
+LONGEST = 60
+"""Of a key, and of a text of the scene that a message quotes, so many characters are shown."""
 
 
 class TmmError(Exception):
@@ -36,9 +40,14 @@ class SceneError(TmmError):
 
     def _line(self, fault: Fault) -> str:
         place = f"{self.path}:{fault.line}" if fault.line else self.path
-        return (
-            f"{place}: {fault.key}: {fault.message}" if fault.key else f"{place}: {fault.message}"
-        )
+        message = re.sub(rf'"([^"]{{{LONGEST}}})[^"]{{4,}}"', r'"\1..."', fault.message)
+        key = fault.key if len(fault.key) <= LONGEST else f"{fault.key[: LONGEST - 3]}..."
+        return _printable(f"{place}: {key}: {message}" if key else f"{place}: {message}")
+
+
+def _printable(text: str) -> str:
+    """Return text that does nothing to a terminal: what is not printable as its escape."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
 class StructureError(TmmError):

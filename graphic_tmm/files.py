@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from graphic_tmm.errors import SheetError
@@ -47,7 +48,8 @@ def write(
 def _clear(waiting: list[tuple[Path, Path]], made: list[Path]) -> None:
     """Take away the temporary files, and the folders that were made if nothing stands in them."""
     for passing, _ in waiting:
-        passing.unlink(missing_ok=True)
+        with suppress(OSError):  # it was never there, or its name is too long to be
+            passing.unlink()
     for path in made:
         if path.is_dir() and not any(path.iterdir()):
             path.rmdir()

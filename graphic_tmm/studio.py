@@ -11,7 +11,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.errors import Fault, SceneError, SheetError
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables import Column, as_csv, as_json, columns, rich_tables
+from graphic_tmm.tables import Column, as_csv, as_json, chart_columns, columns, rich_tables
 from graphic_tmm.words import CAPTIONS, finding
 from graphic_tmm.words import protocol as narrate
 from graphic_tmm.work import Work, executed, ranges, record
@@ -33,6 +33,16 @@ def sheets(scene: Scene) -> tuple[Work | None, tuple[Sheet, ...]]:
     return made, compose(scene, made)
 
 
+SCALE_KEYS = {
+    "positions": "mu_l",
+    "velocities": "mu_v",
+    "accelerations": "mu_a",
+    "diagram S": "mu_diagram_S",
+    "diagram V": "mu_diagram_V",
+    "diagram a": "mu_diagram_a",
+    "base": "mu_base",
+}
+"""What scale factors are called where machines read them."""
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
 
@@ -135,6 +145,7 @@ def table_columns(work: Work) -> list[Column]:
     if project.accelerations is not None and work.accelerated is not None:
         rates, places = project.accelerations.rates, list(project.accelerated)
         found += columns(log, work.accelerated, "accelerations", places, count, rates)
+    found += chart_columns(project, work.reading, work.accelerated)
     return [column.without(work.undrawn) for column in found]
 
 
@@ -148,9 +159,8 @@ def table(work: Work, form: str) -> str | list[Any]:
     if form == "text":
         decimals = 1 if work.hand.ruler is not None else 3
         return rich_tables(found, project.names, work.scene.language, work.scene.title, decimals)
-    keys = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
     scales = {
-        keys[plan]: {"value": scale.value, "unit": scale.unit}
+        SCALE_KEYS[plan]: {"value": scale.value, "unit": scale.unit}
         for plan, scale in work.scales.items()
     }
     results = {"W": project.structure.mobility, "formula": project.structure.formula}

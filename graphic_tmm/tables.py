@@ -16,6 +16,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Length, Reals
+from graphic_tmm.plans.project import Project
 from graphic_tmm.words import CAPTIONS, fixed, number, plain, unit
 
 UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
@@ -86,6 +87,52 @@ def columns(
         row = _row(value, places, count)
         made.append(Column(plan, segment_name(letter), letter, mark.unit, empty, row))
     return tuple(made)
+
+
+def chart_columns(
+    project: Project, reading: Reading, planned: Reading | None
+) -> tuple[Column, ...]:
+    """Return the columns of the diagrams: what they give, what the plans give, the difference in %.
+
+    The difference is told in % of the largest that the plan gives.
+    ``planned``: the numbers of the plan of accelerations, at its positions.
+    """
+    kinematic, count = project.kinematic, len(project.names)
+    if kinematic is None:
+        return ()
+    everywhere, made = range(count), []
+    for symbol, chart in kinematic.charts.items():
+        mm, mu = reading[chart.ordinates[0]], reading[chart.mu]
+        (mm,) = _quiet([mm])
+        rows = _row(mm, everywhere, count), _row(mm * mu, everywhere, count)
+        made.append(Column("diagrams", symbol, symbol, chart.unit, *rows))
+        source, places = {"V": (reading, everywhere), "a": (planned, project.accelerated)}.get(
+            symbol, (None, ())
+        )
+        if source is None or symbol not in kinematic.planned:
+            continue
+        view = project.construction.view(kinematic.planned[symbol].view)
+        assert view is not None
+        assert view.scale is not None
+        (due,) = _quiet([source[kinematic.planned[symbol]] * source[view.scale]])
+        plan = _row(due, places, count)
+        made.append(
+            Column(
+                "diagrams", f"{symbol}_plan", f"{symbol}_plan", chart.unit, (None,) * count, plan
+            )
+        )
+        made.append(_difference(f"{symbol}_difference", rows[1], plan))
+    return tuple(made)
+
+
+def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:
+    """Return by how much figures differ from what is due, in % of the largest due."""
+    largest = max((abs(x) for x in due if x is not None), default=0.0)
+    row = tuple(
+        100.0 * (x - y) / largest if x is not None and y is not None and largest else None
+        for x, y in zip(found, due, strict=True)
+    )
+    return Column("diagrams", letter, letter, "%", (None,) * len(row), row)
 
 
 def _quiet(rows: list[Reals]) -> list[Reals]:

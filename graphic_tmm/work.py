@@ -11,11 +11,12 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard, standard_length
-from graphic_tmm.board.values import Curve, Point, undefined
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
-from graphic_tmm.scene.records import Scales, Scene
+from graphic_tmm.scaling import chart_scale_values, chart_scales, choose_scales
+from graphic_tmm.scene.records import Scene
 
 ROOM = {"A1": 230.0, "A4": 140.0}
 """For a format: room for the plan of positions, mm."""
@@ -78,6 +79,7 @@ def record(scene: Scene) -> Project:
             turned=scene.turned,
             trajectories=scene.trajectories,
             plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
+            diagrams=scene.diagrams if "diagrams" in wanted else None,
         )
     except StructureError as error:
         raise StructureError(f"{scene.source}: {error}") from error
@@ -90,6 +92,7 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
     given = dict(project.given)
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
+    given |= chart_scales(project, given)
     hand = EXACT if exact else Hand(scene.ruler)
     log = project.construction
     still = [m for m in (*log.given, *(s.it for s in log.steps)) if m.view != "accelerations"]
@@ -99,6 +102,7 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
         steps = [step for step in log.steps if step.it.view == "accelerations"]
         whole = {mark for step in steps for mark in (step.it, *step.uses)}
         accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)
+    scales |= chart_scale_values(project, reading)
     undrawn = _undrawn(project, reading)
     if len(undrawn) == len(project.names):
         raise StructureError(
@@ -120,61 +124,3 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
         if mark.kind is not Curve:
             bad = bad | undefined(reading[mark]).any(axis=0, keepdims=True)
     return tuple(int(i) for i in np.flatnonzero(bad[0]))
-
-
-def choose_scales(
-    project: Project, wanted: Scales, room: float, vectors: tuple[float, float]
-) -> dict[str, Scale]:
-    """Return μ of every plan drawn: what the scene fixes, else a standard one, found with the exact hand.
-
-    A segment fixed in mm (OA, pa, πa) gives its μ; the choice makes the plan of positions and the longest
-    vectors as large as ``room`` and ``vectors`` (mm) allow.
-    """
-    log, given = project.construction, dict(project.given)
-    for view in log.views:
-        assert view.scale is not None
-        given[view.scale] = 1.0
-    arm, pin_speed, pin_acceleration = _crank(project)
-    points = [m for m in project.marks("positions") if m.kind is Point]
-    reading = execute(log, given, points)
-    extent = _extent([reading[mark] for mark in points])
-    mu_l = wanted.mu_l or (arm / wanted.OA if wanted.OA else standard_length(extent, room))
-    scales = {"positions": Scale("μ_l", mu_l, "m/mm")}
-    if project.velocities is not None:
-        longest = _longest(project, given, "velocities", None)
-        mu_v = wanted.mu_v or (
-            pin_speed / wanted.pa if wanted.pa else standard(longest, vectors[0])
-        )
-        if wanted.mu_v_is_mu_l_omega:
-            mu_v = mu_l * abs(project.mechanism.drive.speed)
-        scales["velocities"] = Scale("μ_v", mu_v, "(m/s)/mm")
-    if project.accelerations is not None:
-        longest = _longest(project, given, "accelerations", project.accelerated)
-        mu_a = wanted.mu_a or (
-            pin_acceleration / wanted.pi_a if wanted.pi_a else standard(longest, vectors[1])
-        )
-        scales["accelerations"] = Scale("μ_a", mu_a, "(m/s²)/mm")
-    return scales
-
-
-def _crank(project: Project) -> tuple[float, float, float]:
-    drive, structure = project.mechanism.drive, project.structure
-    crank = project.mechanism.by_number[structure.driver]
-    arm = abs(crank.points[structure.pin] - crank.points[structure.pivot])
-    return arm, abs(drive.speed) * arm, abs(drive.speed**2 + 1j * drive.acceleration) * arm
-
-
-def _extent(points: list[np.ndarray]) -> float:
-    flat = np.concatenate([np.ravel(p) for p in points])
-    flat = flat[np.isfinite(flat)]
-    width, height = np.ptp(flat.real), np.ptp(flat.imag)
-    return float(max(width, height))
-
-
-def _longest(
-    project: Project, given: Mapping[Mark, object], plan: str, at: tuple[int, ...] | None
-) -> float:
-    points = [m for m in project.marks(plan) if m.kind is Point]
-    reading = execute(project.construction, given, points, positions=at)
-    lengths = [np.abs(reading[m]) for m in points]
-    return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)

@@ -12,6 +12,7 @@ import numpy as np
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Angle, Length, Number
 
+_NO_INTERVALS = ("the base has no intervals", "на основании нет интервалов")
 _ZERO_LENGTH = ("the length to divide by is zero", "деление на нулевую длину")
 
 
@@ -98,3 +99,57 @@ def sine_of_half(length: Number, angle: Angle) -> Number:
 def half_chord(stroke: Number, angle: Angle) -> Number:
     """{stroke}/(2·sin({angle}/2))"""
     return Number(stroke / (2.0 * np.sin(np.radians(angle / 2.0))))
+
+
+@operation(formula=True, fails=_NO_INTERVALS)
+def abscissa(n: Number, base: Length, intervals: Number) -> Length:
+    """{n}·{base}/{intervals}"""
+    return Length(n * base / intervals)
+
+
+@operation(formula=True)
+def turn_per_mm(base: Length) -> Number:
+    """2π/{base}"""
+    return Number(2.0 * np.pi / base)
+
+
+@operation(formula=True)
+def time_per_mm(omega: Number, base: Length) -> Number:
+    """2π/({omega}·{base})"""
+    return Number(2.0 * np.pi / (np.abs(omega) * base))
+
+
+@operation(formula=True)
+def mm_of_turn(mu: Number) -> Length:
+    """2π/{mu}"""
+    return Length(2.0 * np.pi / mu)
+
+
+@operation(formula=True)
+def mm_of_time(omega: Number, mu: Number) -> Length:
+    """2π/({omega}·{mu})"""
+    return Length(2.0 * np.pi / (np.abs(omega) * mu))
+
+
+@operation(formula=True)
+def pole_distance(mu: Number, mu_of_derivative: Number, mu_along: Number) -> Length:
+    """{mu}/({mu_of_derivative}·{mu_along})"""
+    return Length(mu / (mu_of_derivative * mu_along))
+
+
+@operation(formula=True)
+def scale_of_derivative(mu: Number, mu_along: Number, pole: Length) -> Number:
+    """{mu}/({mu_along}·{pole})"""
+    return Number(mu / (mu_along * pole))
+
+
+@operation(formula=True)
+def scale_of_integral(mu: Number, mu_along: Number, pole: Length) -> Number:
+    """{mu}·{mu_along}·{pole}"""
+    return Number(mu * mu_along * pole)
+
+
+@operation(formula=True)
+def rescaled(length: Length, mu: Number, other: Number) -> Length:
+    """{length}·{mu}/{other}"""
+    return Length(length * mu / other)

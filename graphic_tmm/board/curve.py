@@ -6,7 +6,10 @@ drawable ones gets a natural spline of its own.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Complexes, Curve, Point
@@ -25,10 +28,10 @@ def french_curve(through: Point, *, row: int) -> Curve:
         points = knots[trial]
         drawn = np.isfinite(points)
         if drawn.all():
-            tangents[trial] = _periodic(points)
+            tangents[trial] = periodic(points)
             continue
-        for run in _runs(drawn):
-            tangents[trial, run] = _natural(points[run])
+        for run in neighbours(drawn):
+            tangents[trial, run] = natural(points[run])
     return Curve(knots, tangents, True)
 
 
@@ -39,7 +42,7 @@ def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
     if drawn.all():
         runs = [np.append(np.arange(knots.size), 0)] if curve.closed else [np.arange(knots.size)]
     else:
-        runs = _runs(drawn)
+        runs = neighbours(drawn)
     found = []
     for run in runs:
         p, m = knots[run], tangents[run] / 3
@@ -49,27 +52,31 @@ def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
     return found
 
 
-def _runs(drawn: np.ndarray) -> list[np.ndarray]:
-    """Return the runs (at least two long) of neighbouring positions of a closed row that can be drawn."""
+def neighbours(drawn: np.ndarray, *, closed: bool = True) -> list[np.ndarray]:
+    """Return the runs (at least two long) of neighbouring positions of a row that can be drawn.
+
+    In a closed row the last position is a neighbour of the first.
+    """
     if not drawn.any():
         return []
-    start = int(np.argmin(drawn))
+    start = int(np.argmin(drawn)) if closed else 0
     order = (np.arange(drawn.size) + start) % drawn.size
     cuts = np.flatnonzero(~drawn[order])
     return [run[drawn[run]] for run in np.split(order, cuts) if drawn[run].sum() > 1]
 
 
-def _periodic(points: Complexes) -> Complexes:
+def periodic(points: NDArray[Any]) -> NDArray[Any]:
+    """Return the tangents of the periodic cubic spline through evenly spaced points."""
     n = points.size
     if n < 3:
         return np.zeros_like(points)
     right = 3.0 * (np.roll(points, -1) - np.roll(points, 1))
-    return np.asarray(
-        np.fft.ifft(np.fft.fft(right) / (4.0 + 2.0 * np.cos(2.0 * np.pi * np.arange(n) / n)))
-    )
+    found = np.fft.ifft(np.fft.fft(right) / (4.0 + 2.0 * np.cos(2.0 * np.pi * np.arange(n) / n)))
+    return np.asarray(found if np.iscomplexobj(points) else found.real)
 
 
-def _natural(points: Complexes) -> Complexes:
+def natural(points: Complexes) -> Complexes:
+    """Return the tangents of the natural cubic spline through evenly spaced points."""
     n = points.size
     matrix = 4.0 * np.eye(n) + np.eye(n, k=1) + np.eye(n, k=-1)
     matrix[0, 0] = matrix[-1, -1] = 2.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,6 +14,8 @@ from graphic_tmm.paper.svg import svg
 
 PPI = 150.0
 """Dots per inch of a PNG: an A1 sheet has 4967 × 3508."""
+HAIR = 1e-6
+"""By how much the paper of a PNG is narrower, and lower, than a whole number of dots (of itself)."""
 
 
 def pdf(sheets: Sequence[Sheet]) -> bytes:
@@ -28,7 +31,27 @@ def pdf(sheets: Sequence[Sheet]) -> bytes:
 
 def png(sheet: Sheet, *, ppi: float = PPI) -> bytes:
     """Return a sheet as PNG; raises SheetError if typst is not installed."""
-    return _compiled([sheet], "png", ppi)[0]
+    return _compiled([_on_dots(sheet, ppi)], "png", ppi)[0]
+
+
+def _on_dots(sheet: Sheet, ppi: float) -> Sheet:
+    """Return a sheet on paper of whole dots, everything as far from its upper left corner as before.
+
+    typst paints an image first on dots of its own, their number across rounded up, and from it their
+    number down; then it takes for each dot of the page the nearest of these. On paper a hair short
+    of whole dots, in both ways, both are the same dots; on any other a row or a column may be left
+    out, and what lies beyond it stands a dot off.
+    """
+    across, down = (round(size * ppi / 25.4) for size in (sheet.width, sheet.height))
+    width = _short(across * 25.4 / ppi)
+    height = _short(width * down / across)
+    moved = tuple(drawing.moved(1j * (height - sheet.height)) for drawing in sheet.drawings)
+    return sheet._replace(width=width, height=height, drawings=moved)
+
+
+def _short(size: float) -> float:
+    """Return the largest size in whole micrometres (as SVG has them) that is a hair short."""
+    return math.floor(size * (1 - HAIR) * 1000) / 1000
 
 
 def _compiled(

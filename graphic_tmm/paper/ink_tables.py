@@ -101,11 +101,11 @@ def result_table(
     shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
     rows = []
     for column in columns:
-        letter = markup(column.letter)
+        letter = words.get(column.letter) or markup(column.letter)
         if any(x is not None for x in column.mm):
             cells = [fixed(column.mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
-            letter = quantity(column.letter)
+            letter = quantity(column.letter) if plan in ("velocities", "accelerations") else letter
         places = _decimals(column.value)
         cells = [fixed(column.value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations import lay_off
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.equations import equations
 from graphic_tmm.paper.drawing import Drawing, Label
 from graphic_tmm.paper.ink_equations import draw_equations
+from graphic_tmm.paper.ink_graphs import Names, draw_graph
 from graphic_tmm.paper.ink_plans import Place, draw_plan
 from graphic_tmm.paper.ink_positions import draw_positions_ink
 from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table, structure_lines
@@ -17,12 +19,14 @@ from graphic_tmm.paper.letters import escape, letter
 from graphic_tmm.paper.specimen import specimen
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables import UNITS, columns
+from graphic_tmm.tables import UNITS, chart_columns, columns
 from graphic_tmm.words import CAPTIONS, number, unit
 from graphic_tmm.work import Work
 
 CAPTION = 5.0
 SMALL = 3.5
+STACK = 5.0
+"""Clear height between two diagrams of a stack, mm."""
 
 
 def _mu(scale: Scale, language: str) -> str:
@@ -144,6 +148,59 @@ def _accelerations(drawn: Work, lettered: bool) -> list[Drawing]:
     return _plans("accelerations", drawn, lettered)
 
 
+def _diagrams(drawn: Work, lettered: bool) -> list[Drawing]:
+    """Return the kinematic diagrams one below the other, and their table."""
+    project, language = drawn.project, drawn.scene.language
+    kinematic = project.kinematic
+    if kinematic is None:
+        return []
+    words, row = CAPTIONS[language], project.count
+    along = "t" if kinematic.order.over == "time" else "φ"
+    views = []
+    for chart in kinematic.charts.values():
+        title = words[chart.view].format(point=escape(kinematic.order.point))
+        letters = Names([escape(name) for name in project.names], chart.symbol, along)
+        view = draw_graph(
+            project.construction, drawn.reading, chart.view, row, letters, title, lettered=lettered
+        )
+        scales = [_mu(drawn.scales[key], language) for key in (chart.view, "base")]
+        views.append(captioned(view, title, ", ".join([*scales, *_poles(drawn, chart.view)])))
+    if any("diagrams" in order.place and order.format != "A4" for order in drawn.scene.sheets):
+        views = [stacked("diagrams", views)]
+    rows = chart_columns(project, drawn.reading, drawn.accelerated)
+    return [*views, result_table("diagrams", rows, project.names, language)]
+
+
+def _poles(drawn: Work, view: str) -> list[str]:
+    """Return the pole distances of a view as they are written: H_V = 20 mm."""
+    language, found = drawn.scene.language, []
+    for step in drawn.project.construction.steps:
+        if step.it.view == view and step.op is lay_off and step.it.letter == "P":
+            distance = step.uses[1]
+            value = float(drawn.reading[distance][0, 0])
+            found.append(f"{distance.letter} = {number(value, language)} {unit('mm', language)}")
+    return found
+
+
+def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
+    """Return drawings one below the other as one, their origins above each other."""
+    moved, top = [], 0.0
+    for view in views:
+        _, low, _, high = bounds(view)
+        moved.append(view.moved(1j * (top - high)))
+        top -= high - low + STACK
+    boxes = [bounds(view) for view in moved]
+    cell = (
+        min(b[0] for b in boxes),
+        min(b[1] for b in boxes),
+        max(b[2] for b in boxes),
+        max(b[3] for b in boxes),
+    )
+    strokes = tuple(stroke for view in moved for stroke in view.strokes)
+    labels = tuple(label for view in moved for label in view.labels)
+    return Drawing(name, "; ".join(view.title for view in views), strokes, labels, cell)
+
+
 def _structure(drawn: Work, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     pairs = pair_table(project.mechanism, project.structure, language)
@@ -183,6 +240,7 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
     "velocities": _velocities,
     "accelerations": _accelerations,
     "equations": _equations,
+    "diagrams": _diagrams,
     "structure": _structure,
     "results": _results,
     "velocity table": _velocity_table,

@@ -102,7 +102,13 @@ def _group(
     for leg, line in zip(closing.legs, lines, strict=True):
         if isinstance(leg, PinLeg):
             _read_tangential(draft, plan, closing, leg, point, line)
-        elif draft.board.uses(line)[0] != plan.images.pole:
+        elif draft.board.uses(line)[0] == plan.images.pole:
+            name = f"π{point.letter}"
+            plan.readings[leg.link] = draft.board.draw(
+                measure_along, name, plan.images.pole, point, line
+            )
+            plan.measured.add(point)
+        else:
             name = f"r_{{{known_image(plan, closing, leg).letter}{closing.image_letter}}}"
             draft.board.draw(measure_along, name, draft.board.uses(line)[0], point, line)
     hang_group(positions, plan, closing, point)

@@ -10,11 +10,14 @@ import numpy as np
 from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.orders import KinematicOrder
 from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
+from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.kinematic import Kinematic, draw_kinematic
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.plans.positions import (
     Positions,
@@ -33,7 +36,7 @@ class Project:
     """The log of a project and what is given on it but for the scale factors.
 
     ``names`` and ``angles`` (degrees) run along the position axis; ``accelerated`` holds the indices of the
-    positions that get an acceleration plan.
+    positions that get an acceleration plan; ``count`` of the positions make the closed row.
     """
 
     mechanism: Mechanism
@@ -48,6 +51,13 @@ class Project:
     positions: Positions
     velocities: Motion | None
     accelerations: Motion | None
+    count: int
+    kinematic: Kinematic | None = None
+
+    @property
+    def charts(self) -> tuple[Chart, ...]:
+        """The graphs on axes, in the order in which they stand one below the other."""
+        return tuple(self.kinematic.charts.values()) if self.kinematic is not None else ()
 
     def scale(self, plan: str) -> Mark:
         """Return the mark of a plan's μ."""
@@ -68,6 +78,7 @@ def draw_project(
     turned: bool = False,
     trajectories: Sequence[str] = (),
     plans: Sequence[str] = ("positions", "velocities", "accelerations"),
+    diagrams: KinematicOrder | None = None,
 ) -> Project:
     """Record the plans of a mechanism; a plan that is not asked for records no step.
 
@@ -90,11 +101,24 @@ def draw_project(
         )
     _draw_trajectories(draft, positions, trajectories, row.count)
     velocities = accelerations = None
-    if "velocities" in plans or "accelerations" in plans:
+    if "velocities" in plans or "accelerations" in plans or diagrams is not None:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerated = _places(row, numbered.names) if "accelerations" in plans else ()
     if accelerated and velocities is not None:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
+    kinematic = None
+    if diagrams is not None:
+        assert velocities is not None
+        kinematic = draw_kinematic(
+            draft,
+            positions,
+            velocities,
+            accelerations,
+            diagrams,
+            mechanism.frame.number,
+            _numbers(numbered.angles, row.count, mechanism.drive),
+            row.count,
+        )
     given = dict(draft.given)
     for group in structure.groups:
         side = side_record(mechanism, group)
@@ -114,7 +138,17 @@ def draw_project(
         positions,
         velocities,
         accelerations,
+        row.count,
+        kinematic,
     )
+
+
+def _numbers(angles: np.ndarray, count: int, drive: Drive) -> np.ndarray:
+    """Return where each position stands in the row, in intervals of it; extras stand between."""
+    travelled = (angles[0] - angles[0, 0]) * (1.0 if drive.speed > 0 else -1.0)
+    numbers = (np.round(travelled, 9) % 360.0) * count / 360.0
+    numbers[:count] = np.arange(count)
+    return np.asarray(numbers)
 
 
 def _angle(degrees: float) -> float:

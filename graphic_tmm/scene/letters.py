@@ -20,6 +20,8 @@ _ALIKE = str.maketrans(
     "ABEKMHOPCTYXaeopcyxABEZHIKMNOPTYXo",
 )
 LONGEST_TEXT = 200
+NAMED = 4
+"""Of the characters of a text that cannot be lettered so many are named."""
 
 
 def letter_fault(letter: str, *, pole: bool = True) -> str:
@@ -92,15 +94,25 @@ def text_fault(text: str) -> str:
     if len(text) > LONGEST_TEXT:
         return f"a text of {len(text)} characters; at most {LONGEST_TEXT} can be drawn, shorten it"
     for character in text:
-        if unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp"):
+        if _is_control(character):
             return f"the control character U+{ord(character):04X} cannot be drawn; take it out"
     return ""
 
 
+def _is_control(character: str) -> bool:
+    return unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp")
+
+
 def undrawable(text: str, missing: str) -> list[str]:
-    """One sentence for each character of ``text`` that is among ``missing``, in order."""
-    return [
+    """Return a sentence for each of the first characters of ``text`` that are among ``missing``.
+
+    A control character is told by `text_fault`; in a message it would do what it does.
+    """
+    found = [c for c in dict.fromkeys(text) if c in missing and not _is_control(c)]
+    says = [
         f'the character "{character}" (U+{ord(character):04X}) cannot be lettered; replace it'
-        for character in dict.fromkeys(text)
-        if character in missing
+        for character in found[:NAMED]
     ]
+    if len(found) > NAMED:
+        says.append(f"{len(found)} different characters cannot be lettered; replace them all")
+    return says

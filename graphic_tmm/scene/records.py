@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from graphic_tmm.mechanism.orders import KinematicOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
 
 
@@ -57,6 +58,7 @@ class Scene:
     row: Row = field(default_factory=Row)
     turned: bool = False
     common_pole: bool = False
+    diagrams: KinematicOrder | None = None
     main: str | None = None
     trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)

@@ -277,7 +277,7 @@ def _letters(value: object, names: Names) -> tuple[str, ...]:
 FREE_PLACES = ("lettering",)
 """What a sheet can show without a mechanism."""
 USUAL_PLACES = (
-    "positions", "velocities", "accelerations", "equations", "structure", "results",
+    "positions", "velocities", "accelerations", "equations", "diagrams", "structure", "results",
 )  # fmt: skip
 """What stands on a sheet that does not say what does."""
 PLACES = (*USUAL_PLACES, "velocity table", "acceleration table", *FREE_PLACES)

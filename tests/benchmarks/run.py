@@ -16,19 +16,10 @@ from pathlib import Path
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE.parent.parent)]
+PATHS = [str(HERE), str(HERE.parent), str(HERE.parent.parent)]
+sys.path[:0] = PATHS
 
-
-def median(call: Callable[[], object], seconds: float = 1.0) -> float:
-    """Median seconds of a call, warm, repeated for about ``seconds``."""
-    call()
-    times: list[float] = []
-    end = time.perf_counter() + seconds
-    while time.perf_counter() < end or len(times) < 5:
-        start = time.perf_counter()
-        call()
-        times.append(time.perf_counter() - start)
-    return statistics.median(times)
+from clock import Row, median, show  # noqa: E402
 
 
 def reference() -> None:
@@ -116,56 +107,50 @@ def million(count: int = 1_000_000) -> tuple[float, int]:
     return time.perf_counter() - start, len(reading.values)
 
 
+def peak_memory() -> float:
+    """Return the most memory this process has held, MB.
+
+    Not ru_maxrss where there is better: a process starts with that of the one that started it.
+    """
+    status = Path("/proc/self/status")
+    if status.exists():
+        words = next(line for line in status.read_text().splitlines() if "VmHWM" in line).split()
+        return int(words[1]) / 1024
+    import resource
+
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
 def peak_of_million() -> tuple[float, float]:
     """Return seconds and peak memory (MB) of the million positions, in a process of its own."""
     code = (
-        f"import sys; sys.path[:0] = {sys.path[:2]!r}; import resource, runpy;"
+        f"import sys; sys.path[:0] = {PATHS!r}; import runpy;"
         f"m = runpy.run_path({str(HERE / 'run.py')!r}); s, _ = m['million']();"
-        "print(s, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)"
+        "print(s, m['peak_memory']())"
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     seconds, peak = map(float, out.stdout.split())
     return seconds, peak
 
 
-def process(*arguments: str) -> float:
-    """Median seconds of a fresh process."""
-
-    def run() -> None:
-        subprocess.run([sys.executable, *arguments], check=True, capture_output=True)
-
-    return median(run, 2.0)
-
-
 def main() -> None:
     """Print the table of the README."""
+    import speed_sheet
+
     phi = np.radians(np.arange(13) * 30.0)
     unit = median(reference)
     bare = median(lambda: closed_form(phi))
     run, steps = windrower()
     plans = median(run)
-    rows = [
+    rows: list[Row] = [
         ("100 products of small arrays (the unit)", unit, unit),
         ("windrower, 13 positions, closed form in numpy", bare, unit),
         (f"windrower, 13 positions, three plans ({steps} steps)", plans, unit),
         ("   of it, one step", plans / steps, unit),
         ("   the same, against the closed form", plans, bare),
     ]
-    empty = process("-c", "pass")
-    light = process("-c", "import numpy, shapely, svgwrite, pydantic, click")
-    rows += [
-        ("python -c pass (the unit of what follows)", empty, empty),
-        ("import numpy, shapely, svgwrite, pydantic, click", light, empty),
-        ("graphic-tmm --help", process("-m", "graphic_tmm", "--help"), empty),
-        (
-            "graphic-tmm draw (windrower, A1)",
-            process("-m", "graphic_tmm", "draw", "-o", "/tmp/gtmm"),
-            empty,
-        ),
-    ]
     print(f"{'what':<58}{'ms':>10}{'ratio':>9}")
-    for name, seconds, against in rows:
-        print(f"{name:<58}{seconds * 1000:>10.3f}{seconds / against:>9.2f}")
+    show(rows + speed_sheet.lettering(unit) + speed_sheet.sheet() + speed_sheet.cold())
     print(f"{'operation':<26}{'times':>6}{'µs':>8}{'share':>8}")
     each = by_operation()
     total = sum(times * seconds for _, times, seconds in each)

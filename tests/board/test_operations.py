@@ -271,6 +271,15 @@ REFERENCES: dict[str, Callable[..., Bounded]] = {
     "swing_angle": _relative(lambda k: 180 * (k - 1) / (k + 1), 5),
     "sine_of_half": _sine_of_half,
     "half_chord": _half_chord,
+    "abscissa": _relative(lambda n, base, count: n * base / count, 2),
+    "turn_per_mm": _relative(lambda base: 2 * mp.pi / base, 3),
+    "time_per_mm": _relative(lambda w, base: 2 * mp.pi / (abs(w) * base), 4),
+    "mm_of_turn": _relative(lambda mu: 2 * mp.pi / mu, 3),
+    "mm_of_time": _relative(lambda w, mu: 2 * mp.pi / (abs(w) * mu), 4),
+    "pole_distance": _relative(lambda mu, of, along: mu / (of * along), 3),
+    "scale_of_derivative": _relative(lambda mu, along, pole: mu / (along * pole), 3),
+    "scale_of_integral": _relative(lambda mu, along, pole: mu * along * pole, 3),
+    "rescaled": _relative(lambda x, mu, other: x * mu / other, 3),
 }
 
 

@@ -1,0 +1,255 @@
+"""Graphs in ink, read off the log: axes, the curve, and what was drawn to find it.
+
+Lines are drawn from where they begin to where they were met: rays from the pole, levels carried across, the
+perpendiculars over the base; chords and the segments of an integral between their points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board import graphs as g
+from graphic_tmm.board.curve import bezier
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations import join, lay_off, meet
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Complexes, Curve
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.symbols import arrowhead, pole
+
+OVER = 9.0
+"""How far an axis goes on behind the base, or above the highest point, mm."""
+TICK = 1.0
+"""Half a tick on the base, mm."""
+DOT = 0.5
+"""Radius of the point of a reading, mm."""
+TANGENT = 6.0
+"""Half the length of a tangent that is drawn, mm."""
+LEAST = 0.3
+"""Shorter lines are points, mm."""
+SIZE, NUMBER = 5.0, 3.5
+ROOM = 12.0
+"""Room for letters about a graph before they have their places, mm."""
+
+
+class AxesMarks(NamedTuple):
+    """What the log tells of the axes of a view, in the order in which the plan told it."""
+
+    origin: Mark
+    along: Mark
+    up: Mark
+    feet: Mark
+    end: Mark
+    middles: Mark
+    mu: Mark
+    mu_along: Mark
+    length: Mark
+
+
+class Names(NamedTuple):
+    """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base."""
+
+    positions: Sequence[str]
+    up: str
+    along: str
+
+
+def axes_of(construction: Construction, view: str) -> AxesMarks:
+    """Return the axes of a view."""
+    figure = next(f for f in construction.figures if f.view == view and f.kind == "axes")
+    return AxesMarks(*figure.marks)
+
+
+def draw_graph(
+    construction: Construction,
+    reading: Reading,
+    view: str,
+    row: int,
+    names: Names,
+    title: str,
+    *,
+    lettered: bool = True,
+) -> Drawing:
+    """Return a graph: ``row`` intervals; the positions behind the row stand where they belong."""
+    ink = _Ink(construction, reading, view, row)
+    thin = [stroke for step in ink.steps for stroke in ink.construction_of(step)]
+    curves = [piece for step in ink.steps for piece in ink.curve_of(step)]
+    dots = [circle("main", z, DOT, filled=True) for z in ink.dots()]
+    low, high = ink.extent()
+    axes = ink.axes(low, high)
+    strokes: list[Stroke | Bezier] = [*thin, *axes, *curves, *dots]
+    for spot in ink.poles():
+        strokes += pole(spot)
+    if not lettered:
+        left = min([0.0, *(spot.real for spot in ink.poles())])
+        cell = (left - ROOM, low - ROOM, ink.length + OVER + ROOM, high + OVER + ROOM)
+        return Drawing(view, title, tuple(strokes), cell=cell)
+    wanted = list(ink.letters(names, high))
+    labels = place(wanted, strokes)
+    return Drawing(view, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+
+
+class _Ink:
+    """A view of the log and its numbers while it is inked; the origin is 0."""
+
+    def __init__(self, construction: Construction, reading: Reading, view: str, row: int) -> None:
+        self.reading, self.row = reading, row
+        self.marks = axes_of(construction, view)
+        self.by_mark = {step.it: step for step in construction.steps}
+        self.steps = [step for step in construction.steps if step.it.view == view]
+        self.length = float(reading[self.marks.length][0, 0])
+
+    def points(self, mark: Mark) -> Complexes:
+        """The places of a point in all positions."""
+        return np.broadcast_to(self.reading[mark][0], (self.reading.positions,))
+
+    def starts(self, mark: Mark) -> Complexes:
+        """Where a line begins in all positions."""
+        return np.broadcast_to(self.reading[mark].at[0], (self.reading.positions,))
+
+    def construction_of(self, step: Step) -> Iterator[Stroke]:
+        """The thin lines of a step."""
+        rule = _RULES.get(step.op.name)
+        if rule is None:
+            return
+        for start, end in rule(self, step):
+            for a, b in zip(start, end, strict=True):
+                if np.isfinite(a) and np.isfinite(b) and abs(b - a) > LEAST:
+                    yield line("thin", complex(a), complex(b))
+
+    def curve_of(self, step: Step) -> Iterator[Bezier | Stroke]:
+        """The curve of a step, over the base only; straight lines that were joined to be read along."""
+        if step.it.kind is Curve:
+            for controls in bezier(self.reading[step.it]):
+                yield from _clipped(controls, self.length, step.it.letter)
+
+    def dots(self) -> list[complex]:
+        """The points through which curves are drawn."""
+        found: list[complex] = []
+        for step in self.steps:
+            if step.it.kind is Curve:
+                spots = self.points(step.uses[0])[: self.row]
+                found += [complex(z) for z in spots if np.isfinite(z)]
+        return found
+
+    def poles(self) -> list[complex]:
+        """The pole, where there is one."""
+        marks = [s.it for s in self.steps if s.op is lay_off and s.it.letter == "P"]
+        return [complex(self.points(mark)[0]) for mark in marks]
+
+    def extent(self) -> tuple[float, float]:
+        """The lowest and the highest of what stands over the base, the base itself included."""
+        heights = [0.0]
+        for step in self.steps:
+            if step.it.kind is Curve:
+                curve = self.reading[step.it]
+                inside = (curve.knots[0].real > -1e-9) & (curve.knots[0].real < self.length + 1e-9)
+                heights += [float(y) for y in curve.knots[0].imag[inside] if np.isfinite(y)]
+        return min(heights), max(heights)
+
+    def axes(self, low: float, high: float) -> list[Stroke]:
+        """The two axes with their arrows, and the ticks of the positions."""
+        right, top = complex(self.length + OVER, 0), complex(0, high + OVER)
+        left = min([0.0, *(spot.real for spot in self.poles())])
+        strokes = [line("thin", complex(left, 0), right), line("thin", complex(0, low), top)]
+        strokes += [*arrowhead(right, 1 + 0j, pen="thin"), *arrowhead(top, 1j, pen="thin")]
+        ends = [*self.points(self.marks.feet), self.length]
+        strokes += [line("thin", z - 1j * TICK, z + 1j * TICK) for z in map(complex, ends)]
+        return strokes
+
+    def letters(self, names: Names, high: float) -> Iterator[Wanted]:
+        """The numbers of the positions under the base, the letters of the axes and of the pole."""
+        yield Wanted(names.up, complex(0, high + OVER), SIZE, 1.5, -1 + 0j)
+        yield Wanted(names.along, complex(self.length + OVER, 0), SIZE, 1.5, -1j)
+        for spot in self.poles():
+            yield Wanted("P", spot, NUMBER, 1.0, -1 + 0j)
+        feet = self.points(self.marks.feet)
+        for name, foot in zip(names.positions, feet, strict=True):
+            yield Wanted(name, complex(foot), NUMBER, TICK, -1 - 1.5j)
+        yield Wanted(names.positions[0], complex(self.length), NUMBER, TICK, -1 - 1.5j)
+
+
+Ends = Iterator[tuple[Complexes, Complexes]]
+
+
+def _met(ink: _Ink, step: Step) -> Ends:
+    """From where each of two lines begins to where they meet; an axis is drawn already."""
+    for used in step.uses:
+        drawn = ink.by_mark.get(used)
+        if used in (ink.marks.along, ink.marks.up) or drawn is None:
+            continue
+        begun = ink.by_mark.get(drawn.uses[0])
+        if begun is not None and begun.op is g.at_zero:
+            continue  # the height of the first point, taken over with the dividers
+        yield ink.starts(used), ink.points(step.it)
+
+
+def _laid(ink: _Ink, step: Step) -> Ends:
+    if step.it.letter != "P" and step.it not in (ink.marks.feet, ink.marks.end):
+        yield ink.starts(step.uses[0]), ink.points(step.it)
+
+
+def _erected(ink: _Ink, step: Step) -> Ends:
+    yield ink.points(step.uses[1]), ink.points(step.it)
+
+
+def _joined(ink: _Ink, step: Step) -> Ends:
+    yield ink.points(step.uses[0]), ink.points(step.uses[1])
+
+
+def _touched(ink: _Ink, step: Step) -> Ends:
+    at, along = ink.starts(step.it), ink.reading[step.it].along[0]
+    yield at - TANGENT * along, at + TANGENT * along
+
+
+def _succeeded(ink: _Ink, step: Step) -> Ends:
+    points = ink.points(step.it)[: ink.row]
+    last = next(s.it for s in ink.steps if s.op is g.arrival and s.uses[1] == step.uses[1])
+    yield points, np.append(points[1:], ink.points(last)[0])
+
+
+_RULES: dict[str, Callable[[_Ink, Step], Ends]] = {
+    op.name: rule
+    for op, rule in (
+        (meet, _met),
+        (lay_off, _laid),
+        (g.erect, _erected),
+        (join, _joined),
+        (g.touching, _touched),
+        (g.succession, _succeeded),
+    )
+}
+
+
+def _clipped(controls: Complexes, length: float, title: str) -> Iterator[Bezier]:
+    """Return the part of a chain of cubic arcs that stands over the base; x runs evenly along each arc."""
+    kept: list[complex] = []
+    for k in range(0, len(controls) - 1, 3):
+        arc = controls[k : k + 4]
+        x0, x1 = arc[0].real, arc[3].real
+        if x1 <= 1e-9 or x0 >= length - 1e-9:
+            continue
+        u, v = max(0.0, -x0 / (x1 - x0)), min(1.0, (length - x0) / (x1 - x0))
+        piece = _part(arc, u, v)
+        kept += [complex(z) for z in (piece if not kept else piece[1:])]
+    if kept:
+        yield Bezier("main", tuple(kept), title)
+
+
+def _part(arc: Complexes, u: float, v: float) -> Complexes:
+    """Return the controls of the part of a cubic arc between two of its parameters."""
+    if u == 0.0 and v == 1.0:
+        return arc
+
+    def blossom(a: float, b: float, c: float) -> complex:
+        points = list(arc)
+        for t in (a, b, c):
+            points = [p + t * (q - p) for p, q in pairwise(points)]
+        return complex(points[0])
+
+    return np.array([blossom(u, u, u), blossom(u, u, v), blossom(u, v, v), blossom(v, v, v)])

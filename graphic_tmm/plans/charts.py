@@ -1,0 +1,66 @@
+"""A graph as users see it: its view, what its ordinates mean, how its scale is found."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.calculations import (
+    pole_distance,
+    scale_of_derivative,
+    scale_of_integral,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.mechanism.orders import Drawn
+from graphic_tmm.plans.draft import Draft
+
+
+class Chart(NamedTuple):
+    """A graph: its view, the symbol and unit of its ordinates, its scale, the ordinates read off (Length).
+
+    ``end``: the ordinate at the end of the base where it was integrated to (Length). ``chosen``: its scale is
+    a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
+    of the ordinates takes ``room`` mm at most.
+    """
+
+    view: str
+    symbol: str
+    unit: str
+    mu: Mark
+    ordinates: tuple[Mark, ...]
+    chosen: bool
+    wanted: float | None
+    room: float
+    end: Mark | None = None
+
+
+class Scaled(NamedTuple):
+    """A scale, whether it is a given mark, and the distance of the pole that belongs to it (Length)."""
+
+    mu: Mark
+    chosen: bool
+    distance: Mark
+
+
+def derived_scale(
+    draft: Draft, symbol: str, unit: str, of: Mark, along: Mark, drawn: Drawn
+) -> Scaled:
+    """Find the scale of a derivative from the pole distance, or the pole distance from the scale."""
+    if drawn.pole is not None:
+        distance = draft.take(Length, f"H_{symbol}", drawn.pole, "mm")
+        mu = draft.board.draw(scale_of_derivative, f"μ_{symbol}", of, along, distance, unit=unit)
+        return Scaled(mu, False, distance)
+    mu = draft.board.take(Number, f"μ_{symbol}", unit)
+    return Scaled(mu, True, draft.board.draw(pole_distance, f"H_{symbol}", of, mu, along))
+
+
+def integrated_scale(
+    draft: Draft, symbol: str, unit: str, of: Mark, along: Mark, drawn: Drawn
+) -> Scaled:
+    """Find the scale of an integral from the pole distance, or the pole distance from the scale."""
+    if drawn.pole is not None:
+        distance = draft.take(Length, f"H_{symbol}", drawn.pole, "mm")
+        mu = draft.board.draw(scale_of_integral, f"μ_{symbol}", of, along, distance, unit=unit)
+        return Scaled(mu, False, distance)
+    mu = draft.board.take(Number, f"μ_{symbol}", unit)
+    return Scaled(mu, True, draft.board.draw(pole_distance, f"H_{symbol}", mu, of, along))

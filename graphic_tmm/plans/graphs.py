@@ -1,0 +1,220 @@
+"""Graphs on a common base: ordinates laid off, chords or tangents against a pole, segments in succession.
+
+A graph has two scales, one along the base and one of its ordinates, and its own view on the board. What stands
+at the boundaries of the intervals and what stands at their middles are two kinds of things here: a chord gives
+a value of the middle (`Middles`), and only a curve read at the boundaries makes `Boundaries` of it again.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.calculations import abscissa
+from graphic_tmm.board.graphs import (
+    arrival,
+    at_zero,
+    closed_graph,
+    erect,
+    following,
+    halve,
+    open_graph,
+    open_graph_of_middles,
+    succession,
+    touching,
+)
+from graphic_tmm.board.operations import (
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    ray,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.errors import ConstructionError
+from graphic_tmm.plans.draft import Draft
+
+LEAST = 4
+"""Fewer intervals than these show no curve."""
+
+
+class Base(NamedTuple):
+    """What graphs one below the other share: the length of the base, its scale, where the positions stand.
+
+    ``intervals``: how many; ``x`` the abscissa of every position (Length), ``mu`` the scale along the base,
+    ``zero`` the direction of the base (Angle).
+    """
+
+    intervals: int
+    length: Mark
+    x: Mark
+    mu: Mark
+    zero: Mark
+
+
+class Axes(NamedTuple):
+    """The axes of one graph: its view, origin, the two lines, the feet of positions, the end, the middles."""
+
+    base: Base
+    view: str
+    mu: Mark
+    origin: Mark
+    along: Mark
+    up: Mark
+    feet: Mark
+    end: Mark
+    middles: Mark
+
+
+class Boundaries(NamedTuple):
+    """Points of a graph at the boundaries of the intervals, and the point at the end of the base."""
+
+    points: Mark
+    end: Mark
+
+
+class Middles(NamedTuple):
+    """Points of a graph at the middles of the intervals."""
+
+    points: Mark
+
+
+class Pole(NamedTuple):
+    """The pole of a graph: the point left of the origin, and its distance H from there (Length)."""
+
+    point: Mark
+    distance: Mark
+
+
+def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) -> Base:
+    """Divide a base into ``count`` even intervals; ``numbers``: of each position, from 0 at its beginning.
+
+    Raises
+    ------
+    ConstructionError
+        With fewer than four intervals.
+    """
+    if count < LEAST:
+        raise ConstructionError(
+            f"{mu.view}: a graph needs {LEAST} intervals at least, not {count}: take more positions"
+        )
+    intervals = draft.take(Number, "N", float(count))
+    n = draft.take(Number, "n", numbers)
+    x = draft.board.draw(abscissa, "x_{n}", n, length, intervals)
+    return Base(count, length, x, mu, draft.angle("0°", 0.0))
+
+
+def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
+    """Draw the axes of a graph in a view of its own; ``mu``: the scale of its ordinates."""
+    board = draft.board
+    board.open(view)
+    origin = draft.take(Point, "O", 0j)
+    along = board.draw(ray, "(Ox)", origin, base.zero)
+    up = board.draw(square, "(Oy)", origin, along, sense=1)
+    feet = board.draw(lay_off, "i", along, base.x)
+    end = board.draw(lay_off, str(base.intervals), along, base.length)
+    after = board.draw(following, "i+1", feet, end, row=base.intervals)
+    middles = board.draw(halve, "m", feet, after)
+    board.lay_out(None, mu)
+    board.figure("axes", view, origin, along, up, feet, end, middles, mu, base.mu, base.length)
+    return Axes(base, view, mu, origin, along, up, feet, end, middles)
+
+
+def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
+    """Lay off an ordinate for every position; the graph is closed: its end stands as high as its beginning."""
+    line = draft.board.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    points = draft.board.draw(lay_off, letter, line, lengths)
+    return close(draft, axes, points)
+
+
+def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
+    """Carry the height of the first point across to the end of the base."""
+    board = draft.board
+    first = board.draw(at_zero, board.free(f"{points.letter}_0"), points)
+    level = board.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1)
+    last = board.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1)
+    return Boundaries(points, board.draw(meet, f"{points.letter}_N", level, last))
+
+
+def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
+    """Measure the ordinates of points at the boundaries, with their signs."""
+    return draft.board.draw(measure_along, letter, axes.feet, points, axes.up)
+
+
+def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
+    """Draw the smooth curve through the points of a graph."""
+    board, row = draft.board, axes.base.intervals
+    letter = f"({points.points.letter}–{points.points.letter})"
+    if closed:
+        return board.draw(closed_graph, letter, points.points, axes.base.length, row=row)
+    if isinstance(points, Boundaries):
+        return board.draw(open_graph, letter, points.points, points.end, row=row)
+    return board.draw(open_graph_of_middles, letter, points.points, row=row)
+
+
+def on_curve(draft: Draft, axes: Axes, curve: Mark, letter: str) -> Boundaries:
+    """Mark the points of a curve over the boundaries of the intervals."""
+    points = draft.board.draw(erect, letter, curve, axes.feet)
+    return Boundaries(points, draft.board.draw(erect, f"{letter}_N", curve, axes.end))
+
+
+def set_pole(draft: Draft, axes: Axes, distance: Mark) -> Pole:
+    """Mark the pole at its distance H to the left of the origin."""
+    draft.board.open(axes.view)
+    left = draft.board.draw(square, "(OP)", axes.origin, axes.up, sense=1)
+    return Pole(draft.board.draw(lay_off, "P", left, distance), distance)
+
+
+def by_chords(
+    draft: Draft, source: Axes, at: Boundaries, to: Axes, pole: Pole, letter: str
+) -> Middles:
+    """Differentiate by chords: rays from the pole parallel to them give the values of the middles."""
+    board = draft.board
+    board.open(source.view)
+    after = board.draw(
+        following, f"{at.points.letter}+1", at.points, at.end, row=source.base.intervals
+    )
+    chord = board.draw(join, f"({at.points.letter},{after.letter})", at.points, after)
+    board.open(to.view)
+    rays = board.draw(parallel, "(P)", pole.point, chord, sense=1)
+    return Middles(_carried(draft, to, rays, to.middles, letter))
+
+
+def by_tangents(
+    draft: Draft, source: Axes, curve: Mark, to: Axes, pole: Pole, letter: str
+) -> Boundaries:
+    """Differentiate by tangents: rays from the pole parallel to them give the values of the boundaries."""
+    board = draft.board
+    board.open(source.view)
+    slopes = board.draw(touching, f"(τ_{{{curve.letter.strip('()')[0]}}})", curve, source.feet)
+    board.open(to.view)
+    rays = board.draw(parallel, "(P)", pole.point, slopes, sense=1)
+    return close(draft, to, _carried(draft, to, rays, to.feet, letter))
+
+
+def _carried(draft: Draft, axes: Axes, rays: Mark, feet: Mark, letter: str) -> Mark:
+    """Carry where rays from the pole meet the ordinate axis across to over their feet."""
+    board = draft.board
+    cut = board.draw(meet, f"{letter}_y", axes.up, rays)
+    level = board.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1)
+    over = board.draw(square, f"({feet.letter})", feet, axes.along, sense=1)
+    return board.draw(meet, letter, over, level)
+
+
+def integrate(
+    draft: Draft, source: Axes, curve: Mark, to: Axes, pole: Pole, letter: str
+) -> Boundaries:
+    """Integrate: the ordinate at each middle gives a ray from the pole, the rays segments in succession."""
+    board, row = draft.board, source.base.intervals
+    board.open(source.view)
+    high = board.draw(erect, board.free("h"), curve, source.middles)
+    level = board.draw(parallel, f"({high.letter})", high, source.along, sense=1)
+    cut = board.draw(meet, board.free("h_y"), source.up, level)
+    rays = board.draw(join, f"(P{cut.letter})", pole.point, cut)
+    board.open(to.view)
+    points = board.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)
+    return Boundaries(
+        points, board.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=row)
+    )
