@@ -180,9 +180,18 @@ def protocol(
     project = work.project
     place = _position(work, position, needs="accelerations" if len(plans) == 1 else "")
     for plan in plans:
-        yield from _plan_lines(work, plan, place, language)
+        for view in _views_of(work, plan):
+            yield from _plan_lines(work, view, place, language)
         if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
             raise _refused(work, plan, project.names[place])
+
+
+def _views_of(work: Work, plan: str) -> list[str]:
+    """Return the views of the board that a plan is drawn in, in the order of the log."""
+    if plan != "diagrams":
+        return [plan]
+    charts = {chart.view for chart in work.project.charts}
+    return [view.name for view in work.project.construction.views if view.name in charts]
 
 
 def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[str]:
@@ -202,7 +211,9 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
         return
     words = CAPTIONS[language]
     at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
-    yield f"{words[plan]}{at}"
+    kinematic = work.project.kinematic
+    point = kinematic.order.point if kinematic is not None else ""
+    yield f"{words[plan].format(point=point)}{at}"
     for line in lines:
         yield f"{line.number:4}. {line.text}" if line.number else f"      [{line.text}]"
         if line.calculation:

@@ -1,0 +1,89 @@
+"""Dimensions of a sketch (ГОСТ 2.307): extension lines, arrows, the figure above; hatching of sections."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import NamedTuple
+
+import shapely
+
+from graphic_tmm.paper.drawing import Label, Stroke, line
+from graphic_tmm.paper.letters import letter
+from graphic_tmm.paper.symbols import arrowhead
+
+ARROW = 3.0
+BEYOND = 2.0
+"""How far an extension line goes on behind the arrows, mm."""
+ABOVE = 0.9
+"""Clear height between the dimension line and its figure, mm."""
+SIZE = 3.5
+HATCH = 2.5
+"""Pitch of section hatching, mm."""
+
+
+class Dimension(NamedTuple):
+    """The lines of a dimension and its figure."""
+
+    strokes: tuple[Stroke, ...]
+    label: Label
+
+
+def dimension(start: complex, end: complex, offset: float, text: str) -> Dimension:
+    """Return the dimension of ``start``–``end`` on a line ``offset`` mm to its left.
+
+    The figure stands above the line, or left of a vertical one; where the arrows have no room between the
+    extension lines they stand outside, and the line goes on behind them.
+    """
+    way = (end - start) / abs(end - start)
+    out = 1j * way * math.copysign(1.0, offset)
+    a, b = start + abs(offset) * out, end + abs(offset) * out
+    strokes = [line("thin", z, w + BEYOND * out) for z, w in ((start, a), (end, b))]
+    made = letter(text, size=SIZE)
+    inside = abs(end - start) >= 2 * ARROW + 1.0
+    reach = 0.0 if inside else 2 * ARROW
+    strokes.append(line("thin", a - reach * way, b + reach * way))
+    for tip, sense in ((a, -1), (b, 1)):
+        strokes += arrowhead(tip, way * sense * (1 if inside else -1), pen="thin", length=ARROW)
+    read = way if (way.real, way.imag) > (1e-9, 0.0) or abs(way.real) < 1e-9 < way.imag else -way
+    if abs(read.real) < 1e-9:
+        read = 1j
+    middle = (a + b) / 2
+    if made.width > abs(end - start):
+        middle = b + (reach + 1.0 + made.width / 2) * way
+        strokes.append(line("thin", b + reach * way, middle + made.width / 2 * way))
+    at = middle + (ABOVE + made.descent) * 1j * read
+    label = Label(text, at, SIZE, "middle", round(math.degrees(cmath.phase(read)), 6))
+    return Dimension(tuple(strokes), label)
+
+
+def shelf(point: complex, bend: complex, text: str) -> Dimension:
+    """Return a leader from a point to a shelf on which a text stands; to the right of ``bend``."""
+    made = letter(text, size=SIZE)
+    end = bend + made.width + 1.0
+    strokes = (
+        line("thin", point, bend, end),
+        *arrowhead(point, point - bend, pen="thin", length=ARROW),
+    )
+    return Dimension(strokes, Label(text, bend + 0.5 + 1j * (ABOVE + made.descent), SIZE))
+
+
+def hatched(
+    area: shapely.Polygon, *, pitch: float = HATCH, rising: bool = True
+) -> tuple[Stroke, ...]:
+    """Return the hatching of a section: thin lines at 45°."""
+    left, low, right, high = area.bounds
+    span = right - left + high - low
+    found = []
+    slope = 1 if rising else -1
+    count = math.ceil(span * math.sqrt(0.5) / pitch) + 1
+    middle = complex((left + right) / 2, (low + high) / 2)
+    along = cmath.rect(1.0, slope * math.pi / 4)
+    for k in range(-count, count + 1):
+        foot = middle + k * pitch * 1j * along
+        ends = [foot - span * along, foot + span * along]
+        cut = shapely.intersection(shapely.LineString([(z.real, z.imag) for z in ends]), area)
+        for part in shapely.get_parts(cut):
+            if isinstance(part, shapely.LineString) and part.length > 0.2:
+                found.append(line("thin", *(complex(x, y) for x, y in part.coords)))
+    return tuple(found)
