@@ -88,7 +88,9 @@ def record(scene: Scene) -> Project:
 def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[float, float]) -> Work:
     """Choose the scale factors of a recorded project and execute it; see `work`."""
     formats = [sheet.format for sheet in scene.sheets]
-    scales = choose_scales(project, scene.scales, ROOM["A1" if "A1" in formats else "A4"], vectors)
+    scales = choose_scales(
+        project, scene.scales, ROOM["A4" if set(formats) == {"A4"} else "A1"], vectors
+    )
     given = dict(project.given)
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value

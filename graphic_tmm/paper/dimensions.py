@@ -1,12 +1,10 @@
-"""Dimensions of a sketch (ГОСТ 2.307): extension lines, arrows, the figure above; hatching of sections."""
+"""Dimensions of a sketch (ГОСТ 2.307): extension lines, arrows, the figure above."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from typing import NamedTuple
-
-import shapely
 
 from graphic_tmm.paper.drawing import Label, Stroke, line
 from graphic_tmm.paper.letters import letter
@@ -18,8 +16,6 @@ BEYOND = 2.0
 ABOVE = 0.9
 """Clear height between the dimension line and its figure, mm."""
 SIZE = 3.5
-HATCH = 2.5
-"""Pitch of section hatching, mm."""
 
 
 class Dimension(NamedTuple):
@@ -66,24 +62,3 @@ def shelf(point: complex, bend: complex, text: str) -> Dimension:
         *arrowhead(point, point - bend, pen="thin", length=ARROW),
     )
     return Dimension(strokes, Label(text, bend + 0.5 + 1j * (ABOVE + made.descent), SIZE))
-
-
-def hatched(
-    area: shapely.Polygon, *, pitch: float = HATCH, rising: bool = True
-) -> tuple[Stroke, ...]:
-    """Return the hatching of a section: thin lines at 45°."""
-    left, low, right, high = area.bounds
-    span = right - left + high - low
-    found = []
-    slope = 1 if rising else -1
-    count = math.ceil(span * math.sqrt(0.5) / pitch) + 1
-    middle = complex((left + right) / 2, (low + high) / 2)
-    along = cmath.rect(1.0, slope * math.pi / 4)
-    for k in range(-count, count + 1):
-        foot = middle + k * pitch * 1j * along
-        ends = [foot - span * along, foot + span * along]
-        cut = shapely.intersection(shapely.LineString([(z.real, z.imag) for z in ends]), area)
-        for part in shapely.get_parts(cut):
-            if isinstance(part, shapely.LineString) and part.length > 0.2:
-                found.append(line("thin", *(complex(x, y) for x, y in part.coords)))
-    return tuple(found)

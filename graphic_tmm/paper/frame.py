@@ -17,6 +17,7 @@ from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.ruled import Box, Slot, set_text
 from graphic_tmm.paper.titleblock import (
     COLUMN_26,
+    COLUMN_26_UPRIGHT,
     FORM_1,
     FORM_2A,
     ISO_FIRST,
@@ -29,9 +30,9 @@ from graphic_tmm.paper.titleblock import (
 )
 
 SIZES: Mapping[str, tuple[float, float]] = MappingProxyType(
-    {"A1": (841.0, 594.0), "A4": (210.0, 297.0)}
+    {"A1": (841.0, 594.0), "A1 portrait": (594.0, 841.0), "A4": (210.0, 297.0)}
 )
-"""Width and height of the paper in mm: A1 lies, A4 stands."""
+"""Width and height of the paper in mm: A1 lies unless it is asked to stand, A4 stands."""
 
 MARGINS: Mapping[str, tuple[float, float]] = MappingProxyType(
     {"ru": (20.0, 5.0), "en": (20.0, 10.0)}
@@ -74,7 +75,7 @@ class Area(NamedTuple):
 def drawing_area(format: str, language: str, first: bool) -> Area:
     """Return the rectangle inside the frame and what title block and column 26 take of it."""
     inner = _inner(format, language)
-    blocks = _blocks(inner, language, first)
+    blocks = _blocks(format, language, first)
     taken = (
         Box(at.real, at.imag, at.real + block.width, at.imag + block.height)
         for block, at in blocks
@@ -106,7 +107,7 @@ def frame(
     if language == "ru" and "date" in fields:
         entries["date"] = _short(fields["date"])
     strokes, labels = _edges(format, inner), list[Label]()
-    for block, at in _blocks(inner, language, first):
+    for block, at in _blocks(format, language, first):
         strokes += ruled(block, at)
         labels += lettered(block, at, entries)
     if language == "ru":
@@ -145,17 +146,22 @@ def _inner(format: str, language: str) -> Box:
     return Box(binding, other, width - other, height - other)
 
 
-def _blocks(inner: Box, language: str, first: bool) -> tuple[tuple[Block, complex], ...]:
+def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, complex], ...]:
     """Return the blocks of a sheet, each with the place of its lower left corner."""
+    inner = _inner(format, language)
     corner = complex(inner.right, inner.bottom)
     if language == "en":
         block = ISO_FIRST if first else ISO_NEXT
         return ((block, corner - block.width),)
     block = FORM_1 if first else FORM_2A
     margin = complex(inner.left - MARGIN_19_23.width, inner.bottom)
+    again = (COLUMN_26, complex(inner.left, inner.top - COLUMN_26.height))
+    if format.endswith("portrait"):
+        upright = COLUMN_26_UPRIGHT
+        again = (upright, complex(inner.right - upright.width, inner.top - upright.height))
     return (
         (block, corner - block.width),
-        (COLUMN_26, complex(inner.left, inner.top - COLUMN_26.height)),
+        again,
         (MARGIN_19_23, margin),
         *(((MARGIN_24_25, margin),) if first else ()),
     )
@@ -198,7 +204,7 @@ def _foot(format: str, inner: Box) -> tuple[Label, ...]:
     """Return the captions under the frame: who copied, and the format."""
     strip = Box(inner.right - 120, 0.4, inner.right - 50, inner.bottom - 0.3)
     end = strip._replace(left=inner.right - 50, right=inner.right)
-    captions = (("Копировал", strip), (f"Формат {format}", end))
+    captions = (("Копировал", strip), (f"Формат {format.split()[0]}", end))
     return tuple(
         label
         for text, box in captions

@@ -8,8 +8,9 @@ from typing import NamedTuple
 import shapely
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.dimensions import Dimension, dimension, hatched, shelf
+from graphic_tmm.paper.dimensions import Dimension, dimension, shelf
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
+from graphic_tmm.paper.hatching import hatched
 from graphic_tmm.words import number
 
 KEYS = (

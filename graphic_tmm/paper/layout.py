@@ -141,7 +141,7 @@ def _remedy(view: Drawing, format: str) -> str:
     plan = view.name.partition("-")[0]
     drawn = {"positions": "OA", "velocities": "pa", "accelerations": "pi_a"}.get(plan)
     factor = {"OA": "mu_l", "pa": "mu_v", "pi_a": "mu_a"}.get(drawn or "")
-    larger = [] if format == "A1" else ['a further sheet with format = "A1" for it']
+    larger = [] if format != "A4" else ['a further sheet with format = "A1" for it']
     smaller = [f"a smaller {drawn} (or a larger {factor}) in [scales]"] if drawn else []
     fewer = ["fewer positions"] if plan == "table" else []
     return "what helps: " + ", or ".join([*larger, *smaller, *fewer])

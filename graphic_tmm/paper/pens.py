@@ -18,6 +18,8 @@ MAIN_WIDTH: Mapping[str, float] = MappingProxyType({"A1": 0.8, "A4": 0.6})
 
 DASHED = (5.0, 1.5)
 CENTRE = (12.0, 1.5, 1.0, 1.5)
+SHORTEST = 5.0
+"""The shortest stroke of a dash-dot line, mm."""
 PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
 
 
@@ -43,10 +45,11 @@ def pens(format: str) -> Mapping[str, Pen]:
     runs over a slider to its pin), "paper" (hides what lies under it, draws no line), "joint" (a
     main line round white: pins, uppermost).
     """
-    if format not in MAIN_WIDTH:
+    size = format.removesuffix(" portrait")
+    if size not in MAIN_WIDTH:
         known = ", ".join(MAIN_WIDTH)
         raise SheetError(f"no pens for the format {format!r}: choose one of {known}")
-    s = MAIN_WIDTH[format]
+    s = MAIN_WIDTH[size]
     thin = max(0.2, round(s / 3, 2))
     return MappingProxyType(
         {
@@ -68,14 +71,19 @@ def pens(format: str) -> Mapping[str, Pen]:
 def fitted(dashes: tuple[float, ...], length: float, *, closed: bool = False) -> tuple[float, ...]:
     """Return the pattern stretched so that a line of ``length`` mm begins and ends with a stroke.
 
-    A closed line gets a whole number of periods. A line too short for two strokes is drawn solid:
-    ().
+    A dash-dot line has a stroke in its middle too, where it crosses another in the middle of a
+    circle. A closed line gets a whole number of periods. A line too short for strokes of `SHORTEST`
+    is drawn solid: ().
     """
     if not dashes:
         return ()
     period, first = sum(dashes), dashes[0]
     tail = 0.0 if closed else first
     count = round((length - tail) / period)
+    if not closed and len(dashes) > 2:
+        count = 2 * round((length - tail) / period / 2)
+        if count == 0 and length * first >= SHORTEST * (2 * period + first):
+            count = 2
     if count < 1:
         return ()
     stretch = length / (count * period + tail)

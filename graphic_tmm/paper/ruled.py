@@ -55,7 +55,7 @@ class Box(NamedTuple):
 class Slot(NamedTuple):
     """A place for text: the text or the name of a field, its box, the sizes to try, the lines.
 
-    ``sizes`` fall; ``anchor`` is "start" or "middle"; ``turn`` is 0, 90 or 180 degrees; ``pad`` is
+    ``sizes`` fall; ``anchor`` is "start" or "middle"; ``turn`` is 0, 90, 180 or −90 degrees; ``pad`` is
     kept free at both ends of a line, mm.
     """
 
@@ -97,7 +97,7 @@ def _room(slot: Slot) -> tuple[float, float]:
     """Return the length of a line and the height that a slot's box offers, seen along the text."""
     box = slot.box
     width, height = box.right - box.left, box.top - box.bottom
-    if slot.turn == 90:
+    if abs(slot.turn) == 90:
         width, height = height, width
     return width - 2 * slot.pad, height
 
@@ -178,7 +178,8 @@ def set_text(text: str, slot: Slot) -> tuple[Label, ...]:
     low = min(low, height - _clear(height) - written[0].ascent - rise)
     box, turn = slot.box, cmath.rect(1, math.radians(slot.turn))
     corner = complex(
-        box.left if slot.turn == 0 else box.right, box.top if slot.turn == 180 else box.bottom
+        box.left if slot.turn in (0, -90) else box.right,
+        box.top if slot.turn in (180, -90) else box.bottom,
     )
     labels = []
     for k, (text, ink) in enumerate(zip(lines, written, strict=True)):

@@ -12,7 +12,10 @@ import cmath
 import math
 from collections.abc import Sequence
 
+import shapely
+
 from graphic_tmm.paper.drawing import Stroke, arc, circle, line
+from graphic_tmm.paper.hatching import hatched
 
 JOINT_RADIUS = 1.5
 FOOT_HEIGHT, FOOT_WIDTH, GROUND_LENGTH = 7.0, 8.0, 12.0
@@ -109,25 +112,8 @@ def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:
 
 def plate(*corners: complex) -> Strokes:
     """Return a link of three pairs or more: a main outline, thin hatching at 45° inside."""
-    turned = [z * cmath.rect(1.0, -math.pi / 4) for z in corners]
-    low, high = min(z.imag for z in turned), max(z.imag for z in turned)
-    back = cmath.rect(1.0, math.pi / 4)
-    strokes = [line("main", *corners, closed=True)]
-    for k in range(1, math.ceil((high - low) / PLATE_PITCH)):
-        cuts = _crossings(turned, low + k * PLATE_PITCH)
-        pairs = zip(cuts[::2], cuts[1::2], strict=True)
-        strokes += [line("thin", a * back, b * back) for a, b in pairs]
-    return tuple(strokes)
-
-
-def _crossings(corners: Sequence[complex], height: float) -> list[complex]:
-    """Return where the level line y = ``height`` crosses a polygon, from left to right."""
-    found = []
-    for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
-        if (a.imag <= height) != (b.imag <= height):
-            share = (height - a.imag) / (b.imag - a.imag)
-            found.append(complex(a.real + share * (b.real - a.real), height))
-    return sorted(found, key=lambda z: z.real)
+    area = shapely.Polygon([(z.real, z.imag) for z in corners])
+    return (line("main", *corners, closed=True), *hatched(area, pitch=PLATE_PITCH))
 
 
 def arrowhead(

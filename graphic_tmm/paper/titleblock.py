@@ -134,7 +134,16 @@ COLUMN_26 = Block(
     (),
     (Slot("designation", Box(0, 0, 70, 14), (7, 5, 3.5, 2.5), 2, turn=180, pad=2),),
 )
-"""The designation turned by 180°, at the upper left corner of the frame."""
+"""The designation turned by 180°, at the upper left corner of the frame: A4, and larger sheets that lie."""
+
+COLUMN_26_UPRIGHT = Block(
+    14,
+    70,
+    (*_level("main", 0, 14, 0), *_upright("main", 0, 70, 0)),
+    (),
+    (Slot("designation", Box(0, 0, 14, 70), (7, 5, 3.5, 2.5), 2, turn=-90, pad=2),),
+)
+"""The designation read from the left, at the upper right corner: larger sheets that stand."""
 
 ARCHIVE = (
     ("Инв. № подл.", 0, 25),
@@ -232,7 +241,16 @@ ISO_NEXT = Block(
 )
 """The following English sheets: 180 × 10."""
 
-BLOCKS = (FORM_1, FORM_2A, COLUMN_26, MARGIN_19_23, MARGIN_24_25, ISO_FIRST, ISO_NEXT)
+BLOCKS = (
+    FORM_1,
+    FORM_2A,
+    COLUMN_26,
+    COLUMN_26_UPRIGHT,
+    MARGIN_19_23,
+    MARGIN_24_25,
+    ISO_FIRST,
+    ISO_NEXT,
+)
 
 
 def ruled(block: Block, at: complex) -> tuple[Stroke, ...]:

@@ -17,6 +17,7 @@ from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table, s
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.letters import escape, letter
 from graphic_tmm.paper.specimen import specimen
+from graphic_tmm.paper.specimen_symbols import specimen_symbols
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables import UNITS, chart_columns, columns
@@ -250,5 +251,6 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
 
 FREE_VIEWS: Mapping[str, Callable[[Scene], list[Drawing]]] = {
     "lettering": lambda scene: specimen(scene.language),
+    "symbols": lambda scene: specimen_symbols(scene.language),
 }
 """What can be placed on any sheet."""

@@ -29,7 +29,7 @@ class Scales:
 
 @dataclass(frozen=True)
 class SheetOrder:
-    """One sheet: its format ("A1", "A4"), and the plans placed on it, in order."""
+    """One sheet: its format ("A1", "A1 portrait", "A4"), and the plans placed on it, in order."""
 
     format: str = "A1"
     place: tuple[str, ...] = ("positions", "velocities", "accelerations")

@@ -274,7 +274,7 @@ def _letters(value: object, names: Names) -> tuple[str, ...]:
     return tuple(value)
 
 
-FREE_PLACES = ("lettering",)
+FREE_PLACES = ("lettering", "symbols")
 """What a sheet can show without a mechanism."""
 USUAL_PLACES = (
     "positions", "velocities", "accelerations", "equations", "diagrams", "structure", "results",
@@ -357,7 +357,7 @@ MuV = Annotated[float | str, Rule(_mu_v, _SCALE)]
 MuA = Annotated[float, Rule(_mu_a, _SCALE)]
 Drawn = Annotated[float, Rule(_drawn, _MM)]
 Ruler = Annotated[float | None, Rule(_ruler, _MM)]
-Format = Annotated[str, choice("A1", "A4", А1="A1", А4="A4")]
+Format = Annotated[str, choice("A1", "A1 portrait", "A4", А1="A1", А4="A4")]
 Places = Annotated[
     tuple[str, ...],
     Rule(_places, {"type": "array", "items": {"type": "string", "enum": list(PLACES)}}),

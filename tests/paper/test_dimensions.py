@@ -7,7 +7,8 @@ import math
 import pytest
 import shapely
 
-from graphic_tmm.paper.dimensions import HATCH, dimension, hatched, shelf
+from graphic_tmm.paper.dimensions import dimension, shelf
+from graphic_tmm.paper.hatching import HATCH, hatched
 from graphic_tmm.paper.placing import box, shape
 
 ENDS = [

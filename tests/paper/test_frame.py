@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon, box
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import letters
+from graphic_tmm.paper import letters, placing
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.frame import FIELDS, SIZES, drawing_area, frame
 from graphic_tmm.paper.pens import pens
@@ -193,7 +193,10 @@ def test_the_frame_stands_where_the_standard_has_it(
     }[language, first]
     assert tuple(area.occupied[0]) == (right - size[0], other, right, other + size[1])
     if language == "ru":
-        assert tuple(area.occupied[1]) == (20, height - 19, 90, height - 5)
+        upright = (width - 19, height - 75, width - 5, height - 5)
+        lying = (20, height - 19, 90, height - 5)
+        due = upright if format == "A1 portrait" else lying
+        assert tuple(area.occupied[1]) == due
 
 
 @pytest.mark.parametrize(("format", "language", "first"), SHEETS)
@@ -300,3 +303,12 @@ def test_unknown_things_are_refused_with_their_names() -> None:
         drawing_area("A4", "tlh", True)
     with pytest.raises(SheetError, match="name: no glyph for '☃'"):
         frame("A4", language="ru", first=True, number=1, count=1, fields={"name": "☃ snow"})
+
+
+def test_an_upright_a1_has_its_designation_along_the_right_side_read_from_the_left() -> None:
+    fields = {"designation": "ТММ.01.02.000"}
+    drawing = frame("A1 portrait", language="ru", first=True, number=1, count=1, fields=fields)
+    (label,) = [k for k in drawing.labels if k.turn == -90]
+    assert label.text.startswith("ТММ")
+    assert box(575, 766, 589, 836).covers(placing.box(label))
+    assert "Формат A1" in {k.text for k in drawing.labels}

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.pens import CENTRE, DASHED, fitted, pens
+from graphic_tmm.paper.pens import CENTRE, DASHED, PHANTOM, fitted, pens
 
 
 @pytest.mark.parametrize("format", ["A1", "A4"])
@@ -49,7 +49,21 @@ def test_a_dashed_line_begins_and_ends_with_a_whole_stroke(
         return
     periods = (length - pattern[0]) / sum(pattern)
     assert periods == pytest.approx(round(periods), abs=1e-6)
-    assert 0.6 < pattern[0] / dashes[0] < 1.5
+    assert 0.4 < pattern[0] / dashes[0] < 1.5
+
+
+@given(st.floats(20.1, 2000), st.sampled_from([CENTRE, PHANTOM]))
+def test_a_dash_dot_line_has_a_stroke_in_its_middle(
+    length: float, dashes: tuple[float, ...]
+) -> None:
+    pattern = fitted(dashes, length)
+    if not pattern:
+        assert length < 5.0 * (2 * sum(dashes) + dashes[0]) / dashes[0]
+        return
+    period = sum(pattern)
+    into = (length / 2) % period
+    assert into < pattern[0] or into == pytest.approx(period)
+    assert into == pytest.approx(pattern[0] / 2, abs=1e-6)
 
 
 def test_a_closed_line_takes_whole_periods() -> None:

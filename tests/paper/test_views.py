@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+import shapely
 from gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.frame import drawing_area
+from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.views import FREE_VIEWS, VIEWS
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -85,3 +88,17 @@ def test_a_scene_without_a_mechanism_draws_but_has_no_tables() -> None:
 def test_a_notebook_shows_a_sheet_as_svg() -> None:
     _, (sheet,) = sheets(read(SHEETS / "lettering"))
     assert sheet._repr_svg_().startswith(("<svg", "<?xml"))
+
+
+def test_an_upright_a1_holds_a_scene_inside_its_frame() -> None:
+    scene = read(SHEETS / "shaper")
+    order = SheetOrder("A1 portrait", scene.sheets[0].place)
+    _, (sheet,) = sheets(replace(scene, sheets=(order,)))
+    assert (sheet.width, sheet.height) == (594.0, 841.0)
+    area = drawing_area("A1 portrait", "ru", True)
+    inside = shapely.box(*area.inner)
+    taken = shapely.union_all([shapely.box(*block) for block in area.occupied])
+    for view in sheet.drawings[1:]:
+        for piece in (*map(shape, view.strokes), *map(box, view.labels)):
+            assert inside.covers(piece)
+            assert taken.disjoint(piece)
