@@ -33,7 +33,7 @@ TANGENT = 6.0
 LEAST = 0.3
 """Shorter lines are points, mm."""
 SIZE, NUMBER = 5.0, 3.5
-ROOM = 12.0
+ROOM = 6.0
 """Room for letters about a graph before they have their places, mm."""
 
 
@@ -87,7 +87,8 @@ def draw_graph(
         strokes += pole(spot)
     if not lettered:
         left = min([0.0, *(spot.real for spot in ink.poles())])
-        cell = (left - ROOM, low - ROOM, ink.length + OVER + ROOM, high + OVER + ROOM)
+        bottom = min(low, -NUMBER) - ROOM
+        cell = (left - ROOM, bottom, ink.length + OVER + ROOM, high + OVER + ROOM)
         return Drawing(view, title, tuple(strokes), cell=cell)
     wanted = list(ink.letters(names, high))
     labels = place(wanted, strokes)

@@ -94,9 +94,17 @@ def pair_name(pair: Pair, mechanism: Mechanism) -> str:
 
 
 def result_table(
-    plan: str, columns: Sequence[Column], names: Sequence[str], language: str
+    plan: str,
+    columns: Sequence[Column],
+    names: Sequence[str],
+    language: str,
+    *,
+    upright: bool = False,
 ) -> Drawing:
-    """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions."""
+    """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions.
+
+    ``upright``: a row for each position instead, for narrow sheets.
+    """
     words = CAPTIONS[language]
     shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
     rows = []
@@ -110,6 +118,10 @@ def result_table(
         cells = [fixed(column.value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
+    if upright:
+        heads, *rows = [list(column) for column in zip(heads, *rows, strict=True)]
+        align = ["centre"] * len(heads)
+        return table(f"table-{plan}", words[f"table {plan}"], heads, rows, size=SIZE, align=align)
     align = ["left", "left", *["centre"] * len(shown)]
     return table(f"table-{plan}", words[f"table {plan}"], heads, rows, size=SIZE, align=align)
 

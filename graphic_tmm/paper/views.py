@@ -166,10 +166,11 @@ def _diagrams(drawn: Work, lettered: bool) -> list[Drawing]:
         )
         scales = [_mu(drawn.scales[key], language) for key in (chart.view, "base")]
         views.append(captioned(view, title, ", ".join([*scales, *_poles(drawn, chart.view)])))
-    if any("diagrams" in order.place and order.format != "A4" for order in drawn.scene.sheets):
+    narrow = all(o.format == "A4" for o in drawn.scene.sheets if "diagrams" in o.place)
+    if not narrow:
         views = [stacked("diagrams", views)]
     rows = chart_columns(project, drawn.reading, drawn.accelerated)
-    return [*views, result_table("diagrams", rows, project.names, language)]
+    return [*views, result_table("diagrams", rows, project.names, language, upright=narrow)]
 
 
 def _poles(drawn: Work, view: str) -> list[str]:

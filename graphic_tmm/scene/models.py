@@ -8,16 +8,8 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from pydantic.fields import FieldInfo
 
 from graphic_tmm.scene import values as v
-
-
-class Table(BaseModel):
-    """A table of the file: a key that it does not know is a fault."""
-
-    model_config = ConfigDict(extra="forbid")
-
-
-def _key(says: str, example: Any = None, default: Any = ...) -> Any:
-    return Field(default, description=says, examples=None if example is None else [example])
+from graphic_tmm.scene.order_tables import DiagramsTable
+from graphic_tmm.scene.table import Table, key
 
 
 def _place(value: object) -> str:
@@ -38,8 +30,8 @@ TAGS = frozenset({"guide*", "point*", "several*", "one*", "extreme*", "angle*"})
 class GuideTable(Table):
     """A straight guide of a link or of the frame."""
 
-    through: v.Point = _key("a point of the guide", [0, 0])
-    angle: v.Angle = _key("its direction from the x axis", "0 deg")
+    through: v.Point = key("a point of the guide", [0, 0])
+    angle: v.Angle = key("its direction from the x axis", "0 deg")
 
 
 class FrameTable(BaseModel):
@@ -54,37 +46,37 @@ class FrameTable(BaseModel):
         ],
     ] = Field(init=False)
 
-    number: v.LinkNumber = _key("the number of the fixed link", 6, 0)
+    number: v.LinkNumber = key("the number of the fixed link", 6, 0)
 
     @property
     def points(self) -> dict[str, complex]:
         """The fixed points, m."""
-        return {key: p for key, p in self.__pydantic_extra__.items() if isinstance(p, complex)}
+        return {name: p for name, p in self.__pydantic_extra__.items() if isinstance(p, complex)}
 
     @property
     def guides(self) -> dict[str, GuideTable]:
         """The fixed guides."""
-        return {key: g for key, g in self.__pydantic_extra__.items() if isinstance(g, GuideTable)}
+        return {name: g for name, g in self.__pydantic_extra__.items() if isinstance(g, GuideTable)}
 
 
 class SlideTable(Table):
     """A sliding pair: on which link, along which guide, and which way the pin lies along it."""
 
-    on: v.Target = _key('the number of the link it slides on, or "frame"', 3)
-    along: v.Text = _key("two letters of that link, from the first to the second, or a guide", "BC")
-    offset: v.Length = _key(
+    on: v.Target = key('the number of the link it slides on, or "frame"', 3)
+    along: v.Text = key("two letters of that link, from the first to the second, or a guide", "BC")
+    offset: v.Length = key(
         "how far the slider's own x axis lies to the left of the guide", None, 0.0
     )
-    angle: v.Angle = _key("by how much the slider's own x axis is turned from the guide", None, 0.0)
-    side: v.Sense | None = _key("which way the pin lies along the guide", "+", None)
-    flips_at: v.Angles | None = _key("crank angles at which the side changes", ["90 deg"], None)
+    angle: v.Angle = key("by how much the slider's own x axis is turned from the guide", None, 0.0)
+    side: v.Sense | None = key("which way the pin lies along the guide", "+", None)
+    flips_at: v.Angles | None = key("crank angles at which the side changes", ["90 deg"], None)
 
 
 class LinkTable(Table):
     """A moving link."""
 
-    number: v.LinkNumber = _key("the number of the link", 1)
-    name: v.Text = _key("what the link is called", "crank", "")
+    number: v.LinkNumber = key("the number of the link", 1)
+    name: v.Text = key("what the link is called", "crank", "")
     points: dict[str, v.Point] = Field(
         default_factory=dict, description="letters and their places in the link's own axes"
     )
@@ -95,13 +87,13 @@ class LinkTable(Table):
         Annotated[SlideTable, Tag("one*")] | Annotated[list[SlideTable], Tag("several*")],
         Discriminator(_slides),
     ] = Field(default_factory=list, description="its sliding pairs: a table, or a list of tables")
-    side: v.LinkSide | None = _key(
+    side: v.LinkSide | None = key(
         "where the inner pin of a dyad of turning pairs lies", "left of AC", None
     )
-    flips_at: v.Angles | None = _key("crank angles at which the side changes", ["90 deg"], None)
-    mass: v.Mass | None = _key("its mass", "25 kg", None)
-    J: v.Inertia | None = _key("its moment of inertia about the mass centre", "0.02 kg*m^2", None)
-    centre: v.Text | None = _key("the letter of its mass centre", "S2", None)
+    flips_at: v.Angles | None = key("crank angles at which the side changes", ["90 deg"], None)
+    mass: v.Mass | None = key("its mass", "25 kg", None)
+    J: v.Inertia | None = key("its moment of inertia about the mass centre", "0.02 kg*m^2", None)
+    centre: v.Text | None = key("the letter of its mass centre", "S2", None)
 
     @property
     def pairs(self) -> list[SlideTable]:
@@ -112,60 +104,60 @@ class LinkTable(Table):
 class TaskTable(Table):
     """A task that gives the lengths of a mechanism."""
 
-    kind: v.TaskKind = _key("the kind of mechanism", "rocker")
-    K_v: v.Ratio = _key("ratio of the mean speeds of the two strokes", 1.45)
-    stroke: v.PositiveLength = _key("the stroke of the slider", "95 mm")
-    OB: v.PositiveLength = _key("the distance of the fixed pivots", "480 mm")
+    kind: v.TaskKind = key("the kind of mechanism", "rocker")
+    K_v: v.Ratio = key("ratio of the mean speeds of the two strokes", 1.45)
+    stroke: v.PositiveLength = key("the stroke of the slider", "95 mm")
+    OB: v.PositiveLength = key("the distance of the fixed pivots", "480 mm")
 
 
 class ExtremeTable(Table):
     """The position in which a point is as far as it comes."""
 
-    point: v.Text = _key("the letter of the point", "D")
-    at: v.At = _key("where it is then", "left")
+    point: v.Text = key("the letter of the point", "D")
+    at: v.At = key("where it is then", "left")
 
 
 class DriveTable(Table):
     """The driving link, its motion, and the row of positions."""
 
-    link: v.LinkNumber = _key("the number of the driving link", 1)
-    speed: v.Speed = _key("its angular speed, positive", "380 rpm")
-    acceleration: v.Spin = _key(
+    link: v.LinkNumber = key("the number of the driving link", 1)
+    speed: v.Speed = key("its angular speed, positive", "380 rpm")
+    acceleration: v.Spin = key(
         "its angular acceleration, positive when it speeds up", "20 rad/s^2", 0.0
     )
-    turns: v.Turns = _key("which way it turns", "clockwise", v.COUNTERCLOCKWISE)
-    positions: v.Count = _key("how many positions there are in a turn", 12, 12)
-    first: v.First = _key("the number of the zero position", 1, 0)
-    extra: v.Extra = _key(
+    turns: v.Turns = key("which way it turns", "clockwise", v.COUNTERCLOCKWISE)
+    positions: v.Count = key("how many positions there are in a turn", 12, 12)
+    first: v.First = key("the number of the zero position", 1, 0)
+    extra: v.Extra = key(
         'positions beside the row: "other extreme", or crank angles', [v.OTHER_EXTREME], ()
     )
-    accelerations: v.Accelerations = _key("the positions with an acceleration plan", [2, 6], ())
+    accelerations: v.Accelerations = key("the positions with an acceleration plan", [2, 6], ())
     zero: Annotated[
         Annotated[v.Angle, Tag("angle*")] | Annotated[ExtremeTable, Tag("extreme*")],
         Discriminator(_zero),
-    ] = _key("the zero position: a crank angle, or an extreme of a point", None, 0.0)
+    ] = key("the zero position: a crank angle, or an extreme of a point", None, 0.0)
 
 
 class PlansTable(Table):
     """What is drawn, and how."""
 
-    velocities: v.Velocities = _key("velocity plans as they are, or turned by 90°", None, "direct")
-    velocity_pole: v.Poles = _key(
+    velocities: v.Velocities = key("velocity plans as they are, or turned by 90°", None, "direct")
+    velocity_pole: v.Poles = key(
         "a velocity plan for each position, or all of them from a common pole", None, "own"
     )
-    trajectories: v.Letters = _key("points whose paths are drawn", ["C"], ())
-    main: v.Position | None = _key("the position drawn in heavy lines", 2, None)
+    trajectories: v.Letters = key("points whose paths are drawn", ["C"], ())
+    main: v.Position | None = key("the position drawn in heavy lines", 2, None)
 
 
 class ScalesTable(Table):
     """Scale factors that are fixed; the rest are chosen from the standard row."""
 
-    mu_l: v.MuL | None = _key('m/mm, or "1:5"', "0.005 m/mm", None)
-    mu_v: v.MuV | None = _key(f'(m/s)/mm, or "{v.MU_L_OMEGA}"', "0.25 (m/s)/mm", None)
-    mu_a: v.MuA | None = _key("(m/s²)/mm", "12.5 (m/s^2)/mm", None)
-    OA: v.Drawn | None = _key("drawn length of the crank, instead of mu_l", "60 mm", None)
-    pa: v.Drawn | None = _key("drawn velocity of the crank pin, instead of mu_v", "60 mm", None)
-    pi_a: v.Drawn | None = _key(
+    mu_l: v.MuL | None = key('m/mm, or "1:5"', "0.005 m/mm", None)
+    mu_v: v.MuV | None = key(f'(m/s)/mm, or "{v.MU_L_OMEGA}"', "0.25 (m/s)/mm", None)
+    mu_a: v.MuA | None = key("(m/s²)/mm", "12.5 (m/s^2)/mm", None)
+    OA: v.Drawn | None = key("drawn length of the crank, instead of mu_l", "60 mm", None)
+    pa: v.Drawn | None = key("drawn velocity of the crank pin, instead of mu_v", "60 mm", None)
+    pi_a: v.Drawn | None = key(
         "drawn acceleration of the crank pin, instead of mu_a", "60 mm", None
     )
 
@@ -173,14 +165,14 @@ class ScalesTable(Table):
 class HandTable(Table):
     """How well lengths are read."""
 
-    ruler: v.Ruler = _key('the division that lengths are read to, or "exact"', "0.1 mm", 0.1)
+    ruler: v.Ruler = key('the division that lengths are read to, or "exact"', "0.1 mm", 0.1)
 
 
 class SheetTable(Table):
     """A sheet, and what is placed on it, in order."""
 
-    format: v.Format = _key("the format of the sheet", "A1", "A1")
-    place: v.Places = _key("the plans on it", ["positions", "velocities"], v.USUAL_PLACES)
+    format: v.Format = key("the format of the sheet", "A1", "A1")
+    place: v.Places = key("the plans on it", ["positions", "velocities"], v.USUAL_PLACES)
 
 
 class TitleBlockTable(Table):
@@ -202,19 +194,20 @@ class TitleBlockTable(Table):
 class Head(Table):
     """The keys before the first section."""
 
-    title: v.Title = _key("what the mechanism is", "Кривошипно-ползунный механизм")
-    language: v.Language = _key("the language of the sheets", "en", "ru")
+    title: v.Title = key("what the mechanism is", "Кривошипно-ползунный механизм")
+    language: v.Language = key("the language of the sheets", "en", "ru")
 
 
 class SceneFile(Head):
     """A scene of graphic_tmm: a mechanism, its drive, and what is drawn of it."""
 
     lengths: dict[str, v.PlainLength] = Field(default_factory=dict, description="named lengths")
-    task: TaskTable | None = _key("lengths found from a task", None, None)
-    frame: FrameTable | None = _key("the fixed link", None, None)
+    task: TaskTable | None = key("lengths found from a task", None, None)
+    frame: FrameTable | None = key("the fixed link", None, None)
     link: list[LinkTable] = Field(default_factory=list, description="the moving links, in order")
-    drive: DriveTable | None = _key("the driving link and its motion", None, None)
+    drive: DriveTable | None = key("the driving link and its motion", None, None)
     plans: PlansTable = Field(default_factory=PlansTable)
+    diagrams: DiagramsTable | None = key("kinematic diagrams of a point", None, None)
     scales: ScalesTable = Field(default_factory=ScalesTable)
     hand: HandTable = Field(default_factory=HandTable)
     sheet: list[SheetTable] = Field(default_factory=list, description="the sheets")
@@ -229,6 +222,7 @@ _TABLES: dict[str, type[BaseModel]] = {
     "drive": DriveTable,
     "zero": ExtremeTable,
     "plans": PlansTable,
+    "diagrams": DiagramsTable,
     "scales": ScalesTable,
     "hand": HandTable,
     "sheet": SheetTable,

@@ -30,6 +30,13 @@ Dimension = Literal[
     "scale of lengths",
     "scale of velocities",
     "scale of accelerations",
+    "scale of times",
+    "scale of angles",
+    "scale of pressures",
+    "scale of moments",
+    "scale of works",
+    "density",
+    "ratio",
 ]
 
 
@@ -91,6 +98,15 @@ _TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
     ("scale of lengths", "1", "m/mm м/мм"),
     ("scale of lengths", "0.001", "mm/mm мм/мм"),
     ("scale of velocities", "1", "(m/s)/mm (м/с)/мм m/s/mm м/с/мм m/(s·mm) м/(с·мм)"),
+    ("scale of times", "1", "s/mm с/мм"),
+    ("scale of angles", "1", "rad/mm рад/мм"),
+    ("scale of pressures", "1", "Pa/mm Па/мм"),
+    ("scale of pressures", "1e3", "kPa/mm кПа/мм"),
+    ("scale of pressures", "1e6", "MPa/mm МПа/мм"),
+    ("scale of moments", "1", "N·m/mm Н·м/мм"),
+    ("scale of works", "1", "J/mm Дж/мм"),
+    ("density", "1", "kg/m³ кг/м³"),
+    ("ratio", "0.01", "%"),
     ("scale of accelerations", "1", "(m/s²)/mm (м/с²)/мм m/s²/mm м/с²/мм m/(s²·mm) м/(с²·мм)"),
 )
 _EXAMPLES: dict[Dimension, str] = {
@@ -109,6 +125,13 @@ _EXAMPLES: dict[Dimension, str] = {
     "scale of lengths": "0.005 m/mm",
     "scale of velocities": "0.25 (m/s)/mm",
     "scale of accelerations": "12.5 (m/s^2)/mm",
+    "scale of times": "0.0025 s/mm",
+    "scale of angles": "0.05 rad/mm",
+    "scale of pressures": "1500 Pa/mm",
+    "scale of moments": "8 N*m/mm",
+    "scale of works": "16.7 J/mm",
+    "density": "7800 kg/m^3",
+    "ratio": "23 %",
 }
 
 

@@ -21,6 +21,7 @@ from graphic_tmm.scene import models as m
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.lines import Path
+from graphic_tmm.scene.order_tables import DiagramsTable
 
 M = TypeVar("M", bound=BaseModel)
 Document = dict[str, Any]
@@ -43,6 +44,7 @@ class Parts:
     links: list[m.LinkTable | None]
     drive: m.DriveTable | None
     plans: m.PlansTable | None
+    diagrams: DiagramsTable | None
     scales: m.ScalesTable | None
     hand: m.HandTable | None
     sheets: list[m.SheetTable | None]
@@ -74,13 +76,17 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
             return []
         return [_one(model, item, (key, i), names, found) for i, item in enumerate(items)]
 
+    def optional(model: type[M], key: str) -> M | None:
+        return section(model, key) if key in doc else None
+
     parts = Parts(
         head=_one(m.Head, head, (), names, found),
         task=task,
         frame=section(m.FrameTable, "frame"),
         links=sections(m.LinkTable, "link"),
-        drive=section(m.DriveTable, "drive") if "drive" in doc else None,
+        drive=optional(m.DriveTable, "drive"),
         plans=section(m.PlansTable, "plans"),
+        diagrams=optional(DiagramsTable, "diagrams"),
         scales=section(m.ScalesTable, "scales"),
         hand=section(m.HandTable, "hand"),
         sheets=sections(m.SheetTable, "sheet"),

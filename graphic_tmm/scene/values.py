@@ -181,8 +181,11 @@ def _mu_v(value: object, names: Names) -> float | str:
     return _positive_scale(quantities.parse(value, "scale of velocities"), value)
 
 
-def _mu_a(value: object, names: Names) -> float:
-    return _positive_scale(quantities.parse(value, "scale of accelerations"), value)
+def _mu(dimension: Dimension) -> Rule:
+    def check(value: object, names: Names) -> float:
+        return _positive_scale(quantities.parse(value, dimension), value)
+
+    return Rule(check, _SCALE)
 
 
 def _positive_scale(number: float, value: object) -> float:
@@ -354,7 +357,16 @@ Position = Annotated[
 Letters = Annotated[tuple[str, ...], Rule(_letters, _WORDS)]
 MuL = Annotated[float, Rule(_mu_l, _SCALE)]
 MuV = Annotated[float | str, Rule(_mu_v, _SCALE)]
-MuA = Annotated[float, Rule(_mu_a, _SCALE)]
+MuA = Annotated[float, _mu("scale of accelerations")]
+MuTime = Annotated[float, _mu("scale of times")]
+MuAngle = Annotated[float, _mu("scale of angles")]
+MuVelocity = Annotated[float, _mu("scale of velocities")]
+Start = Annotated[
+    str,
+    choice("displacement", "velocity", перемещение="displacement", скорость="velocity"),
+]
+Over = Annotated[str, choice("time", "angle", время="time", угол="angle")]
+Method = Annotated[str, choice("chords", "tangents", хорды="chords", касательные="tangents")]
 Drawn = Annotated[float, Rule(_drawn, _MM)]
 Ruler = Annotated[float | None, Rule(_ruler, _MM)]
 Format = Annotated[str, choice("A1", "A1 portrait", "A4", А1="A1", А4="A4")]
