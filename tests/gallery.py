@@ -14,4 +14,12 @@ def _has_mechanism(folder: Path) -> bool:
     return "drive" in tomllib.loads((folder / "scene.toml").read_text(encoding="utf-8"))
 
 
+def _has_accelerations(folder: Path) -> bool:
+    scene = tomllib.loads((folder / "scene.toml").read_text(encoding="utf-8"))
+    return bool(scene.get("drive", {}).get("accelerations"))
+
+
 NAMES = [folder.name for folder in FOLDERS if _has_mechanism(folder)]
+ACCELERATED = [folder.name for folder in FOLDERS if _has_accelerations(folder)]
+PLANS = [(name, "velocities") for name in NAMES] + [(name, "accelerations") for name in ACCELERATED]
+"""Every plan of velocities and accelerations of the scenes."""

@@ -7,15 +7,13 @@ from functools import cache
 
 import numpy as np
 import pytest
-from gallery import NAMES, SHEETS
+from gallery import PLANS, SHEETS
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
 from graphic_tmm.work import Work
-
-PLANS = ("velocities", "accelerations")
 
 
 @cache
@@ -64,8 +62,7 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
     assert list(equations(log, "nothing")) == []
 
 
-@pytest.mark.parametrize("plan", PLANS)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("name", "plan"), PLANS)
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
@@ -75,8 +72,7 @@ def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
 
 
-@pytest.mark.parametrize("plan", PLANS)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("name", "plan"), PLANS)
 def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) -> None:
     """Along its known direction, the unknown vector is what the rest of the side leaves."""
     work = drawn(name)

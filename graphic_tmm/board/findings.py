@@ -16,7 +16,7 @@ from graphic_tmm.board.geometry import TANGENT
 from graphic_tmm.board.grammar import Gap
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import undefined
+from graphic_tmm.board.values import Curve, undefined
 
 DOUBTFUL = 1e8
 """A step that magnifies errors more than this leaves half of the digits of a float at the best."""
@@ -72,9 +72,8 @@ def _of_step(
     construction: Construction, step: Step, values: list[Any], result: Any, count: int
 ) -> list[Finding]:
     number = step_number(construction, step)
-    fine = ~np.logical_or.reduce(
-        np.broadcast_arrays(np.zeros((1, count), bool), *map(undefined, values))
-    )
+    there = [undefined(value) for value in values if not isinstance(value, Curve)]
+    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, count), bool), *there))
     failed = fine & undefined(result)
     found = []
     if failed.any():

@@ -205,15 +205,15 @@ def _abscissas(knots: Complexes) -> Reals:
 
 
 @operation(
-    "От {start} откладывать отрезки один за другим: над каждым интервалом параллельно его лучу {rays}; "
+    "От {start} один за другим провести отрезки, над каждым интервалом параллельно его лучу {rays}; "
     "их начала отметить {it}.",
     across=True,
     fails=_PARTS,
 )
 def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
-    """From {start} draw segments one after the other, over each interval parallel to its ray {rays}.
+    """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark their beginnings {it}.
 
-    Their beginnings are marked {it}; the intervals are those of {feet} and {end}.
+    The intervals are those of ``feet`` and ``end``; each segment begins where the one before it ended.
     """
     rises = _rises(rays, feet, end, row)
     found = np.full(rises.shape[:1] + feet.shape[1:], np.nan + np.nan * 1j)

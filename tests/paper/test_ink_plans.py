@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from gallery import NAMES, SHEETS
+from gallery import NAMES, PLANS, SHEETS
 
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.ink_plans import BEYOND, Place, draw_plan, markup, vectors
@@ -57,8 +57,7 @@ def test_vectors_of_the_engine_are_those_of_its_plans() -> None:
     assert [v.absolute for v in vectors(log, "velocities")] == [True, False, True, True]
 
 
-@pytest.mark.parametrize("which", ["velocities", "accelerations"])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("name", "which"), PLANS)
 def test_a_vector_runs_between_its_points_as_long_as_its_segment(name: str, which: str) -> None:
     work = drawn(name)
     reading = work.accelerated if which == "accelerations" else work.reading
