@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from graphic_tmm.work import Work
 
 F = TypeVar("F", bound=Callable[..., Any])
-PLANS = ("extremes", "positions", "velocities", "accelerations", "diagrams")
+PLANS = ("extremes", "positions", "velocities", "accelerations", "diagrams", "flywheel")
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})

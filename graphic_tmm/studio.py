@@ -8,11 +8,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.errors import Fault, SceneError, SheetError
 from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.plans.charts import Chart
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables import Column, as_csv, as_json, chart_columns, columns, rich_tables
-from graphic_tmm.words import CAPTIONS, finding
+from graphic_tmm.tables import (
+    Column,
+    as_csv,
+    as_json,
+    chart_columns,
+    columns,
+    flywheel_columns,
+    flywheel_results,
+    rich_tables,
+)
+from graphic_tmm.words import finding
 from graphic_tmm.words import protocol as narrate
 from graphic_tmm.work import Work, executed, ranges, record
 
@@ -41,6 +52,11 @@ SCALE_KEYS = {
     "diagram V": "mu_diagram_V",
     "diagram a": "mu_diagram_a",
     "base": "mu_base",
+    "indicator": "mu_p",
+    "moment": "mu_M",
+    "work": "mu_A",
+    "energy": "mu_T",
+    "energy-mass": "mu_J",
 }
 """What scale factors are called where machines read them."""
 FORMATS = ("svg", "pdf", "png", "dxf")
@@ -146,6 +162,7 @@ def table_columns(work: Work) -> list[Column]:
         rates, places = project.accelerations.rates, list(project.accelerated)
         found += columns(log, work.accelerated, "accelerations", places, count, rates)
     found += chart_columns(project, work.reading, work.accelerated)
+    found += flywheel_columns(project, work.reading)
     return [column.without(work.undrawn) for column in found]
 
 
@@ -163,7 +180,12 @@ def table(work: Work, form: str) -> str | list[Any]:
         SCALE_KEYS[plan]: {"value": scale.value, "unit": scale.unit}
         for plan, scale in work.scales.items()
     }
-    results = {"W": project.structure.mobility, "formula": project.structure.formula}
+    results: dict[str, Any] = {
+        "W": project.structure.mobility,
+        "formula": project.structure.formula,
+    }
+    for name, (value, of) in flywheel_results(project, work.reading).items():
+        results[name] = {"value": value, "unit": of}
     return as_json(scene_name(work.scene.source), scales, positions, found, results)
 
 
@@ -188,9 +210,15 @@ def protocol(
 
 def _views_of(work: Work, plan: str) -> list[str]:
     """Return the views of the board that a plan is drawn in, in the order of the log."""
-    if plan != "diagrams":
+    if plan not in ("diagrams", "flywheel"):
         return [plan]
-    charts = {chart.view for chart in work.project.charts}
+    kinematic, flywheel = work.project.kinematic, work.project.flywheel
+    found: tuple[Chart, ...] = ()
+    if plan == "diagrams" and kinematic is not None:
+        found = tuple(kinematic.charts.values())
+    if plan == "flywheel" and flywheel is not None:
+        found = flywheel.charts
+    charts = {chart.view for chart in found}
     return [view.name for view in work.project.construction.views if view.name in charts]
 
 

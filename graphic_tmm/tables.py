@@ -16,8 +16,9 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Length, Reals
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.plans.project import Project
-from graphic_tmm.words import CAPTIONS, fixed, number, plain, unit
+from graphic_tmm.words import fixed, number, plain, unit
 
 UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
 NOISE = 1e-12
@@ -123,6 +124,42 @@ def chart_columns(
         )
         made.append(_difference(f"{symbol}_difference", rows[1], plan))
     return tuple(made)
+
+
+def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
+    """Return the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
+    if project.flywheel is None:
+        return ()
+    count, made = len(project.names), []
+    for chart in project.flywheel.charts:
+        mu = reading[chart.mu]
+        for mark in chart.ordinates:
+            letter = mark.letter.replace("y_", "p_") if chart.symbol == "p" else mark.letter
+            if chart.view == "work":
+                continue  # ΔT is laid off, and read, once more among the energies
+            (mm,) = _quiet([reading[mark]])
+            rows = _row(mm, range(count), count), _row(mm * mu, range(count), count)
+            made.append(Column("flywheel", segment_name(letter), letter, chart.unit, *rows))
+    return tuple(made)
+
+
+def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[float, str]]:
+    """Return the results of the flywheel by name: value and unit."""
+    found = project.flywheel
+    if found is None:
+        return {}
+    marks = {"cd": (found.segment, "mm"), "J_fly": (found.inertia, "kg·m²")}
+    if found.energy_mass is not None:
+        marks["J_fly_energy_mass"] = (found.energy_mass.inertia, "kg·m²")
+    if found.rim is not None:
+        rim = found.rim
+        named = ("D_max", "D_e", "D_i", "D_mean", "rim_mass", "rim_width")
+        sizes = (rim.limit, rim.outer, rim.inner, rim.mean, rim.mass, rim.width)
+        units = ("m", "m", "m", "m", "kg", "m")
+        marks |= {n: (mark, unit) for n, mark, unit in zip(named, sizes, units, strict=True)}
+    for side in found.indicator.sides:
+        marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
+    return {name: (float(reading[mark][0, 0]), unit) for name, (mark, unit) in marks.items()}
 
 
 def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:

@@ -80,6 +80,7 @@ def record(scene: Scene) -> Project:
             trajectories=scene.trajectories,
             plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
             diagrams=scene.diagrams if "diagrams" in wanted else None,
+            flywheel=scene.flywheel if "flywheel" in wanted else None,
         )
     except StructureError as error:
         raise StructureError(f"{scene.source}: {error}") from error

@@ -15,9 +15,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.captions import CAPTIONS, LINK_NAMES
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted, synthesis
-from graphic_tmm.words import CAPTIONS, LINK_NAMES, finding, fixed, number, protocol, unit
+from graphic_tmm.words import finding, fixed, number, protocol, unit
 from graphic_tmm.work import Work
 
 

@@ -35,6 +35,27 @@ def french_curve(through: Point, *, row: int) -> Curve:
     return Curve(knots, tangents, True)
 
 
+@operation(
+    "Через точки {through} от руки провести замкнутую линию {it} без изгибов между ними.",
+    across=True,
+)
+def taut_curve(through: Point, *, row: int) -> Curve:
+    """Through the points {through} draw by hand the closed line {it}, without bulges between them.
+
+    At each point it runs along the chords to its neighbours, along the shorter one the more. Where a point is
+    missing there is no line.
+    """
+    knots = np.asarray(through[:, :row])
+    before, after = knots - np.roll(knots, 1, axis=1), np.roll(knots, -1, axis=1) - knots
+    short, long = np.abs(before), np.abs(after)
+    way = before * (long / np.where(short > 0, short, np.inf))
+    way += after * (short / np.where(long > 0, long, np.inf))
+    size = np.abs(way)
+    tangents = way / np.where(size > 0, size, 1.0) * np.minimum(short, long)
+    whole = np.isfinite(knots).all(axis=1, keepdims=True)
+    return Curve(knots, np.where(whole, tangents, np.nan), True)
+
+
 def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
     """Return the curve as runs of 3n + 1 control points (complex, mm), in the order of the row."""
     knots, tangents = curve.knots[trial], curve.tangents[trial]

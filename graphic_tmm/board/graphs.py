@@ -211,7 +211,7 @@ def _abscissas(knots: Complexes) -> Reals:
     fails=_PARTS,
 )
 def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
-    """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark their beginnings {it}.
+    """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark beginnings {it}.
 
     The intervals are those of ``feet`` and ``end``; each segment begins where the one before it ended.
     """

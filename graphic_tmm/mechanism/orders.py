@@ -34,3 +34,68 @@ class KinematicOrder:
     S: Drawn = Drawn()
     V: Drawn = Drawn()
     a: Drawn = Drawn()
+
+
+@dataclass(frozen=True)
+class Gas:
+    """The pressure (Pa) on one side of a piston at every position of the row, over the diameter ``bore`` (m).
+
+    ``rod``: the diameter (m) of a rod that passes through that side; 0 for none.
+    """
+
+    pressures: tuple[float, ...]
+    bore: float
+    rod: float = 0.0
+
+
+@dataclass(frozen=True)
+class IndicatorOrder:
+    """The indicator diagram of a cylinder whose piston's point slides on the frame.
+
+    ``cover``: the side away from the crank; ``shaft``: the side towards it, None for a single-acting piston.
+    ``base`` is the drawn length of the stroke; ``height`` that of the highest pressure, mm, unless ``mu``
+    (Pa/mm) says.
+    """
+
+    point: str
+    cover: Gas
+    shaft: Gas | None = None
+    base: float = 100.0
+    height: float = 100.0
+    mu: float | None = None
+
+
+@dataclass(frozen=True)
+class Rim:
+    """A flywheel's rim: outer diameter (m), inner over outer, limit of speed (m/s), density (kg/m³).
+
+    ``shaft`` (m), ``studs`` and their diameter (m) are for the sketch.
+    """
+
+    outer: float
+    ratio: float = 0.85
+    speed_limit: float = 110.0
+    density: float = 7800.0
+    shaft: float = 0.055
+    studs: int = 3
+    stud: float = 0.016
+
+
+@dataclass(frozen=True)
+class FlywheelOrder:
+    """A flywheel for the coefficient of irregularity ``delta``, by the gas forces of an indicator diagram.
+
+    ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``pole``: H in mm.
+    ``integration``: ordinates at the "middles" of the curve, or of "chords". ``tangents``: of the energy–mass
+    curve, at its "points" or at the smooth "curve" through them; None leaves that method out.
+    """
+
+    indicator: IndicatorOrder
+    delta: float
+    constant: str = "resisting"
+    pole: float = 40.0
+    base: float = 120.0
+    mu_M: float | None = None
+    integration: str = "middles"
+    tangents: str | None = "points"
+    rim: Rim | None = None

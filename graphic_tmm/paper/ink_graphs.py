@@ -6,8 +6,9 @@ perpendiculars over the base; chords and the segments of an integral between the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ import numpy as np
 from graphic_tmm.board import graphs as g
 from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations import join, lay_off, meet
+from graphic_tmm.board.operations import join, lay_off, measure_along, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
@@ -52,11 +53,15 @@ class AxesMarks(NamedTuple):
 
 
 class Names(NamedTuple):
-    """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base."""
+    """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base.
+
+    ``curves``: the label of a curve by the letter of the readings of its points, where there are several.
+    """
 
     positions: Sequence[str]
     up: str
     along: str
+    curves: Mapping[str, str] = MappingProxyType({})
 
 
 def axes_of(construction: Construction, view: str) -> AxesMarks:
@@ -119,9 +124,11 @@ class _Ink:
         if rule is None:
             return
         for start, end in rule(self, step):
-            for a, b in zip(start, end, strict=True):
+            ends = dict.fromkeys(zip(map(complex, start), map(complex, end), strict=True))
+            pen = "main" if len(ends) == 1 and step.op is join else "thin"
+            for a, b in ends:
                 if np.isfinite(a) and np.isfinite(b) and abs(b - a) > LEAST:
-                    yield line("thin", complex(a), complex(b))
+                    yield line(pen, a, b)
 
     def curve_of(self, step: Step) -> Iterator[Bezier | Stroke]:
         """The curve of a step, over the base only; straight lines that were joined to be read along."""
@@ -169,6 +176,18 @@ class _Ink:
         yield Wanted(names.along, complex(self.length + OVER, 0), SIZE, 1.5, -1j)
         for spot in self.poles():
             yield Wanted("P", spot, NUMBER, 1.0, -1 + 0j)
+        for step in self.steps:
+            if step.it.letter in names.curves and step.op in (join, g.open_graph):
+                spots = self.points(step.uses[1 if step.op is join else 0])[: self.row]
+                spot = complex(spots[int(np.nanargmax(np.abs(spots.imag)))])
+                spot = 0.6 * spot if step.op is join else spot
+                yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, 1j - 0.5)
+            if step.op is measure_along and step.it.letter in names.curves:
+                spots = self.points(step.uses[1])[: self.row]
+                spot = complex(spots[int(np.nanargmax(np.abs(spots.imag)))])
+                yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, spot.imag * 1j)
+            if step.op is meet and step.it.letter in ("c", "d"):
+                yield Wanted(step.it.letter, complex(self.points(step.it)[0]), SIZE, 1.0, -1 + 0j)
         feet = self.points(self.marks.feet)
         for name, foot in zip(names.positions, feet, strict=True):
             yield Wanted(name, complex(foot), NUMBER, TICK, -1 - 1.5j)

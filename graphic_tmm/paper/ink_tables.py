@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from graphic_tmm.captions import CAPTIONS, LINK_NAMES
 from graphic_tmm.equations import quantity
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
@@ -13,7 +14,7 @@ from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.tables import Column
-from graphic_tmm.words import CAPTIONS, LINK_NAMES, fixed, unit
+from graphic_tmm.words import fixed, unit
 
 SIZE = 3.5
 

@@ -204,12 +204,26 @@ def _carried(draft: Draft, axes: Axes, rays: Mark, feet: Mark, letter: str) -> M
 
 
 def integrate(
-    draft: Draft, source: Axes, curve: Mark, to: Axes, pole: Pole, letter: str
+    draft: Draft,
+    source: Axes,
+    curve: Mark,
+    to: Axes,
+    pole: Pole,
+    letter: str,
+    *,
+    chords: Boundaries | None = None,
 ) -> Boundaries:
-    """Integrate: the ordinate at each middle gives a ray from the pole, the rays segments in succession."""
+    """Integrate: the ordinate at each middle gives a ray from the pole, the rays segments in succession.
+
+    The ordinate is that of the curve, or of the chords between the boundaries if ``chords`` gives them.
+    """
     board, row = draft.board, source.base.intervals
     board.open(source.view)
-    high = board.draw(erect, board.free("h"), curve, source.middles)
+    if chords is None:
+        high = board.draw(erect, board.free("h"), curve, source.middles)
+    else:
+        after = board.draw(following, board.free(f"{chords.points.letter}+1"), *chords, row=row)
+        high = board.draw(halve, board.free("h"), chords.points, after)
     level = board.draw(parallel, f"({high.letter})", high, source.along, sense=1)
     cut = board.draw(meet, board.free("h_y"), source.up, level)
     rays = board.draw(join, f"(P{cut.letter})", pole.point, cut)

@@ -72,7 +72,7 @@ def draw_kinematic(
     StructureError
         If the point does not belong to a link that slides on the frame, or a pole distance is not positive.
     """
-    leg = _leg(positions, order.point, frame)
+    leg = sliding_leg(positions, order.point, frame, "diagrams")
     _refuse_poles(order)
     base = _base(draft, velocities, order, numbers, count)
     planned = {"V": velocities.readings[leg.link]}
@@ -85,7 +85,8 @@ def draw_kinematic(
     return Kinematic(order, base, charts, planned)
 
 
-def _leg(positions: Positions, letter: str, frame: int) -> GuideLeg:
+def sliding_leg(positions: Positions, letter: str, frame: int, section: str) -> GuideLeg:
+    """Return the leg by which a point's link slides on the frame; StructureError if it does not."""
     for closing in positions.closings:
         for leg in closing.legs:
             owns = letter in positions.bodies[leg.link].link.points
@@ -100,7 +101,7 @@ def _leg(positions: Positions, letter: str, frame: int) -> GuideLeg:
     ]
     there = f"points that do are {', '.join(sliding)}" if sliding else "this mechanism has none"
     raise StructureError(
-        f"diagrams: point {letter} does not slide along a straight guide of the frame; {there}"
+        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}"
     )
 
 

@@ -10,14 +10,15 @@ import numpy as np
 from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.orders import KinematicOrder
+from graphic_tmm.mechanism.orders import FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
 from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.kinematic import Kinematic, draw_kinematic
+from graphic_tmm.plans.flywheel import Flywheel, Machine, draw_flywheel
+from graphic_tmm.plans.kinematic import Kinematic, draw_kinematic, sliding_leg
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.plans.positions import (
     Positions,
@@ -28,7 +29,7 @@ from graphic_tmm.plans.positions import (
 )
 from graphic_tmm.plans.row import draw_row
 from graphic_tmm.plans.survey import survey
-from graphic_tmm.plans.velocities import draw_velocities
+from graphic_tmm.plans.velocities import crank_arm, draw_velocities
 
 
 @dataclass(frozen=True)
@@ -53,11 +54,13 @@ class Project:
     accelerations: Motion | None
     count: int
     kinematic: Kinematic | None = None
+    flywheel: Flywheel | None = None
 
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The graphs on axes, in the order in which they stand one below the other."""
-        return tuple(self.kinematic.charts.values()) if self.kinematic is not None else ()
+        found = tuple(self.kinematic.charts.values()) if self.kinematic is not None else ()
+        return (*found, *(self.flywheel.charts if self.flywheel is not None else ()))
 
     def scale(self, plan: str) -> Mark:
         """Return the mark of a plan's μ."""
@@ -79,6 +82,7 @@ def draw_project(
     trajectories: Sequence[str] = (),
     plans: Sequence[str] = ("positions", "velocities", "accelerations"),
     diagrams: KinematicOrder | None = None,
+    flywheel: FlywheelOrder | None = None,
 ) -> Project:
     """Record the plans of a mechanism; a plan that is not asked for records no step.
 
@@ -101,7 +105,7 @@ def draw_project(
         )
     _draw_trajectories(draft, positions, trajectories, row.count)
     velocities = accelerations = None
-    if "velocities" in plans or "accelerations" in plans or diagrams is not None:
+    if "velocities" in plans or "accelerations" in plans or diagrams or flywheel:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerated = _places(row, numbered.names) if "accelerations" in plans else ()
     if accelerated and velocities is not None:
@@ -119,6 +123,21 @@ def draw_project(
             _numbers(numbered.angles, row.count, mechanism.drive),
             row.count,
         )
+    made = None
+    if flywheel is not None:
+        assert velocities is not None
+        leg = sliding_leg(positions, flywheel.indicator.point, mechanism.frame.number, "flywheel")
+        machine = Machine(
+            mechanism,
+            positions,
+            velocities,
+            structure.pivot,
+            structure.pin,
+            crank_arm(draft, positions, structure),
+            _numbers(numbered.angles, row.count, mechanism.drive),
+            row.count,
+        )
+        made = draw_flywheel(draft, machine, leg, flywheel)
     given = dict(draft.given)
     for group in structure.groups:
         side = side_record(mechanism, group)
@@ -140,6 +159,7 @@ def draw_project(
         accelerations,
         row.count,
         kinematic,
+        made,
     )
 
 

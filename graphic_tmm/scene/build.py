@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.orders import Drawn, KinematicOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
-from graphic_tmm.scene import geometry
+from graphic_tmm.scene import build_orders, geometry
 from graphic_tmm.scene import models as m
-from graphic_tmm.scene.order_tables import DiagramsTable
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
@@ -40,7 +38,10 @@ def scene(parts: Parts, source: str) -> Scene:
         turned=plans.velocities == "turned",
         common_pole=plans.velocity_pole == "common",
         main=plans.main,
-        diagrams=_diagrams(parts.diagrams) if parts.diagrams else None,
+        diagrams=build_orders.diagrams(parts.diagrams) if parts.diagrams else None,
+        flywheel=build_orders.flywheel(parts.flywheel, parts.indicator)
+        if parts.flywheel and parts.indicator
+        else None,
         trajectories=plans.trajectories,
         scales=_scales(scales),
         ruler=hand.ruler,
@@ -121,20 +122,6 @@ def _scales(table: m.ScalesTable) -> Scales:
         OA=table.OA,
         pa=table.pa,
         pi_a=table.pi_a,
-    )
-
-
-def _diagrams(table: DiagramsTable) -> KinematicOrder:
-    return KinematicOrder(
-        point=table.point,
-        start=table.start,
-        over=table.over,
-        method=table.method,
-        base=table.base,
-        mu_along=table.mu_t or table.mu_phi,
-        S=Drawn(table.mu_S, table.H_S),
-        V=Drawn(table.mu_V, table.H_V),
-        a=Drawn(table.mu_a, table.H_a),
     )
 
 

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from pydantic.fields import FieldInfo
 
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.order_tables import DiagramsTable
+from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
 from graphic_tmm.scene.table import Table, key
 
 
@@ -208,6 +208,8 @@ class SceneFile(Head):
     drive: DriveTable | None = key("the driving link and its motion", None, None)
     plans: PlansTable = Field(default_factory=PlansTable)
     diagrams: DiagramsTable | None = key("kinematic diagrams of a point", None, None)
+    indicator: IndicatorTable | None = key("the indicator diagram of a cylinder", None, None)
+    flywheel: FlywheelTable | None = key("the flywheel of a machine", None, None)
     scales: ScalesTable = Field(default_factory=ScalesTable)
     hand: HandTable = Field(default_factory=HandTable)
     sheet: list[SheetTable] = Field(default_factory=list, description="the sheets")
@@ -223,6 +225,8 @@ _TABLES: dict[str, type[BaseModel]] = {
     "zero": ExtremeTable,
     "plans": PlansTable,
     "diagrams": DiagramsTable,
+    "indicator": IndicatorTable,
+    "flywheel": FlywheelTable,
     "scales": ScalesTable,
     "hand": HandTable,
     "sheet": SheetTable,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.faults import Found
-from graphic_tmm.scene.order_tables import DiagramsTable
+from graphic_tmm.scene.order_tables import DiagramsTable, IndicatorTable
 from graphic_tmm.scene.sections import Document, Parts, raw_links, table
 
 LEAST = 4
@@ -19,7 +19,31 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
         yield from _point(doc, ("diagrams", "point"), parts.diagrams.point)
         yield from _row(parts, "diagrams")
         yield from _diagrams(parts.diagrams)
+    if parts.indicator is not None:
+        yield from _point(doc, ("indicator", "point"), parts.indicator.point)
+        yield from _pressures(parts, parts.indicator)
+    if parts.flywheel is not None:
+        yield from _row(parts, "flywheel")
+        if "indicator" not in doc:
+            says = "nothing drives the machine; write a section [indicator] with the pressures"
+            yield Found(("flywheel",), says)
     yield from _placed(doc)
+
+
+def _pressures(parts: Parts, made: IndicatorTable) -> Iterator[Found]:
+    """Pressures that are not as many as the positions; a rod without its side."""
+    count = parts.drive.positions if parts.drive is not None else None
+    for side in ("cover", "shaft"):
+        given = getattr(made, side)
+        if given is not None and count is not None and len(given) != count:
+            says = f"{len(given)} pressures for {count} positions; give one for each, from the first on"
+            yield Found(("indicator", side), says)
+    if made.rod is not None and made.shaft is None:
+        yield Found(
+            ("indicator", "rod"), "it matters on the side of the shaft only; write shaft as well"
+        )
+    if made.rod is not None and made.rod >= made.bore:
+        yield Found(("indicator", "rod"), "the rod is as thick as the cylinder; make it thinner")
 
 
 def _point(doc: Document, path: tuple[str, ...], letter: str) -> Iterator[Found]:
@@ -62,7 +86,7 @@ def _placed(doc: Document) -> Iterator[Found]:
     sheets = doc.get("sheet")
     for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
         places = table(sheet).get("place")
-        for section in ("diagrams",):
+        for section, what in (("diagrams", 'point = "D"'), ("flywheel", "delta = 0.04")):
             if isinstance(places, list) and section in places and section not in doc:
-                says = f'nothing says what it is; write a section [{section}] with point = "D"'
+                says = f"nothing says what it is; write a section [{section}] with {what}"
                 yield Found(("sheet", i, "place"), f'"{section}": {says}')

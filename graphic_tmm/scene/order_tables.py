@@ -1,4 +1,4 @@
-"""The sections of a scene file that ask for more than plans: diagrams."""
+"""The sections of a scene file that ask for more than plans: diagrams, the indicator diagram, a flywheel."""
 
 from __future__ import annotations
 
@@ -22,3 +22,36 @@ class DiagramsTable(Table):
     H_S: v.Drawn | None = key("pole distance of the integration, instead of mu_S", "20 mm", None)
     H_V: v.Drawn | None = key("pole distance of the velocities, instead of mu_V", "20 mm", None)
     H_a: v.Drawn | None = key("pole distance of the accelerations, instead of mu_a", "15 mm", None)
+
+
+class IndicatorTable(Table):
+    """The indicator diagram of a cylinder: pressures in the positions of the row."""
+
+    point: v.Text = key("the letter of the piston's point", "B")
+    bore: v.PositiveLength = key("diameter of the cylinder", "120 mm")
+    cover: v.Pressures = key("pressures on the side away from the crank", ["300 kPa", "240 kPa"])
+    shaft: v.Pressures | None = key("pressures on the side towards the crank", None, None)
+    rod: v.PositiveLength | None = key("diameter of the rod on that side", "30 mm", None)
+    base: v.Drawn = key("drawn length of the stroke", "100 mm", 100.0)
+    height: v.Drawn = key("room for the highest pressure", "100 mm", 100.0)
+    mu_p: v.MuPressure | None = key("Pa/mm", "1500 Pa/mm", None)
+
+
+class FlywheelTable(Table):
+    """The flywheel of a machine driven by the gas of the indicator diagram."""
+
+    delta: v.Irregularity = key("coefficient of irregularity", 0.04)
+    constant: v.Constant = key("which moment is constant", "resisting", "resisting")
+    H: v.Drawn = key("pole distance of the integration", "40 mm", 40.0)
+    base: v.Drawn = key("length of the base for a turn", "120 mm", 120.0)
+    mu_M: v.MuMoment | None = key("(N·m)/mm", "8 N*m/mm", None)
+    integration: v.Integration = key(
+        "mean ordinates: of the curve, of chords", "middles", "middles"
+    )
+    tangents: v.Tangents = key("tangents of the energy–mass curve", "points", "points")
+    D_e: v.PositiveLength | None = key("outer diameter of the rim", "0.45 m", None)
+    ratio: v.RimRatio = key("inner diameter of the rim over the outer", 0.85, 0.85)
+    material: v.Material = key("material of the rim", "steel", "steel")
+    shaft: v.PositiveLength | None = key("diameter of the shaft", "55 mm", None)
+    studs: v.Studs = key("how many stud holes", 3, 3)
+    stud: v.PositiveLength | None = key("their diameter", "16 mm", None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from graphic_tmm.mechanism.orders import KinematicOrder
+from graphic_tmm.mechanism.orders import FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
 
 
@@ -59,6 +59,7 @@ class Scene:
     turned: bool = False
     common_pole: bool = False
     diagrams: KinematicOrder | None = None
+    flywheel: FlywheelOrder | None = None
     main: str | None = None
     trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)

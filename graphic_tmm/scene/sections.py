@@ -21,7 +21,7 @@ from graphic_tmm.scene import models as m
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.lines import Path
-from graphic_tmm.scene.order_tables import DiagramsTable
+from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
 
 M = TypeVar("M", bound=BaseModel)
 Document = dict[str, Any]
@@ -45,6 +45,8 @@ class Parts:
     drive: m.DriveTable | None
     plans: m.PlansTable | None
     diagrams: DiagramsTable | None
+    indicator: IndicatorTable | None
+    flywheel: FlywheelTable | None
     scales: m.ScalesTable | None
     hand: m.HandTable | None
     sheets: list[m.SheetTable | None]
@@ -87,6 +89,8 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
         drive=optional(m.DriveTable, "drive"),
         plans=section(m.PlansTable, "plans"),
         diagrams=optional(DiagramsTable, "diagrams"),
+        indicator=optional(IndicatorTable, "indicator"),
+        flywheel=optional(FlywheelTable, "flywheel"),
         scales=section(m.ScalesTable, "scales"),
         hand=section(m.HandTable, "hand"),
         sheets=sections(m.SheetTable, "sheet"),

@@ -243,6 +243,23 @@ def _extra(value: object, names: Names) -> tuple[float | str, ...]:
     )
 
 
+def _pressures(value: object) -> tuple[float, ...]:
+    if not isinstance(value, list) or not value:
+        raise ValueError(
+            f'{kind_of(value)} stands here; write the pressure in each position, ["300 kPa", "240 kPa"]'
+        )
+    return tuple(quantities.parse(item, "pressure") for item in value)
+
+
+def _share(value: object, most: float) -> float:
+    number = quantities.parse(value, "ratio") if isinstance(value, str) else value
+    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < most:
+        raise ValueError(
+            f"{kind_of(value)} stands here; a number greater than 0 and less than {most:g} is wanted"
+        )
+    return float(number)
+
+
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
     if value in ("all", "все"):
         return ("all",)
@@ -280,7 +297,7 @@ def _letters(value: object, names: Names) -> tuple[str, ...]:
 FREE_PLACES = ("lettering", "symbols")
 """What a sheet can show without a mechanism."""
 USUAL_PLACES = (
-    "positions", "velocities", "accelerations", "equations", "diagrams", "structure", "results",
+    "positions", "velocities", "accelerations", "equations", "diagrams", "flywheel", "structure", "results",
 )  # fmt: skip
 """What stands on a sheet that does not say what does."""
 PLACES = (*USUAL_PLACES, "velocity table", "acceleration table", *FREE_PLACES)
@@ -361,6 +378,26 @@ MuA = Annotated[float, _mu("scale of accelerations")]
 MuTime = Annotated[float, _mu("scale of times")]
 MuAngle = Annotated[float, _mu("scale of angles")]
 MuVelocity = Annotated[float, _mu("scale of velocities")]
+MuPressure = Annotated[float, _mu("scale of pressures")]
+MuMoment = Annotated[float, _mu("scale of moments")]
+Pressures = Annotated[
+    tuple[float, ...],
+    Rule(
+        lambda value, names: _pressures(value),
+        {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}},
+    ),
+]
+Irregularity = Annotated[float, Rule(lambda value, names: _share(value, 2.0), _SCALE)]
+RimRatio = Annotated[float, Rule(lambda value, names: _share(value, 1.0), _SCALE)]
+Constant = Annotated[
+    str, choice("resisting", "driving", сопротивления="resisting", движущий="driving")
+]
+Integration = Annotated[str, choice("middles", "chords", середины="middles", хорды="chords")]
+Tangents = Annotated[
+    str, choice("points", "curve", "none", точки="points", кривая="curve", нет="none")
+]
+Material = Annotated[str, choice("steel", "cast iron", сталь="steel", чугун="cast iron")]
+Studs = Annotated[int, _whole(1, 24)]
 Start = Annotated[
     str,
     choice("displacement", "velocity", перемещение="displacement", скорость="velocity"),

@@ -1,0 +1,71 @@
+"""Views made ready for the sheet: captions below them, cells of one size, stacks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.paper.drawing import Drawing, Label
+from graphic_tmm.paper.layout import bounds
+from graphic_tmm.paper.letters import letter
+from graphic_tmm.words import number, unit
+
+CAPTION = 5.0
+SMALL = 3.5
+STACK = 5.0
+"""Clear height between two diagrams of a stack, mm."""
+
+
+def mu_text(scale: Scale, language: str) -> str:
+    """Return a scale factor as the field writes it: μ_v = 0,1 (м/с)/мм."""
+    return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
+
+
+def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
+    """Return views that each take a cell of one size, with their ink in the middle, so that rows align."""
+    boxes = [bounds(view) for view in views]
+    width = max((right - left for left, _, right, _ in boxes), default=0.0)
+    height = max((top - low for _, low, _, top in boxes), default=0.0)
+    made = []
+    for view, (left, low, right, top) in zip(views, boxes, strict=True):
+        x, y = (left + right - width) / 2, (low + top - height) / 2
+        made.append(view._replace(cell=(x, y, x + width, y + height)))
+    return made
+
+
+def captioned(view: Drawing, *lines: str) -> Drawing:
+    """Return a view with lines of lettering below it: in the middle, below a table from its left edge."""
+    left, low, right, top = bounds(view)
+    middle, labels = (left + right) / 2, list(view.labels)
+    for k, text in enumerate(lines):
+        size = CAPTION if k == 0 and view.name == "positions" else SMALL
+        low -= letter(text, size=size).ascent + 2.5
+        at, anchor = (left, "start") if view.name.startswith("table") else (middle, "middle")
+        labels.append(Label(text, complex(at, low), size, anchor))
+        low -= letter(text, size=size).descent
+    widths = [letter(label.text, size=label.size).width for label in labels[len(view.labels) :]]
+    if view.name.startswith("table"):
+        cell = (left, low, max(right, left + max(widths)), top)
+    else:
+        reach = max([right - left, *widths]) / 2
+        cell = (middle - reach, low, middle + reach, top)
+    return view._replace(labels=tuple(labels), cell=cell)
+
+
+def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
+    """Return drawings one below the other as one, their origins above each other."""
+    moved, top = [], 0.0
+    for view in views:
+        _, low, _, high = bounds(view)
+        moved.append(view.moved(1j * (top - high)))
+        top -= high - low + STACK
+    boxes = [bounds(view) for view in moved]
+    cell = (
+        min(b[0] for b in boxes),
+        min(b[1] for b in boxes),
+        max(b[2] for b in boxes),
+        max(b[3] for b in boxes),
+    )
+    strokes = tuple(stroke for view in moved for stroke in view.strokes)
+    labels = tuple(label for view in moved for label in view.labels)
+    return Drawing(name, "; ".join(view.title for view in views), strokes, labels, cell)

@@ -1,0 +1,78 @@
+"""The kinetic energy of the links: of each its translation and its rotation, by the velocity plan."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.energetics import added, rotation, translation
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.motion import Motion
+
+
+class Energies(NamedTuple):
+    """The parts of the energy by name, T_{2t} of translation and T_{2r} of rotation (J), and their sum."""
+
+    parts: dict[str, Mark]
+    total: Mark
+
+
+def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Energies:
+    """Calculate the energies of all links that have a mass or a moment of inertia, in the open view.
+
+    Raises
+    ------
+    StructureError
+        If no link has any, or a mass has no centre on the plan.
+    """
+    parts: dict[str, Mark] = {}
+    for link in mechanism.links:
+        parts |= _of_link(draft, link, velocities)
+    if not parts:
+        raise StructureError(
+            "flywheel: no link has a mass or J: write mass and J of the links that have them"
+        )
+    total: Mark | None = None
+    for part in parts.values():
+        total = part if total is None else draft.board.draw(added, "T", total, part, unit="J")
+    assert total is not None
+    return Energies(parts, total)
+
+
+def _of_link(draft: Draft, link: Link, velocities: Motion) -> dict[str, Mark]:
+    board, n, found = draft.board, link.number, {}
+    if link.mass:
+        segment = _speed(draft, link, velocities)
+        if segment is not None:
+            mass = draft.take(Number, f"m_{n}", link.mass, "kg")
+            found[f"T_{{{n}t}}"] = board.draw(
+                translation, f"T_{{{n}t}}", mass, segment, velocities.mu, unit="J"
+            )
+    rate = velocities.rates.get(n)
+    if link.inertia and rate is not None:
+        inertia = draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
+        found[f"T_{{{n}r}}"] = board.draw(rotation, f"T_{{{n}r}}", inertia, rate, unit="J")
+    return found
+
+
+def _speed(draft: Draft, link: Link, velocities: Motion) -> Mark | None:
+    """Return the reading of the velocity of a link's mass centre; None where the centre stands still."""
+    images = velocities.images.by_letter.get(link.number, {})
+    if link.centre is None or link.centre not in link.points:
+        raise StructureError(
+            f"link {link.number} has a mass but no mass centre: give it a point S{link.number}, or centre = "
+            f'"{next(iter(link.points), "A")}"'
+        )
+    image = images.get(link.centre)
+    if image is None or image == velocities.images.pole:
+        return None
+    pole = velocities.images.pole
+    for step in draft.board.construction().steps:
+        ends = step.uses[:2]
+        if step.op.reads and step.it.kind is Length and ends == (pole, image):
+            return step.it
+    crank = draft.board.uses(image)  # the crank pin's image was laid off, not measured
+    return crank[1]

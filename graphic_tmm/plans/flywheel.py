@@ -1,0 +1,208 @@
+"""The flywheel: reduced moment, works by graphical integration, the energy of the flywheel, its inertia.
+
+ΔT is what the driving forces have done more than the resisting ones; less the energy of the links it is that of
+the flywheel. Its highest and lowest ordinates, carried to the ordinate axis, give the segment cd.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board.calculations import scale_of_integral, to_board, turn_per_mm
+from graphic_tmm.board.energetics import flywheel_inertia, reduced_moment
+from graphic_tmm.board.graphs import at_zero, highest, lowest
+from graphic_tmm.board.operations import join, measure, measure_along, meet, parallel, square
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.orders import FlywheelOrder
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.plans import graphs
+from graphic_tmm.plans.bodies import GuideLeg
+from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.energy import Energies, draw_energies
+from graphic_tmm.plans.energy_mass import EnergyMass, draw_energy_mass
+from graphic_tmm.plans.graphs import Axes, Base, Boundaries
+from graphic_tmm.plans.indicator import Indicator, draw_indicator
+from graphic_tmm.plans.motion import Motion
+from graphic_tmm.plans.positions import VIEW as POSITIONS
+from graphic_tmm.plans.positions import Positions
+from graphic_tmm.plans.rim import DrawnRim, draw_rim
+
+VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
+ROOM = 110.0
+"""Room for the highest ordinate of the moment, mm."""
+
+
+@dataclass(frozen=True)
+class Flywheel:
+    """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
+
+    ``works``: the points of the integrated side and of the straight one; ``segment``: cd (Length).
+    """
+
+    order: FlywheelOrder
+    base: Base
+    indicator: Indicator
+    charts: tuple[Chart, ...]
+    energies: Energies
+    works: tuple[Boundaries, Mark]
+    segment: Mark
+    inertia: Mark
+    energy_mass: EnergyMass | None
+    rim: DrawnRim | None
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What a flywheel is drawn for: the mechanism and its plans, where positions stand in the row."""
+
+    mechanism: Mechanism
+    positions: Positions
+    velocities: Motion
+    pivot: str
+    pin: str
+    arm: Mark
+    numbers: np.ndarray
+    count: int
+
+
+def draw_flywheel(draft: Draft, machine: Machine, leg: GuideLeg, order: FlywheelOrder) -> Flywheel:
+    """Draw everything that leads to the moment of inertia of a flywheel.
+
+    ``leg``: the leg by which the piston slides on the frame.
+
+    Raises
+    ------
+    StructureError
+        If δ or H is not positive, masses or pressures are missing.
+    """
+    _refuse(order)
+    board, velocities = draft.board, machine.velocities
+    extras = machine.numbers.size - machine.count
+    point = machine.positions.point(order.indicator.point)
+    board.open(POSITIONS)
+    start = board.draw(at_zero, board.free(f"{order.indicator.point}_0"), point)
+    travel = board.draw(measure, f"s_{order.indicator.point}", start, point)
+    indicator = draw_indicator(draft, travel, machine.count, extras, order.indicator)
+    board.open(VIEWS["moment"])
+    length = draft.take(Length, "L", order.base, "mm")
+    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
+    moment = _moment(draft, machine, leg, indicator, order)
+    mu_M = board.take(Number, "μ_M", "(N·m)/mm")
+    heights = board.draw(to_board, "y_M", moment, mu_M)
+    axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
+    at = graphs.lay_ordinates(draft, axes, heights, "k")
+    curve = graphs.through(draft, axes, at)
+    reading = graphs.read(draft, axes, at.points, "M")
+    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, ROOM)
+    work, works, surplus = _works(draft, axes, at, curve, order)
+    energies, energy_axes, own, charts = _energies(draft, machine, work, surplus)
+    segment = _segment(draft, energy_axes, own)
+    assert velocities.speed is not None
+    delta = draft.take(Number, "δ", order.delta)
+    inertia = board.draw(
+        flywheel_inertia, "J_F", segment, energy_axes.mu, delta, velocities.speed, unit="kg·m²"
+    )
+    rim = None
+    if order.rim is not None:
+        rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
+    second = None
+    if order.tangents is not None:
+        second = draw_energy_mass(
+            draft, energies, surplus, energy_axes, delta, velocities.speed, order.tangents
+        )
+    more = (second.chart,) if second is not None else ()
+    found = (indicator.chart, chart, *charts, *more)
+    return Flywheel(order, base, indicator, found, energies, works, segment, inertia, second, rim)
+
+
+def _refuse(order: FlywheelOrder) -> None:
+    if not order.delta > 0.0:
+        raise StructureError(f"flywheel: δ = {order.delta:g} is not greater than 0")
+    if not order.pole > 0.0:
+        raise StructureError(
+            f"flywheel: the pole distance H = {order.pole:g} mm is not greater than 0"
+        )
+
+
+def _moment(
+    draft: Draft, machine: Machine, leg: GuideLeg, indicator: Indicator, order: FlywheelOrder
+) -> Mark:
+    """Calculate the reduced moment: gas pushes the piston from the cover towards the crank."""
+    board, velocities = draft.board, machine.velocities
+    closing = next(c for c in machine.positions.closings if leg in c.legs)
+    side = machine.positions.sides.get(closing.group.name)
+    outward = 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
+    sign = draft.take(Number, "σ", outward)
+    pin = velocities.images.by_letter[_driver(machine)][machine.pin]
+    drawn = board.uses(pin)[1]
+    speed = velocities.readings[leg.link]
+    return board.draw(
+        reduced_moment, "M_r", sign, indicator.force, speed, drawn, machine.arm, unit="N·m"
+    )
+
+
+def _driver(machine: Machine) -> int:
+    return machine.mechanism.drive.link
+
+
+def _works(
+    draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder
+) -> tuple[Axes, tuple[Boundaries, Mark], Mark]:
+    """Integrate the moment, close it with a straight line; return axes, works and ΔT read off (Length)."""
+    board = draft.board
+    board.open(VIEWS["work"])
+    distance = draft.take(Length, "H", order.pole, "mm")
+    mu = board.draw(scale_of_integral, "μ_A", source.mu, source.base.mu, distance, unit="J/mm")
+    axes = graphs.draw_axes(draft, VIEWS["work"], source.base, mu)
+    pole = graphs.set_pole(draft, source, distance)
+    chords = at if order.integration == "chords" else None
+    found = graphs.integrate(draft, source, curve, axes, pole, "A", chords=chords)
+    graphs.through(draft, axes, found, closed=False)
+    straight = board.draw(join, "(A′)", axes.origin, found.end)
+    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    other = board.draw(meet, "A′", straight, lines)
+    ends = (other, found.points) if order.constant == "resisting" else (found.points, other)
+    surplus = board.draw(measure_along, "ΔT", *ends, axes.up)
+    return axes, (found, other), surplus
+
+
+def _energies(
+    draft: Draft, machine: Machine, work: Axes, surplus: Mark
+) -> tuple[Energies, Axes, Boundaries, tuple[Chart, ...]]:
+    """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own."""
+    board = draft.board
+    board.open(VIEWS["energy"])
+    energies = draw_energies(draft, machine.mechanism, machine.velocities)
+    heights = board.draw(to_board, "y_T", energies.total, work.mu)
+    axes = graphs.draw_axes(draft, VIEWS["energy"], work.base, work.mu)
+    gained = graphs.lay_ordinates(draft, axes, surplus, "g")
+    graphs.through(draft, axes, gained)
+    links = graphs.lay_ordinates(draft, axes, heights, "l")
+    graphs.through(draft, axes, links)
+    rest = board.draw(measure_along, "y_F", links.points, gained.points, axes.up)
+    own = graphs.lay_ordinates(draft, axes, rest, "f")
+    graphs.through(draft, axes, own)
+    readings = [
+        graphs.read(draft, axes, points.points, letter)
+        for points, letter in ((gained, "ΔT"), (links, "T_L"), (own, "T_F"))
+    ]
+    none = (False, None, ROOM)
+    works = Chart(VIEWS["work"], "A", "J", work.mu, (surplus,), *none)
+    energy = Chart(VIEWS["energy"], "T", "J", work.mu, tuple(readings), *none)
+    return energies, axes, own, (works, energy)
+
+
+def _segment(draft: Draft, axes: Axes, own: Boundaries) -> Mark:
+    """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
+    board, ends = draft.board, []
+    for op, name in ((highest, "c"), (lowest, "d")):
+        top = board.draw(op, f"{name}_F", own.points, row=axes.base.intervals)
+        level = board.draw(parallel, f"({name})", top, axes.along, sense=1)
+        ends.append(board.draw(meet, name, axes.up, level))
+    return board.draw(measure_along, "cd", ends[1], ends[0], axes.up)
