@@ -42,14 +42,16 @@ def french_curve(through: Point, *, row: int) -> Curve:
 def taut_curve(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw by hand the closed line {it}, without bulges between them.
 
-    At each point it runs along the chords to its neighbours, along the shorter one the more. Where a point is
-    missing there is no line.
+    At each point it runs along the chords to its neighbours, along the shorter one the more; where it turns
+    back across or down it has its extreme. Where a point is missing there is no line.
     """
     knots = np.asarray(through[:, :row])
     before, after = knots - np.roll(knots, 1, axis=1), np.roll(knots, -1, axis=1) - knots
     short, long = np.abs(before), np.abs(after)
     way = before * (long / np.where(short > 0, short, np.inf))
     way += after * (short / np.where(long > 0, long, np.inf))
+    turns = [(b * a <= 0) for b, a in ((before.real, after.real), (before.imag, after.imag))]
+    way = np.where(turns[0], 0.0, way.real) + 1j * np.where(turns[1], 0.0, way.imag)
     size = np.abs(way)
     tangents = way / np.where(size > 0, size, 1.0) * np.minimum(short, long)
     whole = np.isfinite(knots).all(axis=1, keepdims=True)
