@@ -170,7 +170,7 @@ def _arc(
     curve: Curve, foot: Complexes
 ) -> tuple[tuple[Complexes, Complexes], tuple[Complexes, Complexes], Reals]:
     """Return the ends and end tangents of the arc over each foot, and where on it the foot stands, 0 … 1."""
-    knots = curve.knots
+    knots = np.where(np.isfinite(curve.knots), curve.knots, np.nan + np.nan * 1j)
     x = _abscissas(knots)
     trials = max(knots.shape[0], foot.shape[0])
     at = np.broadcast_to(foot.real, (trials, foot.shape[1]))
