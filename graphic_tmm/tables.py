@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -159,7 +160,8 @@ def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[floa
         marks |= {n: (mark, unit) for n, mark, unit in zip(named, sizes, units, strict=True)}
     for side in found.indicator.sides:
         marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
-    return {name: (float(reading[mark][0, 0]), unit) for name, (mark, unit) in marks.items()}
+    values = {name: (float(reading[mark][0, 0]), unit) for name, (mark, unit) in marks.items()}
+    return {name: found for name, found in values.items() if math.isfinite(found[0])}
 
 
 def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:

@@ -12,6 +12,7 @@ from gallery import SHEETS
 
 from graphic_tmm.mechanism.orders import Drawn, KinematicOrder
 from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import fitted, table, table_columns
 from graphic_tmm.tables import Column
 from graphic_tmm.work import Work
@@ -19,10 +20,16 @@ from graphic_tmm.work import Work
 ORDER = KinematicOrder("B", start="displacement")
 
 
+def engine(order: KinematicOrder) -> Scene:
+    """The engine with diagrams instead of its flywheel."""
+    place = ("positions", "velocities", "accelerations", "diagrams")
+    sheets = (SheetOrder("A1", place),)
+    return replace(read(SHEETS / "engine"), diagrams=order, flywheel=None, sheets=sheets)
+
+
 @cache
 def drawn(start: str = "displacement", exact: bool = True) -> Work:
-    scene = replace(read(SHEETS / "engine"), diagrams=replace(ORDER, start=start))
-    return fitted(scene, exact=exact)
+    return fitted(engine(replace(ORDER, start=start)), exact=exact)
 
 
 def found(work: Work) -> dict[str, Column]:
@@ -91,7 +98,7 @@ def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
         value = drawn().scales[key].value
         assert float(f"{value:e}".split("e")[0]) in mantissas
     order = replace(ORDER, V=Drawn(pole=30.0))
-    work = fitted(replace(read(SHEETS / "engine"), diagrams=order), exact=True)
+    work = fitted(engine(order), exact=True)
     scales = work.scales
     due = scales["diagram S"].value / (scales["base"].value * 30.0)
     assert scales["diagram V"].value == pytest.approx(due, rel=1e-12)

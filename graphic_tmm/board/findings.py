@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import execute, needed
+from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.geometry import TANGENT
-from graphic_tmm.board.grammar import Gap
+from graphic_tmm.board.grammar import WHOLE_ROW, Gap
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
@@ -58,14 +58,42 @@ def examine(
     reading = execute(construction, given, marks, hand=hand, positions=positions)
     found: list[Finding] = []
     with np.errstate(all="ignore"):
+        broken: set[str] = set()
         for step in steps:
             if step.op.across:
+                found += _across(construction, step, reading, broken)
                 continue
             values = [reading[mark] for mark in step.uses]
             found += _of_step(construction, step, values, reading[step.it], reading.positions)
     if positions is None:
         return tuple(found)
     return tuple(f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found)
+
+
+def _across(
+    construction: Construction, step: Step, reading: Reading, broken: set[str]
+) -> list[Finding]:
+    """Return that a step which needs its whole row lacks some of it; of a view the first such step only.
+
+    A curve that is drawn where its points are needs no more than they: their absence is told already.
+    """
+    row, view = step.choice.get("row"), step.it.view
+    whole = step.op.fails_en == WHOLE_ROW[0] and row is not None
+    if row is None or not whole or view in broken or not undefined(reading[step.it]).any():
+        return []
+    missing = np.zeros(row, dtype=bool)
+    for mark in step.uses:
+        value = reading[mark]
+        if not isinstance(value, Curve):
+            there = np.broadcast_to(
+                undefined(value), (undefined(value).shape[0], reading.positions)
+            )
+            missing |= there[:, :row].any(axis=0)
+    if not missing.any():
+        return []
+    broken.add(view)
+    places = tuple(int(i) for i in np.flatnonzero(missing))
+    return [Finding("undrawn", step, step_number(construction, step), places, 0.0)]
 
 
 def _of_step(

@@ -18,6 +18,10 @@ from graphic_tmm.board.values import KINDS, Kind, Reals
 F = TypeVar("F", bound=Callable[..., Any])
 
 
+WHOLE_ROW = ("a position of the row is missing", "в ряду недостаёт положения")
+"""Why a step across positions has no answer that needs all of them."""
+
+
 class Gap(NamedTuple):
     """How far two figures are from not meeting: ``measure(*values)`` in mm, ≥ 0 where they meet.
 

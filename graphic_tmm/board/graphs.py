@@ -13,13 +13,11 @@ import numpy as np
 
 from graphic_tmm.board.curve import natural, neighbours, periodic
 from graphic_tmm.board.geometry import unit
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Complexes, Curve, Length, Line, Point, Reals
 
-_PARTS = ("a position of the row is missing", "в ряду недостаёт положения")
 
-
-@operation("Положение точки {of} в начале отсчёта отметить {it}.", across=True, fails=_PARTS)
+@operation("Положение точки {of} в начале отсчёта отметить {it}.", across=True)
 def at_zero(of: Point) -> Point:
     """Mark {it} where {of} stands in the zero position."""
     return Point(of[:, :1])
@@ -28,7 +26,6 @@ def at_zero(of: Point) -> Point:
 @operation(
     "Для каждого интервала: следующую за {point} точку отметить {it}; за последней следует {end}.",
     across=True,
-    fails=_PARTS,
 )
 def following(point: Point, end: Point, *, row: int) -> Point:
     """For each interval mark {it}, the point that follows {point}; after the last one comes {end}."""
@@ -54,7 +51,6 @@ def halve(start: Point, end: Point) -> Point:
 @operation(
     "Через точки {through} провести по лекалу плавную кривую {it}, замкнутую через {over}.",
     across=True,
-    fails=_PARTS,
 )
 def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it}, which repeats itself after {over}.
@@ -76,7 +72,6 @@ def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
 @operation(
     "Через точки {through} и {end} провести по лекалу плавную кривую {it}.",
     across=True,
-    fails=_PARTS,
 )
 def open_graph(through: Point, end: Point, *, row: int) -> Curve:
     """Through the points {through} and {end} draw the smooth curve {it}.
@@ -90,7 +85,6 @@ def open_graph(through: Point, end: Point, *, row: int) -> Curve:
 @operation(
     "Через точки {through} провести по лекалу плавную кривую {it} и продолжить её на пол-интервала.",
     across=True,
-    fails=_PARTS,
 )
 def open_graph_of_middles(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} and go on by half an interval at both ends."""
@@ -208,7 +202,7 @@ def _abscissas(knots: Complexes) -> Reals:
     "От {start} один за другим провести отрезки, над каждым интервалом параллельно его лучу {rays}; "
     "их начала отметить {it}.",
     across=True,
-    fails=_PARTS,
+    fails=WHOLE_ROW,
 )
 def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
     """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark beginnings {it}.
@@ -224,7 +218,9 @@ def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -
     return Point(found)
 
 
-@operation("Конец последнего отрезка {rays} от {start} отметить {it}.", across=True, fails=_PARTS)
+@operation(
+    "Конец последнего отрезка {rays} от {start} отметить {it}.", across=True, fails=WHOLE_ROW
+)
 def arrival(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
     """Mark {it} where the last of the segments drawn from {start} parallel to the rays {rays} ends."""
     rises = _rises(rays, feet, end, row)
@@ -239,13 +235,13 @@ def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
     return np.asarray(np.diff(x, axis=1) * slope)
 
 
-@operation("Среди точек {points} найти высшую; отметить {it}.", across=True, fails=_PARTS)
+@operation("Среди точек {points} найти высшую; отметить {it}.", across=True, fails=WHOLE_ROW)
 def highest(points: Point, *, row: int) -> Point:
     """Find the highest of the points {points}; mark {it}."""
     return Point(_extreme(points[:, :row], 1.0))
 
 
-@operation("Среди точек {points} найти низшую; отметить {it}.", across=True, fails=_PARTS)
+@operation("Среди точек {points} найти низшую; отметить {it}.", across=True, fails=WHOLE_ROW)
 def lowest(points: Point, *, row: int) -> Point:
     """Find the lowest of the points {points}; mark {it}."""
     return Point(_extreme(points[:, :row], -1.0))

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.geometry import along, cis, wedge
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
-
-_PARTS = ("a position of the row is missing", "в ряду недостаёт положения")
 
 
 @operation(
-    "Среди точек {points} найти самую далёкую от {start}; отметить {it}.", across=True, fails=_PARTS
+    "Среди точек {points} найти самую далёкую от {start}; отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
 )
 def farthest(start: Point, points: Point, *, row: int) -> Point:
     """Find the point of {points} that is farthest from {start}; mark {it}."""
@@ -26,7 +26,7 @@ def farthest(start: Point, points: Point, *, row: int) -> Point:
 @operation(
     "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} сверху (1) или снизу (−1).",
     across=True,
-    fails=_PARTS,
+    fails=WHOLE_ROW,
 )
 def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
     """At the angle {angle} draw the line {it} that rests on the points {points}.
@@ -44,7 +44,7 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
 @operation(
     "Под углом {angle} провести касательную {it} к кривой {curve} сверху (1) или снизу (−1).",
     across=True,
-    fails=_PARTS,
+    fails=WHOLE_ROW,
 )
 def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     """At the angle {angle} draw the tangent {it} that leaves the whole closed curve {curve} on one side.
@@ -80,7 +80,7 @@ def _levels(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
     return found
 
 
-@operation("Обвести {curve} планиметром; площадь, мм², есть {it}.", across=True, fails=_PARTS)
+@operation("Обвести {curve} планиметром; площадь, мм², есть {it}.", across=True, fails=WHOLE_ROW)
 def planimeter(curve: Curve) -> Number:
     """Go round {curve} with the planimeter; its area, mm², is {it}.
 

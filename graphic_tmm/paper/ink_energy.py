@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Complexes
+from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import arrowhead
@@ -78,6 +78,11 @@ def _finished(
     return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
 
 
+def _most(values: Reals) -> float:
+    """Return the largest of the values that are there, at least 0."""
+    return float(np.max(values, initial=0.0, where=np.isfinite(values)))
+
+
 def draw_indicator_ink(
     construction: Construction,
     reading: Reading,
@@ -93,12 +98,13 @@ def draw_indicator_ink(
     auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.letter == "q")
     spots = ink.all(auxiliary.it)
     strokes: list[Stroke | Bezier] = list(ink.lines(spots, feet))
-    far = spots[int(np.nanargmax(np.abs(spots - origin)))]
-    strokes.append(line("thin", origin, complex(far + 4.0 * (far - origin) / abs(far - origin))))
+    far = complex(spots[int(np.argmax(np.nan_to_num(np.abs(spots - origin))))])
+    if np.isfinite(far) and far != origin:
+        strokes.append(line("thin", origin, far + 4.0 * (far - origin) / abs(far - origin)))
     high = 0.0
     for side in made.sides:
         points = ink.all(side.points)
-        high = max(high, float(np.nanmax(points.imag)))
+        high = max(high, _most(points.imag))
         strokes += ink.lines(feet, points)
     strokes += _axes(0.0, end.real, 0.0, high)
     for side in made.sides:
@@ -110,13 +116,15 @@ def draw_indicator_ink(
     ]
     groups: list[tuple[complex, list[str]]] = []
     for name, foot in zip(names, feet, strict=True):
+        if not np.isfinite(foot):
+            continue
         near = next((texts for spot, texts in groups if abs(spot - foot) < 1.0), None)
         if near is None:
             groups.append((complex(foot), [name]))
         else:
             near.append(name)
     wanted += [Wanted(", ".join(texts), spot, NUMBER, 1.0, -1j) for spot, texts in groups]
-    cell = (0.0, min(0.0, float(np.nanmin(spots.imag))), end.real, high)
+    cell = (0.0, -_most(-spots.imag), end.real, high)
     return _finished(INDICATOR, title, strokes, wanted, lettered, cell)
 
 
@@ -132,10 +140,7 @@ def draw_energy_mass_ink(
     """Return the energy–mass curve with its two tangents and the segment ab."""
     ink = _Sheet(construction, reading, len(names))
     points = ink.all(made.points)
-    right, low, high = (
-        float(f(x))
-        for f, x in ((np.nanmax, points.real), (np.nanmin, points.imag), (np.nanmax, points.imag))
-    )
+    right, low, high = _most(points.real), -_most(-points.imag), _most(points.imag)
     strokes: list[Stroke | Bezier] = []
     wanted = [
         Wanted("ΔT", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
@@ -152,7 +157,8 @@ def draw_energy_mass_ink(
     wanted[0] = wanted[0]._replace(at=complex(0, max(high, 0.0) + OVER))
     strokes += ink.curve(made.curve)
     strokes += ink.dots(made.points)
-    middle = complex(np.nanmean(points))
+    there = points[np.isfinite(points)]
+    middle = complex(there.mean()) if there.size else 0j
     for name, spot in zip(names, points, strict=True):
         if np.isfinite(spot):
             wanted.append(Wanted(name, complex(spot), NUMBER, 0.8, complex(spot) - middle))

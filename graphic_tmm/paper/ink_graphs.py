@@ -170,6 +170,12 @@ class _Ink:
         strokes += [line("thin", z - 1j * TICK, z + 1j * TICK) for z in map(complex, ends)]
         return strokes
 
+    def outermost(self, mark: Mark) -> complex:
+        """The point of the row that stands farthest from the base; NaN if none stands."""
+        spots = self.points(mark)[: self.row]
+        spots = spots[np.isfinite(spots)]
+        return complex(spots[int(np.argmax(np.abs(spots.imag)))]) if spots.size else complex("nan")
+
     def letters(self, names: Names, high: float) -> Iterator[Wanted]:
         """The numbers of the positions under the base, the letters of the axes and of the pole."""
         yield Wanted(names.up, complex(0, high + OVER), SIZE, 1.5, -1 + 0j)
@@ -178,16 +184,19 @@ class _Ink:
             yield Wanted("P", spot, NUMBER, 1.0, -1 + 0j)
         for step in self.steps:
             if step.it.letter in names.curves and step.op in (join, g.open_graph):
-                spots = self.points(step.uses[1 if step.op is join else 0])[: self.row]
-                spot = complex(spots[int(np.nanargmax(np.abs(spots.imag)))])
+                spot = self.outermost(step.uses[1 if step.op is join else 0])
                 spot = 0.6 * spot if step.op is join else spot
-                yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, 1j - 0.5)
+                if np.isfinite(spot):
+                    yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, 1j - 0.5)
             if step.op is measure_along and step.it.letter in names.curves:
-                spots = self.points(step.uses[1])[: self.row]
-                spot = complex(spots[int(np.nanargmax(np.abs(spots.imag)))])
-                yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, spot.imag * 1j)
+                spot = self.outermost(step.uses[1])
+                if np.isfinite(spot):
+                    letter = names.curves[step.it.letter]
+                    yield Wanted(letter, spot, NUMBER, 1.0, spot.imag * 1j)
             if step.op is meet and step.it.letter in ("c", "d"):
-                yield Wanted(step.it.letter, complex(self.points(step.it)[0]), SIZE, 1.0, -1 + 0j)
+                spot = complex(self.points(step.it)[0])
+                if np.isfinite(spot):
+                    yield Wanted(step.it.letter, spot, SIZE, 1.0, -1 + 0j)
         feet = self.points(self.marks.feet)
         for name, foot in zip(names.positions, feet, strict=True):
             yield Wanted(name, complex(foot), NUMBER, TICK, -1 - 1.5j)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from graphic_tmm.board.operations import lay_off
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
@@ -48,7 +50,7 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
         angles = [_angle(drawn, name) for name in ("ψ_{max}", "ψ_{min}")]
         views.append(captioned(found, words["energy-mass"], ", ".join(scales), ", ".join(angles)))
-    if made.rim is not None:
+    if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
         views.append(_sketch(drawn, made))
     rows = flywheel_columns(project, reading)
     return [*views, result_table("flywheel", rows, project.names, language), _results(drawn)]
@@ -134,7 +136,7 @@ def _results(drawn: Work) -> Drawing:
         [words.get(name, SYMBOLS.get(name, name)), number(value, language), unit(of, language)]
         for name, (value, of) in found.items()
     ]
-    if "J_fly_energy_mass" in found:
+    if {"J_fly", "J_fly_energy_mass"} <= set(found):
         first, second = found["J_fly"][0], found["J_fly_energy_mass"][0]
         rows.append(
             [words["J difference"], number(100.0 * (first - second) / first, language, 3), "%"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphic_tmm.scene import order_values as o
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.table import Table, key
 
@@ -10,14 +11,14 @@ class DiagramsTable(Table):
     """Kinematic diagrams of a point that slides on the frame."""
 
     point: v.Text = key("the letter of the point", "D")
-    start: v.Start = key("what is taken from the plans", "displacement", "displacement")
-    over: v.Over = key("what the base stands for", "time", "time")
-    method: v.Method = key("how it is differentiated", "chords", "chords")
+    start: o.Start = key("what is taken from the plans", "displacement", "displacement")
+    over: o.Over = key("what the base stands for", "time", "time")
+    method: o.Method = key("how it is differentiated", "chords", "chords")
     base: v.Drawn | None = key("length of the base", "120 mm", None)
-    mu_t: v.MuTime | None = key("time that 1 mm of the base stands for", "0.0025 s/mm", None)
-    mu_phi: v.MuAngle | None = key("angle that 1 mm of the base stands for", "0.05 rad/mm", None)
+    mu_t: o.MuTime | None = key("time that 1 mm of the base stands for", "0.0025 s/mm", None)
+    mu_phi: o.MuAngle | None = key("angle that 1 mm of the base stands for", "0.05 rad/mm", None)
     mu_S: v.MuL | None = key("m/mm", "0.001 m/mm", None)
-    mu_V: v.MuVelocity | None = key("(m/s)/mm", "0.075 (m/s)/mm", None)
+    mu_V: o.MuVelocity | None = key("(m/s)/mm", "0.075 (m/s)/mm", None)
     mu_a: v.MuA | None = key("(m/s²)/mm", "2 (m/s^2)/mm", None)
     H_S: v.Drawn | None = key("pole distance of the integration, instead of mu_S", "20 mm", None)
     H_V: v.Drawn | None = key("pole distance of the velocities, instead of mu_V", "20 mm", None)
@@ -29,29 +30,29 @@ class IndicatorTable(Table):
 
     point: v.Text = key("the letter of the piston's point", "B")
     bore: v.PositiveLength = key("diameter of the cylinder", "120 mm")
-    cover: v.Pressures = key("pressures on the side away from the crank", ["300 kPa", "240 kPa"])
-    shaft: v.Pressures | None = key("pressures on the side towards the crank", None, None)
+    cover: o.Pressures = key("pressures on the side away from the crank", ["300 kPa", "240 kPa"])
+    shaft: o.Pressures | None = key("pressures on the side towards the crank", None, None)
     rod: v.PositiveLength | None = key("diameter of the rod on that side", "30 mm", None)
     base: v.Drawn = key("drawn length of the stroke", "100 mm", 100.0)
     height: v.Drawn = key("room for the highest pressure", "100 mm", 100.0)
-    mu_p: v.MuPressure | None = key("Pa/mm", "1500 Pa/mm", None)
+    mu_p: o.MuPressure | None = key("Pa/mm", "1500 Pa/mm", None)
 
 
 class FlywheelTable(Table):
     """The flywheel of a machine driven by the gas of the indicator diagram."""
 
-    delta: v.Irregularity = key("coefficient of irregularity", 0.04)
-    constant: v.Constant = key("which moment is constant", "resisting", "resisting")
+    delta: o.Irregularity = key("coefficient of irregularity", 0.04)
+    constant: o.Constant = key("which moment is constant", "resisting", "resisting")
     H: v.Drawn = key("pole distance of the integration", "40 mm", 40.0)
     base: v.Drawn = key("length of the base for a turn", "120 mm", 120.0)
-    mu_M: v.MuMoment | None = key("(N·m)/mm", "8 N*m/mm", None)
-    integration: v.Integration = key(
+    mu_M: o.MuMoment | None = key("(N·m)/mm", "8 N*m/mm", None)
+    integration: o.Integration = key(
         "mean ordinates: of the curve, of chords", "middles", "middles"
     )
-    tangents: v.Tangents = key("tangents of the energy–mass curve", "points", "points")
+    tangents: o.Tangents = key("tangents of the energy–mass curve", "points", "points")
     D_e: v.PositiveLength | None = key("outer diameter of the rim", "0.45 m", None)
-    ratio: v.RimRatio = key("inner diameter of the rim over the outer", 0.85, 0.85)
-    material: v.Material = key("material of the rim", "steel", "steel")
+    ratio: o.RimRatio = key("inner diameter of the rim over the outer", 0.85, 0.85)
+    material: o.Material = key("material of the rim", "steel", "steel")
     shaft: v.PositiveLength | None = key("diameter of the shaft", "55 mm", None)
-    studs: v.Studs = key("how many stud holes", 3, 3)
+    studs: o.Studs = key("how many stud holes", 3, 3)
     stud: v.PositiveLength | None = key("their diameter", "16 mm", None)

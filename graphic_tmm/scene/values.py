@@ -106,7 +106,9 @@ def _title(value: object, names: Names) -> str:
     return str(value)
 
 
-def _whole(least: int, most: int) -> Rule:
+def whole(least: int, most: int) -> Rule:
+    """Return the rule for a whole number."""
+
     def check(value: object, names: Names) -> int:
         if isinstance(value, bool) or not isinstance(value, int):
             raise ValueError(
@@ -181,11 +183,13 @@ def _mu_v(value: object, names: Names) -> float | str:
     return _positive_scale(quantities.parse(value, "scale of velocities"), value)
 
 
-def _mu(dimension: Dimension) -> Rule:
+def mu(dimension: Dimension) -> Rule:
+    """Return the rule for a scale factor of a dimension."""
+
     def check(value: object, names: Names) -> float:
         return _positive_scale(quantities.parse(value, dimension), value)
 
-    return Rule(check, _SCALE)
+    return Rule(check, SCALE)
 
 
 def _positive_scale(number: float, value: object) -> float:
@@ -243,23 +247,6 @@ def _extra(value: object, names: Names) -> tuple[float | str, ...]:
     )
 
 
-def _pressures(value: object) -> tuple[float, ...]:
-    if not isinstance(value, list) or not value:
-        raise ValueError(
-            f'{kind_of(value)} stands here; write the pressure in each position, ["300 kPa", "240 kPa"]'
-        )
-    return tuple(quantities.parse(item, "pressure") for item in value)
-
-
-def _share(value: object, most: float) -> float:
-    number = quantities.parse(value, "ratio") if isinstance(value, str) else value
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < most:
-        raise ValueError(
-            f"{kind_of(value)} stands here; a number greater than 0 and less than {most:g} is wanted"
-        )
-    return float(number)
-
-
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
     if value in ("all", "все"):
         return ("all",)
@@ -309,16 +296,16 @@ _LENGTH: Schema = {
     "anyOf": [{"type": "number"}, {"type": "string"}],
     "description": 'a length: metres, "95 mm", a named length, or a sum such as "-OB - 1.25 BC"',
 }
-_SCALE: Schema = {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}
+SCALE: Schema = {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}
 _NUMBERS: Schema = {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}}
 _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 
 Text = Annotated[str, Rule(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})]
 Title = Annotated[str, Rule(_title, {"type": "string", "minLength": 1, "maxLength": 200})]
 Language = Annotated[str, choice("ru", "en")]
-LinkNumber = Annotated[int, _whole(0, 999)]
-Count = Annotated[int, _whole(1, 100_000)]
-First = Annotated[int, _whole(0, 1)]
+LinkNumber = Annotated[int, whole(0, 999)]
+Count = Annotated[int, whole(1, 100_000)]
+First = Annotated[int, whole(0, 1)]
 Point = Annotated[
     complex,
     Rule(
@@ -372,38 +359,9 @@ Position = Annotated[
     str, Rule(lambda value, names: _position(value), {"type": ["integer", "string"]})
 ]
 Letters = Annotated[tuple[str, ...], Rule(_letters, _WORDS)]
-MuL = Annotated[float, Rule(_mu_l, _SCALE)]
-MuV = Annotated[float | str, Rule(_mu_v, _SCALE)]
-MuA = Annotated[float, _mu("scale of accelerations")]
-MuTime = Annotated[float, _mu("scale of times")]
-MuAngle = Annotated[float, _mu("scale of angles")]
-MuVelocity = Annotated[float, _mu("scale of velocities")]
-MuPressure = Annotated[float, _mu("scale of pressures")]
-MuMoment = Annotated[float, _mu("scale of moments")]
-Pressures = Annotated[
-    tuple[float, ...],
-    Rule(
-        lambda value, names: _pressures(value),
-        {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}},
-    ),
-]
-Irregularity = Annotated[float, Rule(lambda value, names: _share(value, 2.0), _SCALE)]
-RimRatio = Annotated[float, Rule(lambda value, names: _share(value, 1.0), _SCALE)]
-Constant = Annotated[
-    str, choice("resisting", "driving", сопротивления="resisting", движущий="driving")
-]
-Integration = Annotated[str, choice("middles", "chords", середины="middles", хорды="chords")]
-Tangents = Annotated[
-    str, choice("points", "curve", "none", точки="points", кривая="curve", нет="none")
-]
-Material = Annotated[str, choice("steel", "cast iron", сталь="steel", чугун="cast iron")]
-Studs = Annotated[int, _whole(1, 24)]
-Start = Annotated[
-    str,
-    choice("displacement", "velocity", перемещение="displacement", скорость="velocity"),
-]
-Over = Annotated[str, choice("time", "angle", время="time", угол="angle")]
-Method = Annotated[str, choice("chords", "tangents", хорды="chords", касательные="tangents")]
+MuL = Annotated[float, Rule(_mu_l, SCALE)]
+MuV = Annotated[float | str, Rule(_mu_v, SCALE)]
+MuA = Annotated[float, mu("scale of accelerations")]
 Drawn = Annotated[float, Rule(_drawn, _MM)]
 Ruler = Annotated[float | None, Rule(_ruler, _MM)]
 Format = Annotated[str, choice("A1", "A1 portrait", "A4", А1="A1", А4="A4")]

@@ -16,6 +16,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.ink_graphs import Names, axes_of, draw_graph
 from graphic_tmm.paper.placing import box, flat, shape
 from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import fitted
 from graphic_tmm.work import Work
 
@@ -28,7 +29,9 @@ CASES = [
 @cache
 def drawn(name: str, start: str, method: str) -> Work:
     order = KinematicOrder(POINTS[name], start=start, method=method)
-    return fitted(replace(read(SHEETS / name), diagrams=order), exact=True)
+    sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
+    scene = replace(read(SHEETS / name), diagrams=order, flywheel=None, sheets=sheets)
+    return fitted(scene, exact=True)
 
 
 def graph(work: Work, symbol: str, *, lettered: bool = True) -> Drawing:

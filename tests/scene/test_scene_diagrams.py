@@ -86,7 +86,7 @@ def test_diagrams_need_four_positions(tmp_path: Path) -> None:
 
 def test_diagrams_that_are_placed_have_to_be_asked_for(tmp_path: Path) -> None:
     file = tmp_path / "scene.toml"
-    text = ENGINE.replace('format = "A1"', 'format = "A1"\nplace = ["positions", "diagrams"]')
+    text = ENGINE.replace('place  = ["positions", "velocities", "flywheel"', 'place = ["diagrams"')
     file.write_text(text, encoding="utf-8")
     with pytest.raises(SceneError, match=r"write a section \[diagrams\]"):
         read(file)

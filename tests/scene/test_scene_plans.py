@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
 ENGINE = (SHEETS / "engine" / "scene.toml").read_text(encoding="utf-8")
-PLANS = '[plans]\nvelocities   = "turned"'
+PLANS = re.search(r"\[plans\][^\[]*(\[\"S2\"\])?", ENGINE)
 
 
 def scene(folder: Path, text: str) -> Scene:
@@ -22,8 +23,9 @@ def scene(folder: Path, text: str) -> Scene:
 
 
 def with_plans(*lines: str) -> str:
-    assert PLANS in ENGINE
-    return ENGINE.replace(PLANS, "\n".join(("[plans]", *lines, 'velocities = "turned"')))
+    assert PLANS is not None
+    section = "\n".join(("[plans]", *lines, 'velocities = "turned"', "", ""))
+    return ENGINE.replace(PLANS.group(), section)
 
 
 def faults(folder: Path, text: str) -> list[tuple[str, str]]:

@@ -70,8 +70,8 @@ def test_engine():
     assert engine.row.accelerations == ("2", "5")
     assert engine.scales == Scales(mu_l=0.005, pa=60.0)
     assert engine.sheets == (SheetOrder("A1", (
-        "positions", "velocities", "accelerations", "equations", "diagrams", "structure",
-        "results")),)  # fmt: skip
+        "positions", "velocities", "flywheel", "accelerations", "equations", "structure",
+        "velocity table")),)  # fmt: skip
 
 
 def test_windrower():
@@ -142,7 +142,7 @@ def test_defaults(scene):
     assert (plain.row.count, plain.row.first, plain.row.zero) == (12, 0, 0.0)
     assert plain.row.accelerations == plain.row.extra == plain.trajectories == ()
     assert plain.scales == Scales()
-    assert len(plain.sheets[0].place) == 7
+    assert len(plain.sheets[0].place) == 8
     assert (plain.common_pole, plain.main) == (False, None)
     assert plain.title_block == {}
     assert plain.task is None
