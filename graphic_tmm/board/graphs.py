@@ -165,30 +165,25 @@ def _arc(
 ) -> tuple[tuple[Complexes, Complexes], tuple[Complexes, Complexes], Reals]:
     """Return the ends and end tangents of the arc over each foot, and where on it the foot stands, 0 … 1."""
     knots = np.where(np.isfinite(curve.knots), curve.knots, np.nan + np.nan * 1j)
-    x = _abscissas(knots)
-    trials = max(knots.shape[0], foot.shape[0])
-    at = np.broadcast_to(foot.real, (trials, foot.shape[1]))
-    x = np.broadcast_to(x, (trials, x.shape[1]))
-    step = (x[:, -1:] - x[:, :1]) / (x.shape[1] - 1)
-    near = np.clip(np.nan_to_num((at - x[:, :1]) / step), 0, x.shape[1] - 2).astype(np.intp)
-    near -= np.take_along_axis(x, near, 1) > at
-    near = np.clip(near, 0, x.shape[1] - 2)
-    near += (np.take_along_axis(x, near + 1, 1) <= at) & (near < x.shape[1] - 2)
-
-    def ends(values: Complexes) -> tuple[Complexes, Complexes]:
-        spread = np.broadcast_to(values, (trials, values.shape[1]))
-        return np.take_along_axis(spread, near, 1), np.take_along_axis(spread, near + 1, 1)
-
-    left, right = ends(np.asarray(x, dtype=np.complex128))
-    u = (at - left.real) / (right.real - left.real)
+    x, tangents = _abscissas(curve.knots), curve.tangents
+    trials, last = max(knots.shape[0], foot.shape[0]), knots.shape[1] - 2
+    found = []
+    for k in range(trials):
+        own, at = min(k, knots.shape[0] - 1), foot.real[min(k, foot.shape[0] - 1)]
+        near = np.clip(np.searchsorted(x[own], at, side="right") - 1, 0, last)
+        u = (at - x[own, near]) / (x[own, near + 1] - x[own, near])
+        p, m = knots[own], tangents[own]
+        found.append((p[near], p[near + 1], m[near], m[near + 1], u))
+    p, q, m, n, u = (np.array(rows) for rows in zip(*found, strict=True))
     slack = 1e-9
-    u = np.where((u >= -slack) & (u <= 1 + slack), u, np.nan)
-    return ends(knots), ends(curve.tangents), u
+    return (p, q), (m, n), np.where((u >= -slack) & (u <= 1 + slack), u, np.nan)
 
 
 def _abscissas(knots: Complexes) -> Reals:
     """Return where the knots stand along the base; a missing knot stands evenly between its neighbours."""
     x = np.array(knots.real)
+    if np.isfinite(x).all():
+        return x
     for row in x:
         there = np.isfinite(row)
         if 2 <= there.sum() < row.size:
