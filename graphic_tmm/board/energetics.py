@@ -20,6 +20,28 @@ def ring_area(outer: Number, inner: Number) -> Number:
     return Number(np.pi * (outer**2 - inner**2) / 4.0)
 
 
+@operation(formula=True, fails=("the stroke has no length", "ход равен нулю"))
+def polytropic(
+    pressure: Number,
+    clearance: Number,
+    start: Number,
+    travel: Length,
+    stroke: Length,
+    exponent: Number,
+) -> Number:
+    """{pressure}·(({clearance} + {start})/({clearance} + {travel}/{stroke}))^{exponent}"""
+    volumes = (clearance + start) / (clearance + travel / stroke)
+    return Number(pressure * np.where(exponent == 0.0, 1.0, volumes**exponent))
+
+
+@operation(formula=True, fails=("the stroke has no length", "ход равен нулю"))
+def between(
+    first: Number, last: Number, start: Number, end: Number, travel: Length, stroke: Length
+) -> Number:
+    """{first} + ({last} − {first})·({travel}/{stroke} − {start})/({end} − {start})"""
+    return Number(first + (last - first) * (travel / stroke - start) / (end - start))
+
+
 @operation(formula=True)
 def gas_force(pressure: Number, area: Number) -> Number:
     """{pressure}·{area}"""

@@ -37,15 +37,35 @@ class KinematicOrder:
 
 
 @dataclass(frozen=True)
-class Gas:
-    """The pressure (Pa) on one side of a piston at every position of the row, over the diameter ``bore`` (m).
+class Stretch:
+    """A part of an indicator diagram: on the stroke "out" (from the cover) or "back", between two shares of it.
 
-    ``rod``: the diameter (m) of a rod that passes through that side; 0 for none.
+    Shares are counted from the cover, 0 … 1. From ``pressure`` (Pa) at ``start`` it follows p·V^``exponent`` =
+    const, or a straight line to ``last`` (Pa) at ``end``.
+    """
+
+    stroke: str
+    start: float
+    end: float
+    pressure: float
+    exponent: float | None = None
+    last: float = 0.0
+
+
+@dataclass(frozen=True)
+class Gas:
+    """The pressure on one side of a piston over the diameter ``bore`` (m).
+
+    ``pressures`` (Pa) at every position of the row; or ``stretches`` of the two strokes, all polytropic or all
+    straight, with the ``clearance`` as a share of the stroke. ``rod``: the diameter (m) of a rod that passes
+    through that side; 0 for none.
     """
 
     pressures: tuple[float, ...]
     bore: float
     rod: float = 0.0
+    stretches: tuple[Stretch, ...] = ()
+    clearance: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from graphic_tmm.board.energetics import gas_force, mean_ordinate, net_force, ri
 from graphic_tmm.board.operations import (
     join,
     lay_off,
+    measure,
     measure_along,
     meet,
     parallel,
@@ -26,6 +27,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.orders import Gas, IndicatorOrder
 from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.strokes import by_stretches
 
 VIEW = "indicator"
 AUXILIARY = -30.0
@@ -80,9 +82,9 @@ def draw_indicator(
     up = board.draw(square, "(Oy)", origin, base, sense=1)
     length = draft.take(Length, "L", order.base, "mm")
     end = board.draw(lay_off, "E", base, length)
-    feet = _divide(draft, origin, base, end, travel, count)
+    feet, stroke = _divide(draft, origin, base, end, travel, count)
     lines = board.draw(square, "(i)", feet, base, sense=1)
-    ground = _Ground(mu, length, lines, feet, up)
+    ground = _Ground(mu, length, lines, feet, up, travel, stroke)
     sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
     force = sides[0].force
     if order.shaft is not None:
@@ -94,35 +96,46 @@ def draw_indicator(
 
 
 class _Ground(NamedTuple):
-    """What both sides stand on: μ_p, the length of the base, perpendiculars, feet, the ordinate axis."""
+    """What both sides stand on: μ_p, the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
 
     mu: Mark
     length: Mark
     lines: Mark
     feet: Mark
     up: Mark
+    travel: Mark
+    stroke: Mark
 
 
-def _divide(draft: Draft, origin: Mark, base: Mark, end: Mark, travel: Mark, count: int) -> Mark:
-    """Divide the base in proportion to the travel by similar triangles on an auxiliary ray."""
+def _divide(
+    draft: Draft, origin: Mark, base: Mark, end: Mark, travel: Mark, count: int
+) -> tuple[Mark, Mark]:
+    """Divide the base in proportion to the travel by similar triangles on an auxiliary ray.
+
+    Returns the feet of the positions, and the stroke as it lies on the ray (Length).
+    """
     board = draft.board
     way = board.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
     marks = board.draw(lay_off, "q", way, travel)
     last = board.draw(farthest, "q_S", origin, marks, row=count)
     closing = board.draw(join, "(q_SE)", last, end)
     lines = board.draw(parallel, "(q)", marks, closing, sense=1)
-    return board.draw(meet, "i", base, lines)
+    stroke = board.draw(measure, "s_{max}", origin, last)
+    return board.draw(meet, "i", base, lines), stroke
 
 
 def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
     """Lay off the pressures of one side, read them, go round them with the planimeter."""
     board, sign, (count, extras) = draft.board, NAMES[name], row
-    if len(gas.pressures) != count:
+    if gas.stretches:
+        pressure = by_stretches(draft, sign, gas, row, on.travel, on.stroke)
+    elif len(gas.pressures) == count:
+        values = np.array([*gas.pressures, *[np.nan] * extras])[None, :]
+        pressure = draft.take(Number, f"p_{sign}", values, "Pa")
+    else:
         raise StructureError(
             f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
         )
-    values = np.array([*gas.pressures, *[np.nan] * extras])[None, :]
-    pressure = draft.take(Number, f"p_{sign}", values, "Pa")
     height = board.draw(to_board, f"h_{sign}", pressure, on.mu)
     points = board.draw(lay_off, sign, on.lines, height)
     curve = board.draw(taut_curve, f"({sign}–{sign})", points, row=count)

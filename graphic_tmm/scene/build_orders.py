@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from graphic_tmm.mechanism.orders import (
     Drawn,
     FlywheelOrder,
@@ -9,8 +11,15 @@ from graphic_tmm.mechanism.orders import (
     IndicatorOrder,
     KinematicOrder,
     Rim,
+    Stretch,
 )
-from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
+from graphic_tmm.scene.order_tables import (
+    DiagramsTable,
+    FlywheelTable,
+    IndicatorTable,
+    StrokeTable,
+    TracedTable,
+)
 
 MATERIALS = {"steel": (110.0, 7800.0), "cast iron": (35.0, 7200.0)}
 """Limit of the rim's speed (m/s) and density (kg/m³) by material."""
@@ -35,12 +44,12 @@ def diagrams(table: DiagramsTable) -> KinematicOrder:
 
 def flywheel(table: FlywheelTable, indicator: IndicatorTable) -> FlywheelOrder:
     """Return what the sections of flywheel and indicator diagram ask for."""
-    rod = indicator.rod or 0.0
-    shaft = Gas(indicator.shaft, indicator.bore, rod) if indicator.shaft else None
+    cover = _gas(indicator, "cover")
+    assert cover is not None
     order = IndicatorOrder(
         indicator.point,
-        Gas(indicator.cover, indicator.bore),
-        shaft,
+        cover,
+        _gas(indicator, "shaft"),
         indicator.base,
         indicator.height,
         indicator.mu_p,
@@ -56,6 +65,35 @@ def flywheel(table: FlywheelTable, indicator: IndicatorTable) -> FlywheelOrder:
         None if table.tangents == "none" else table.tangents,
         _rim(table),
     )
+
+
+def _gas(table: IndicatorTable, side: str) -> Gas | None:
+    """Return the gas of one side of the piston; None if nothing is said of it."""
+    pressures = getattr(table, side)
+    traced: TracedTable | None = getattr(table, f"{side}_points")
+    strokes: list[StrokeTable] = getattr(table, f"{side}_strokes")
+    rod = (table.rod or 0.0) if side == "shaft" else 0.0
+    if pressures is not None:
+        return Gas(pressures, table.bore, rod)
+    found = _straight(traced) if traced is not None else _polytropic(strokes)
+    return Gas((), table.bore, rod, found, table.clearance) if found else None
+
+
+def _straight(table: TracedTable) -> tuple[Stretch, ...]:
+    return tuple(
+        Stretch(way, a, b, p, None, q)
+        for way, points in (("out", table.out), ("back", table.back))
+        for (a, p), (b, q) in pairwise(points)
+    )
+
+
+def _polytropic(strokes: list[StrokeTable]) -> tuple[Stretch, ...]:
+    reached = {"out": 0.0, "back": 1.0}
+    found = []
+    for part in strokes:
+        found.append(Stretch(part.stroke, reached[part.stroke], part.to, part.p, part.n))
+        reached[part.stroke] = part.to
+    return tuple(found)
 
 
 def _rim(table: FlywheelTable) -> Rim | None:

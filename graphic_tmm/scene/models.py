@@ -8,7 +8,13 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from pydantic.fields import FieldInfo
 
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
+from graphic_tmm.scene.order_tables import (
+    DiagramsTable,
+    FlywheelTable,
+    IndicatorTable,
+    StrokeTable,
+    TracedTable,
+)
 from graphic_tmm.scene.table import Table, key
 
 
@@ -226,6 +232,10 @@ _TABLES: dict[str, type[BaseModel]] = {
     "plans": PlansTable,
     "diagrams": DiagramsTable,
     "indicator": IndicatorTable,
+    "cover_points": TracedTable,
+    "shaft_points": TracedTable,
+    "cover_strokes": StrokeTable,
+    "shaft_strokes": StrokeTable,
     "flywheel": FlywheelTable,
     "scales": ScalesTable,
     "hand": HandTable,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.faults import Found
@@ -34,11 +35,21 @@ def _pressures(parts: Parts, made: IndicatorTable) -> Iterator[Found]:
     """Pressures that are not as many as the positions; a rod without its side."""
     count = parts.drive.positions if parts.drive is not None else None
     for side in ("cover", "shaft"):
+        told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(made, k)]
+        for other in told[1:]:
+            says = f"{told[0]} gives the pressures of that side already; leave one of them out"
+            yield Found(("indicator", other), says)
+        if side == "cover" and not told:
+            says = 'it is missing; write the pressures, ["300 kPa", ...], or cover_points, or cover_strokes'
+            yield Found(("indicator", "cover"), says)
+        yield from _stretches(made, side)
+    for side in ("cover", "shaft"):
         given = getattr(made, side)
         if given is not None and count is not None and len(given) != count:
             says = f"{len(given)} pressures for {count} positions; give one for each, from the first on"
             yield Found(("indicator", side), says)
-    if made.rod is not None and made.shaft is None:
+    others = made.shaft or made.shaft_points or made.shaft_strokes
+    if made.rod is not None and not others:
         yield Found(
             ("indicator", "rod"), "it matters on the side of the shaft only; write shaft as well"
         )
@@ -79,6 +90,32 @@ def _diagrams(made: DiagramsTable) -> Iterator[Found]:
     if getattr(made, f"H_{first}") is not None:
         says = f"the diagram of {first} is laid off, not differentiated: it has no pole"
         yield Found(("diagrams", f"H_{first}"), f"{says}; write mu_{first}, or leave it out")
+
+
+def _stretches(made: IndicatorTable, side: str) -> Iterator[Found]:
+    """Points or strokes that do not go from the cover to the far end and back."""
+    traced = getattr(made, f"{side}_points")
+    if traced is not None:
+        for way, ends in (("out", (0.0, 1.0)), ("back", (1.0, 0.0))):
+            shares = [share for share, _ in getattr(traced, way)]
+            steps = [b - a for a, b in pairwise(shares)]
+            turned = any(step * (ends[1] - ends[0]) <= 0 for step in steps)
+            if (shares[0], shares[-1]) != ends or turned:
+                says = f"the shares of the stroke {way} go from {ends[0]:g} to {ends[1]:g}, one after the other"
+                yield Found(("indicator", f"{side}_points", way), f"{says}; put them in order")
+    reached = {"out": 0.0, "back": 1.0}
+    strokes = getattr(made, f"{side}_strokes")
+    for i, part in enumerate(strokes):
+        if (part.to - reached[part.stroke]) * (1 if part.stroke == "out" else -1) <= 0:
+            says = f"the stroke {part.stroke} has come to {reached[part.stroke]:g} already; go on from there"
+            yield Found(("indicator", f"{side}_strokes", i, "to"), says)
+        reached[part.stroke] = part.to
+    if strokes and reached != {"out": 1.0, "back": 0.0}:
+        says = "the parts of the stroke out have to end at 1, those of the stroke back at 0"
+        yield Found(("indicator", f"{side}_strokes"), f"{says}; add the last part")
+    if any(part.n > 0 for part in strokes) and not made.clearance > 0:
+        says = "gas that is expanded or compressed needs the clearance"
+        yield Found(("indicator", "clearance"), f"{says}; write clearance = 0.08")
 
 
 def _placed(doc: Document) -> Iterator[Found]:

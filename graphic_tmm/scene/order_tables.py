@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pydantic import Field
+
 from graphic_tmm.scene import order_values as o
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.table import Table, key
@@ -25,13 +27,40 @@ class DiagramsTable(Table):
     H_a: v.Drawn | None = key("pole distance of the accelerations, instead of mu_a", "15 mm", None)
 
 
+class TracedTable(Table):
+    """An indicator diagram by points: shares of the stroke from the cover, and pressures."""
+
+    out: o.Traced = key("points of the stroke from the cover", [[0, "300 kPa"], [1, "60 kPa"]])
+    back: o.Traced = key("points of the stroke back", [[1, "30 kPa"], [0, "150 kPa"]])
+
+
+class StrokeTable(Table):
+    """A polytropic part of an indicator diagram; it begins where the part before it ended."""
+
+    stroke: o.Way = key("out, from the cover, or back", "out")
+    to: o.Within = key("the share of the stroke at which it ends", 0.3)
+    p: o.Pressure = key("the pressure at which it begins", "600 kPa")
+    n: o.Exponent = key("exponent of p·V^n = const; 0 for a constant pressure", 1.2)
+
+
 class IndicatorTable(Table):
     """The indicator diagram of a cylinder: pressures in the positions of the row."""
 
     point: v.Text = key("the letter of the piston's point", "B")
     bore: v.PositiveLength = key("diameter of the cylinder", "120 mm")
-    cover: o.Pressures = key("pressures on the side away from the crank", ["300 kPa", "240 kPa"])
+    cover: o.Pressures | None = key(
+        "pressures on the side away from the crank", ["300 kPa", "240 kPa"], None
+    )
+    cover_points: TracedTable | None = key("the same by points of both strokes", None, None)
+    cover_strokes: list[StrokeTable] = Field(
+        default_factory=list, description="the same by polytropic strokes, in order"
+    )
     shaft: o.Pressures | None = key("pressures on the side towards the crank", None, None)
+    shaft_points: TracedTable | None = key("the same by points of both strokes", None, None)
+    shaft_strokes: list[StrokeTable] = Field(
+        default_factory=list, description="the same by polytropic strokes, in order"
+    )
+    clearance: o.Within = key("clearance as a share of the stroke", 0.08, 0.0)
     rod: v.PositiveLength | None = key("diameter of the rod on that side", "30 mm", None)
     base: v.Drawn = key("drawn length of the stroke", "100 mm", 100.0)
     height: v.Drawn = key("room for the highest pressure", "100 mm", 100.0)

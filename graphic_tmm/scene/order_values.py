@@ -17,6 +17,36 @@ def _pressures(value: object) -> tuple[float, ...]:
     return tuple(quantities.parse(item, "pressure") for item in value)
 
 
+def _traced(value: object) -> tuple[tuple[float, float], ...]:
+    if not isinstance(value, list) or len(value) < 2:
+        raise ValueError(
+            f'{kind_of(value)} stands here; write points of the stroke, [[0, "300 kPa"], [1, "60 kPa"]]'
+        )
+    found = []
+    for item in value:
+        if not isinstance(item, list) or len(item) != 2:
+            raise ValueError(
+                f'{kind_of(item)} in the list; a point is a share of the stroke and a pressure, [0.4, "2 bar"]'
+            )
+        found.append((_within(item[0]), quantities.parse(item[1], "pressure")))
+    return tuple(found)
+
+
+def _within(value: object) -> float:
+    number = quantities.parse(value, "ratio") if isinstance(value, str) else value
+    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 <= number <= 1:
+        raise ValueError(f"{kind_of(value)} stands here; a share of the stroke is between 0 and 1")
+    return float(number)
+
+
+def _exponent(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= 3:
+        raise ValueError(
+            f"{kind_of(value)} stands here; the exponent n of p·V^n is a number from 0 (constant pressure) to 3"
+        )
+    return float(value)
+
+
 def _share(value: object, most: float) -> float:
     number = quantities.parse(value, "ratio") if isinstance(value, str) else value
     if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < most:
@@ -38,6 +68,17 @@ Pressures = Annotated[
         {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}},
     ),
 ]
+Pressure = Annotated[float, Rule(lambda value, names: quantities.parse(value, "pressure"), SCALE)]
+Traced = Annotated[
+    tuple[tuple[float, float], ...],
+    Rule(
+        lambda value, names: _traced(value),
+        {"type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2}, "minItems": 2},
+    ),
+]
+Within = Annotated[float, Rule(lambda value, names: _within(value), {"type": ["number", "string"]})]
+Exponent = Annotated[float, Rule(lambda value, names: _exponent(value), {"type": "number"})]
+Way = Annotated[str, choice("out", "back", туда="out", обратно="back")]
 Irregularity = Annotated[float, Rule(lambda value, names: _share(value, 2.0), SCALE)]
 RimRatio = Annotated[float, Rule(lambda value, names: _share(value, 1.0), SCALE)]
 Constant = Annotated[

@@ -18,6 +18,8 @@ EPS = np.finfo(float).eps
 PI = mp.pi
 REFERENCES: dict[str, Callable[..., Any]] = {
     "ring_area": lambda a, b: PI * (a**2 - b**2) / 4,
+    "polytropic": lambda p, c, a, t, s, n: p * ((c + a) / (c + t / s)) ** n,
+    "between": lambda p, q, a, b, t, s: p + (q - p) * (t / s - a) / (b - a),
     "gas_force": lambda p, f: p * f,
     "net_force": lambda a, b: a - b,
     "reduced_moment": lambda s, f, b, a, x: -s * f * b / a * x,
@@ -36,6 +38,8 @@ REFERENCES: dict[str, Callable[..., Any]] = {
     "mean_ordinate": lambda f, b: f / b,
 }
 RANGES = {
+    "polytropic": ((1.0, 100.0), (0.01, 0.2), (0.0, 1.0), (1.0, 100.0), (100.0, 200.0), (0.0, 1.6)),
+    "between": ((1.0, 9.0), (20.0, 40.0), (0.0, 0.2), (0.5, 1.0), (60.0, 90.0), (100.0, 120.0)),
     "ring_area": ((50.0, 100.0), (1.0, 40.0)),
     "rim_width": ((0.01, 100.0), (0.01, 100.0), (50.0, 100.0), (1.0, 40.0)),
 }

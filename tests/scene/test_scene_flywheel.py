@@ -8,7 +8,7 @@ import pytest
 from gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
-from graphic_tmm.mechanism.orders import Gas, Rim
+from graphic_tmm.mechanism.orders import Gas, Rim, Stretch
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
@@ -54,6 +54,87 @@ def test_other_words_and_units(tmp_path: Path) -> None:
     assert (made.rim.shaft, made.rim.studs) == (0.06, 4)
     assert made.indicator.shaft == Gas((1e5,) * 12, 0.12, 0.03)
     assert made.indicator.mu == 1500.0
+
+
+COVER = ENGINE[ENGINE.index("cover  = [") : ENGINE.index("mu_p   =")]
+
+
+def test_the_diagram_by_points(tmp_path: Path) -> None:
+    points = (
+        'cover_points = { out = [[0, "3 bar"], [0.4, "2.6 bar"], [1, "60 kPa"]], '
+        'back = [[1, "30 kPa"], [0, "1.5 bar"]] }\n'
+    )
+    order = scene(tmp_path, (COVER, points)).flywheel
+    assert order is not None
+    assert order.indicator.cover.stretches == (
+        Stretch("out", 0.0, 0.4, 300e3, None, 260e3),
+        Stretch("out", 0.4, 1.0, 260e3, None, 60e3),
+        Stretch("back", 1.0, 0.0, 30e3, None, 150e3),
+    )
+
+
+def test_the_diagram_by_polytropic_strokes(tmp_path: Path) -> None:
+    order = scene(tmp_path, (COVER, STROKES)).flywheel
+    assert order is not None
+    assert order.indicator.cover == Gas((), 0.12, 0.0, (
+        Stretch("out", 0.0, 0.3, 600e3, 0.0),
+        Stretch("out", 0.3, 1.0, 600e3, 1.0),
+        Stretch("back", 1.0, 0.25, 110e3, 0.0),
+        Stretch("back", 0.25, 0.0, 110e3, 1.2),
+    ), 0.08)  # fmt: skip
+
+
+STROKES = """clearance = "8 %"
+cover_strokes = [
+  { stroke = "out",  to = 0.3,  p = "600 kPa", n = 0 },
+  { stroke = "out",  to = 1,    p = "600 kPa", n = 1 },
+  { stroke = "back", to = 0.25, p = "110 kPa", n = 0 },
+  { stroke = "back", to = 0,    p = "110 kPa", n = 1.2 },
+]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "key", "says"),
+    [
+        ("", "indicator.cover", "cover_points, or cover_strokes"),
+        (COVER + STROKES, "indicator.cover_strokes", "leave one of them out"),
+        (STROKES.replace("to = 1, ", "to = 0.2,"), "indicator.cover_strokes[2].to", "come to 0.3"),
+        (
+            STROKES.replace("to = 0,   ", "to = 0.1, "),
+            "indicator.cover_strokes",
+            "add the last part",
+        ),
+        (STROKES.replace("8 %", "0 %"), "indicator.clearance", "clearance = 0.08"),
+        (STROKES.replace("n = 1.2", "n = 9"), "indicator.cover_strokes[4].n", "from 0"),
+        (
+            STROKES.replace('"out",  to = 1', '"up",  to = 1'),
+            "indicator.cover_strokes[2].stroke",
+            "out",
+        ),
+        (
+            'cover_points = { out = [[0, "3 bar"], [1, "1 bar"]], back = [[0.9, "1 bar"], [0, "2 bar"]] }\n',
+            "indicator.cover_points.back",
+            "from 1 to 0",
+        ),
+        (
+            'cover_points = { out = [[0, "3 bar"], [1, "1 bar"]] }\n',
+            "indicator.cover_points.back",
+            "missing",
+        ),
+        (
+            "cover_points = { out = 3, back = 4 }\n",
+            "indicator.cover_points.back",
+            "points of the stroke",
+        ),
+    ],
+)
+def test_parts_that_do_not_fit_are_told(tmp_path: Path, text: str, key: str, says: str) -> None:
+    with pytest.raises(SceneError) as refused:
+        scene(tmp_path, (COVER, text))
+    told = {fault.key: fault.message for fault in refused.value.faults}
+    assert key in told
+    assert says in told[key]
 
 
 def test_without_a_rim_there_is_no_sketch(tmp_path: Path) -> None:
