@@ -14,7 +14,15 @@ from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import TOGETHER, markup
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
-from graphic_tmm.paper.symbols import fixed_pivot, guide, round_arrow, slider, stone, turning_pair
+from graphic_tmm.paper.symbols import (
+    GROUND_LENGTH,
+    fixed_pivot,
+    guide,
+    round_arrow,
+    slider,
+    stone,
+    turning_pair,
+)
 
 PLAN = "positions"
 SIZE = 5.0
@@ -23,6 +31,8 @@ OVERRUN = 12.0
 """How far a guide goes on behind the outermost places of its slider, mm."""
 CENTRE_RADIUS = 0.9
 """A mass centre is a small circle, mm."""
+SWEEP = 70.0
+"""The arrow of ω1 goes over so many degrees."""
 MARGIN = 7.0
 """Room that letters take about a plan before they have their places, mm."""
 THROUGH = 9.0
@@ -64,7 +74,7 @@ def draw_positions_ink(
     pivot, pin = (ink.at(mark, main) for mark in crank)
     reach = min(10.0, 0.6 * abs(pin - pivot))
     bearing = float(np.degrees(np.angle(pin - pivot)))
-    strokes += round_arrow(pivot, reach, bearing + sense * 20.0, sense * 70.0)
+    strokes += round_arrow(pivot, reach, clear_start(reach, bearing, sense), sense * SWEEP)
     wanted = [*ink.letters(figures, main), *ink.numbers(crank, names, main)]
     if not lettered:
         taken = [spot for one in wanted for spot in (one.at - MARGIN, one.at + MARGIN)]
@@ -72,6 +82,19 @@ def draw_positions_ink(
         return Drawing(PLAN, title, (*strokes, line("thin", *taken)))
     labels = place(wanted, strokes)
     return Drawing(PLAN, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+
+
+def clear_start(reach: float, bearing: float, sense: int) -> float:
+    """Return where the arrow of ω1 begins (degrees): ahead of the crank, clear of the foot of its pivot."""
+    starts = [bearing + sense * ahead for ahead in range(20, 341 - int(SWEEP), 10)]
+
+    def clear(start: float) -> bool:
+        turns = np.radians(start + sense * np.linspace(-5.0, SWEEP + 5.0, 15))
+        x, y = reach * np.cos(turns), reach * np.sin(turns)
+        below = (np.abs(x) < GROUND_LENGTH / 2 + 1.0) & (y < 0.0)
+        return not below.any()
+
+    return next((start for start in starts if clear(start)), starts[0])
 
 
 class _Ink:

@@ -13,9 +13,10 @@ from gallery import NAMES, SHEETS
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
-from graphic_tmm.paper.ink_positions import MARGIN, draw_positions_ink
+from graphic_tmm.paper.ink_positions import MARGIN, SWEEP, clear_start, draw_positions_ink
 from graphic_tmm.paper.layout import bounds
-from graphic_tmm.paper.placing import box
+from graphic_tmm.paper.placing import box, shape
+from graphic_tmm.paper.symbols import fixed_pivot, round_arrow
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
 from graphic_tmm.work import Work
@@ -192,3 +193,16 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
     full, bare = bounds(plan(name)), bounds(plan(name, lettered=False))
     assert not plan(name, lettered=False).labels
     assert all(abs(x - y) < 2 * MARGIN for x, y in zip(full, bare, strict=True))
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("bearing", range(-180, 180, 15))
+def test_the_arrow_of_the_crank_stands_clear_of_the_foot_of_its_pivot(
+    bearing: int, sense: int
+) -> None:
+    start = clear_start(10.0, float(bearing), sense)
+    arrow = [shape(s) for s in round_arrow(0j, 10.0, start, sense * SWEEP)]
+    foot = [shape(s) for s in fixed_pivot(0j)]
+    assert min(a.distance(b) for a in arrow for b in foot) > 0.5
+    ahead = (start - bearing) * sense
+    assert 20 <= ahead <= 340 - SWEEP  # it neither begins nor ends on the crank
