@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from graphic_tmm.board.calculations import (
@@ -9,6 +10,7 @@ from graphic_tmm.board.calculations import (
     scale_of_derivative,
     scale_of_integral,
 )
+from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.mechanism.orders import Drawn
@@ -46,21 +48,32 @@ def derived_scale(
     draft: Draft, symbol: str, unit: str, of: Mark, along: Mark, drawn: Drawn
 ) -> Scaled:
     """Find the scale of a derivative from the pole distance, or the pole distance from the scale."""
-    if drawn.pole is not None:
-        distance = draft.take(Length, f"H_{symbol}", drawn.pole, "mm")
-        mu = draft.board.draw(scale_of_derivative, f"μ_{symbol}", of, along, distance, unit=unit)
-        return Scaled(mu, False, distance)
-    mu = draft.board.take(Number, f"μ_{symbol}", unit)
-    return Scaled(mu, True, draft.board.draw(pole_distance, f"H_{symbol}", of, mu, along))
+    return _scaled(
+        draft, symbol, unit, drawn, scale_of_derivative, lambda mu: (of, mu), (of, along)
+    )
 
 
 def integrated_scale(
     draft: Draft, symbol: str, unit: str, of: Mark, along: Mark, drawn: Drawn
 ) -> Scaled:
     """Find the scale of an integral from the pole distance, or the pole distance from the scale."""
+    return _scaled(draft, symbol, unit, drawn, scale_of_integral, lambda mu: (mu, of), (of, along))
+
+
+def _scaled(
+    draft: Draft,
+    symbol: str,
+    unit: str,
+    drawn: Drawn,
+    scale: Operation,
+    in_order: Callable[[Mark], tuple[Mark, Mark]],
+    known: tuple[Mark, Mark],
+) -> Scaled:
+    """``in_order``: the scale sought and the known one, that of the integral before that of the derivative."""
     if drawn.pole is not None:
         distance = draft.take(Length, f"H_{symbol}", drawn.pole, "mm")
-        mu = draft.board.draw(scale_of_integral, f"μ_{symbol}", of, along, distance, unit=unit)
+        mu = draft.board.draw(scale, f"μ_{symbol}", *known, distance, unit=unit)
         return Scaled(mu, False, distance)
     mu = draft.board.take(Number, f"μ_{symbol}", unit)
-    return Scaled(mu, True, draft.board.draw(pole_distance, f"H_{symbol}", mu, of, along))
+    distance = draft.board.draw(pole_distance, f"H_{symbol}", *in_order(mu), known[1])
+    return Scaled(mu, True, distance)
