@@ -184,7 +184,9 @@ def _letters(
     common = len(seen) > 1
     middle = spots[0][0] if common else complex(np.mean([spot for spot, _ in spots]))
     groups: list[tuple[complex, list[str]]] = []
-    for spot, text in spots:
+    for k, (spot, text) in enumerate(spots):
+        if common and k and abs(spot - middle) < TOGETHER:
+            continue  # an image without velocity lies in the pole
         near = next((names for place_at, names in groups if abs(place_at - spot) < TOGETHER), None)
         if near is None:
             groups.append((spot, [text]))

@@ -16,7 +16,7 @@ from graphic_tmm.paper.letters import letter
 
 CLEAR = 0.8
 """Clear space about a label, mm."""
-RINGS = (0.0, 1.2, 3.0, 6.0, 10.0)
+RINGS = (0.0, 1.2, 3.0, 6.0, 10.0, 15.0)
 DIRECTIONS = 24
 _HEAVY = ("main", "medium", "joint", "body", "rod")
 HEAVY_HALF = 0.4
@@ -25,7 +25,7 @@ LEADER = 2.2
 """A label farther than this from the ink of its point, mm, gets a leader line."""
 APART = 0.9
 """Clear space between two labels beyond that, mm."""
-_COST = {"label": 1000.0, "heavy": 12.0, "light": 4.0, "ring": 2.0, "turn": 0.6}
+_COST = {"label": 1000.0, "heavy": 36.0, "light": 4.0, "ring": 2.0, "turn": 0.6}
 
 
 class Wanted(NamedTuple):

@@ -206,6 +206,7 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
     assert len(single) - len(lengths) <= 1  # too short beside the longest of all positions
     texts = ", ".join(label.text for label in view.labels).split(", ")
     assert texts.count("p") == 1
+    assert "b_{0}" not in texts  # the rocker's extreme: an image without velocity lies in the pole
     for name in work.project.names:
         assert f"a_{{{name}}}" in texts
         assert f"s_{{2,{name}}}" in texts
