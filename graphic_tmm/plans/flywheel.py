@@ -12,6 +12,7 @@ import numpy as np
 
 from graphic_tmm.board.calculations import scale_of_integral, to_board, turn_per_mm
 from graphic_tmm.board.energetics import flywheel_inertia, reduced_moment
+from graphic_tmm.board.execute import execute
 from graphic_tmm.board.graphs import at_zero, highest, lowest
 from graphic_tmm.board.operations import join, measure, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
@@ -33,6 +34,8 @@ from graphic_tmm.plans.positions import Positions
 from graphic_tmm.plans.rim import DrawnRim, draw_rim
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
+STANDS = 1e-6
+"""A piston slower than this share of its fastest stands."""
 ROOM = 110.0
 """Room for the highest ordinate of the moment, mm."""
 
@@ -83,6 +86,8 @@ def draw_flywheel(draft: Draft, machine: Machine, leg: GuideLeg, order: Flywheel
     _refuse(order)
     board, velocities = draft.board, machine.velocities
     extras = machine.numbers.size - machine.count
+    outward = _outward(draft, machine, leg)
+    _refuse_zero(draft, machine, leg, outward, order)
     point = machine.positions.point(order.indicator.point)
     board.open(POSITIONS)
     start = board.draw(at_zero, board.free(f"{order.indicator.point}_0"), point)
@@ -92,7 +97,7 @@ def draw_flywheel(draft: Draft, machine: Machine, leg: GuideLeg, order: Flywheel
     length = draft.take(Length, "L", order.base, "mm")
     mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
-    moment = _moment(draft, machine, leg, indicator, order)
+    moment = _moment(draft, machine, leg, indicator, outward)
     mu_M = board.take(Number, "μ_M", "(N·m)/mm")
     heights = board.draw(to_board, "y_M", moment, mu_M)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
@@ -130,25 +135,47 @@ def _refuse(order: FlywheelOrder) -> None:
         )
 
 
+def _outward(draft: Draft, machine: Machine, leg: GuideLeg) -> float:
+    """Return the sense of the guide, +1 or −1, in which the cover lies: away from the crank."""
+    closing = next(c for c in machine.positions.closings if leg in c.legs)
+    side = machine.positions.sides.get(closing.group.name)
+    return 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
+
+
+def _refuse_zero(
+    draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: FlywheelOrder
+) -> None:
+    """Refuse a row that does not begin at a dead centre, or parts of a diagram that begin at the inner one."""
+    assert draft.mu_l is not None
+    speed = machine.velocities.readings[leg.link]
+    given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
+    found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
+    point = order.indicator.point
+    remedy = f'begin where {point} is farthest from the crank: zero in [drive], {{ point = "{point}", at = ... }}'
+    fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
+    if abs(found[0]) > STANDS * fastest:
+        raise StructureError(
+            f"indicator: the row does not begin at a dead centre of {point}: {remedy}"
+        )
+    sides = (order.indicator.cover, order.indicator.shaft)
+    if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
+        raise StructureError(
+            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}"
+        )
+
+
 def _moment(
-    draft: Draft, machine: Machine, leg: GuideLeg, indicator: Indicator, order: FlywheelOrder
+    draft: Draft, machine: Machine, leg: GuideLeg, indicator: Indicator, outward: float
 ) -> Mark:
     """Calculate the reduced moment: gas pushes the piston from the cover towards the crank."""
     board, velocities = draft.board, machine.velocities
-    closing = next(c for c in machine.positions.closings if leg in c.legs)
-    side = machine.positions.sides.get(closing.group.name)
-    outward = 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
     sign = draft.take(Number, "σ", outward)
-    pin = velocities.images.by_letter[_driver(machine)][machine.pin]
+    pin = velocities.images.by_letter[machine.mechanism.drive.link][machine.pin]
     drawn = board.uses(pin)[1]
     speed = velocities.readings[leg.link]
     return board.draw(
         reduced_moment, "M_r", sign, indicator.force, speed, drawn, machine.arm, unit="N·m"
     )
-
-
-def _driver(machine: Machine) -> int:
-    return machine.mechanism.drive.link
 
 
 def _works(

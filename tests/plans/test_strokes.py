@@ -87,3 +87,28 @@ def test_a_gap_in_the_diagram_is_told() -> None:
         StructureError, match=r"no part of the diagram stands over .* of the stroke out"
     ):
         drawn(*STEAM[:1], *STEAM[2:])
+
+
+def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
+    scene = read(SHEETS / "engine")
+    assert scene.flywheel is not None
+    gas = Gas((1e5,) * 12, BORE) if not stretches else Gas((), BORE, 0.0, stretches, C)
+    order = replace(scene.flywheel, indicator=IndicatorOrder("B", gas, mu=2000.0))
+    sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
+    row = replace(scene.row, zero=zero, accelerations=())
+    work(replace(scene, flywheel=order, row=row, sheets=sheets), exact=True)
+
+
+def test_a_row_that_begins_between_dead_centres_is_refused() -> None:
+    with pytest.raises(
+        StructureError, match="dead centre of B: begin where B is farthest from the crank"
+    ):
+        engine(10.0)
+    engine(0.0)
+    engine(180.0)  # pressures by position may begin at either end
+
+
+def test_parts_of_a_diagram_begin_at_the_cover() -> None:
+    engine(0.0, STEAM)
+    with pytest.raises(StructureError, match="the row begins at the other end"):
+        engine(180.0, STEAM)
