@@ -151,7 +151,7 @@ def _refuse_zero(
     given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
     found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
     point = order.indicator.point
-    remedy = f'begin where {point} is farthest from the crank: zero in [drive], {{ point = "{point}", at = ... }}'
+    remedy = f"begin where {point} is farthest from the crank, by zero in [drive]"
     fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
     if abs(found[0]) > STANDS * fastest:
         raise StructureError(
