@@ -288,10 +288,10 @@ def test_the_document_is_as_written_down() -> None:
 def test_an_angle_is_the_direction_of_the_crank_whatever_its_zero(tmp_path: Path) -> None:
     clockwise = [
         ('"counterclockwise"', '"clockwise"'),
-        ('zero          = "0 deg"', 'zero = "90 deg"'),
+        ('zero          = "0 deg"', 'zero = "180 deg"'),
     ]
     document = made(str(scene(tmp_path, *clockwise)))
-    assert [p["angle_deg"] for p in document["positions"]][:5] == [90.0, 60.0, 30.0, 0.0, 330.0]
+    assert [p["angle_deg"] for p in document["positions"]][:5] == [180.0, 150.0, 120.0, 90.0, 60.0]
     assert column(document, "velocities", "omega1")["value"][0] == -50
 
 
