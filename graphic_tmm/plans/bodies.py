@@ -75,12 +75,16 @@ class PinLeg(NamedTuple):
 
 
 class GuideLeg(NamedTuple):
-    """S: link ``link`` slides on ``body`` along ``line``. I (``inner``): Q slides off its pivot on ``body``."""
+    """S: link ``link`` slides on ``body`` along ``line``. I (``inner``): Q slides off its pivot on ``body``.
+
+    ``on``: the link that is slid on.
+    """
 
     link: int
     body: int
     line: Mark
     inner: bool
+    on: int
 
 
 def off_axis(body: Body, point: complex) -> tuple[float, float]:

@@ -116,7 +116,7 @@ def _rrp(site: Site) -> Closing:
     mark = site.draft.board.draw(cut, pin, guide, arc, site.side)
     pinned = site.pinned(rod, turning, pin, mark, opening)
     site.sliding(slider, sliding.pair, (pin, slider.points[pin], mark), guide)
-    held = GuideLeg(slider.number, sliding.body, guide, False)
+    held = GuideLeg(slider.number, sliding.body, guide, False, sliding.body)
     return Closing(site.group, pin, mark, mark, (pinned, held))
 
 
@@ -150,7 +150,7 @@ def _rpr(site: Site) -> Closing:
     distance = board.draw(measure, f"{centre}{pin}", c, a)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide, side)
     site.sliding(rocker, inner, (centre, rocker.points[centre], c), guide, side)
-    slid = GuideLeg(stone.number, stone_leg.body, guide, True)
+    slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)
     turned = PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance)
     return Closing(site.group, pin, a, guide, (slid, turned))
 
@@ -165,7 +165,7 @@ def _prp(site: Site) -> Closing:
     held = []
     for link, leg, guide in zip(site.links, group.legs, guides, strict=True):
         site.sliding(link, leg.pair, (pin, link.points[pin], mark), guide)
-        held.append(GuideLeg(leg.link, leg.body, guide, False))
+        held.append(GuideLeg(leg.link, leg.body, guide, False, leg.body))
     return Closing(group, pin, mark, mark, (held[0], held[1]))
 
 
@@ -180,8 +180,8 @@ def _rpp(site: Site) -> Closing:
     mark = site.draft.board.draw(meet, site.draft.board.free(letter), path, guide)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide)
     site.sliding(yoke, yoke_leg.pair, (letter, own, mark), path)
-    slid = GuideLeg(stone.number, stone_leg.body, guide, True)
-    held = GuideLeg(yoke.number, yoke_leg.body, path, False)
+    slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)
+    held = GuideLeg(yoke.number, yoke_leg.body, path, False, yoke_leg.body)
     return Closing(site.group, pin, a, mark, (slid, held))
 
 

@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 from graphic_tmm.board.energetics import added, rotation, translation
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.motion import Motion
+from graphic_tmm.plans.motion import Motion, reading_of
 
 
 class Energies(NamedTuple):
@@ -67,12 +67,4 @@ def _speed(draft: Draft, link: Link, velocities: Motion) -> Mark | None:
             f'"{next(iter(link.points), "A")}"'
         )
     image = images.get(link.centre)
-    if image is None or image == velocities.images.pole:
-        return None
-    pole = velocities.images.pole
-    for step in draft.board.construction().steps:
-        ends = step.uses[:2]
-        if step.op.reads and step.it.kind is Length and ends == (pole, image):
-            return step.it
-    crank = draft.board.uses(image)  # the crank pin's image was laid off, not measured
-    return crank[1]
+    return None if image is None else reading_of(draft, velocities, image)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from graphic_tmm.board.operations import measure
+from graphic_tmm.board.operations import measure, measure_along
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length
 from graphic_tmm.plans.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.images import Base, Hanging, Images, image_letter
@@ -19,6 +20,7 @@ class Motion:
     ``readings[link]``: the segment read along the line of that link's leg, with its sign. ``measured``:
     images whose distance from the pole has been read. ``rates[link]``: the mark of the link's ω (or ε);
     a link that is absent does not turn. ``speed``: the crank's ω without its sign, in a plan of velocities.
+    ``closed``: the image of each group's closing point, as a point of the second leg's link, by group name.
     """
 
     images: Images
@@ -27,6 +29,7 @@ class Motion:
     measured: set[Mark] = field(default_factory=set)
     rates: dict[int, Mark] = field(default_factory=dict)
     speed: Mark | None = None
+    closed: dict[str, Mark] = field(default_factory=dict)
 
 
 def known_image(plan: Motion, closing: Closing, leg: PinLeg | GuideLeg) -> Mark:
@@ -42,6 +45,7 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
     A link that slides turns as what it slides on: the stone of kind 3 as the rocker, that of kind 5 as
     the yoke.
     """
+    plan.closed[closing.group.name] = point
     first, second = closing.legs
     inner_first = isinstance(first, GuideLeg) and first.inner
     for leg in (second, first) if inner_first else (first, second):
@@ -73,3 +77,23 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
                 continue
             plan.measured.add(image)
             draft.board.draw(measure, f"{pole.letter}{image.letter}", pole, image)
+
+
+def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:
+    """Return the length of the vector from the pole to an image, as read (Length); None at the pole itself.
+
+    The crank pin's was laid off, not read. A reading along a line has a sign.
+    """
+    pole = plan.images.pole
+    if image == pole:
+        return None
+    for step in draft.board.construction().steps:
+        if step.op.reads and step.it.kind is Length and step.uses[:2] == (pole, image):
+            return step.it
+    return draft.board.uses(image)[1]
+
+
+def is_signed(draft: Draft, reading: Mark) -> bool:
+    """Whether a reading was taken along a line."""
+    step = draft.board.construction().step(reading)
+    return step is not None and step.op is measure_along

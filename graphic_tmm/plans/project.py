@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
@@ -17,8 +18,11 @@ from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
 from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.driving import Driver
 from graphic_tmm.plans.flywheel import Flywheel, Machine, draw_flywheel
+from graphic_tmm.plans.forces import Forces, draw_forces
 from graphic_tmm.plans.kinematic import Kinematic, draw_kinematic, sliding_leg
+from graphic_tmm.plans.loads import Ground
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.plans.positions import (
     Positions,
@@ -55,6 +59,8 @@ class Project:
     count: int
     kinematic: Kinematic | None = None
     flywheel: Flywheel | None = None
+    forces: Forces | None = None
+    forced: tuple[int, ...] = ()
 
     @property
     def charts(self) -> tuple[Chart, ...]:
@@ -83,6 +89,7 @@ def draw_project(
     plans: Sequence[str] = ("positions", "velocities", "accelerations"),
     diagrams: KinematicOrder | None = None,
     flywheel: FlywheelOrder | None = None,
+    forces: ForcesOrder | None = None,
 ) -> Project:
     """Record the plans of a mechanism; a plan that is not asked for records no step.
 
@@ -105,10 +112,11 @@ def draw_project(
         )
     _draw_trajectories(draft, positions, trajectories, row.count)
     velocities = accelerations = None
-    if "velocities" in plans or "accelerations" in plans or diagrams or flywheel:
+    if "velocities" in plans or "accelerations" in plans or diagrams or flywheel or forces:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
-    accelerated = _places(row, numbered.names) if "accelerations" in plans else ()
-    if accelerated and velocities is not None:
+    accelerated = _places(row.accelerations, numbered.names) if "accelerations" in plans else ()
+    inertia = forces is not None and forces.inertia
+    if (accelerated or inertia) and velocities is not None:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
     kinematic = None
     if diagrams is not None:
@@ -138,6 +146,24 @@ def draw_project(
             row.count,
         )
         made = draw_flywheel(draft, machine, leg, flywheel)
+    statics = None
+    if forces is not None:
+        assert velocities is not None
+        driver = _driver(draft, structure, positions)
+        image = velocities.images.by_letter[structure.driver][structure.pin]
+        sense = 1 if mechanism.drive.speed > 0 else -1
+        ground = Ground(
+            draft,
+            mechanism,
+            positions,
+            velocities,
+            accelerations,
+            sense if turned else 0,
+            draft.board.uses(image)[1],
+            _numbers(numbered.angles, row.count, mechanism.drive),
+            row.count,
+        )
+        statics = draw_forces(ground, driver, forces, crank_arm(draft, positions, structure))
     given = dict(draft.given)
     for group in structure.groups:
         side = side_record(mechanism, group)
@@ -160,6 +186,8 @@ def draw_project(
         row.count,
         kinematic,
         made,
+        statics,
+        _places(forces.positions, numbered.names, "forces") if forces is not None else (),
     )
 
 
@@ -194,15 +222,23 @@ def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
     return side_values(side, start) * np.where(passed.sum(axis=0) % 2 == 0, 1.0, -1.0)
 
 
-def _places(row: Row, names: tuple[str, ...]) -> tuple[int, ...]:
-    if row.accelerations == ("all",):
+def _places(
+    wanted: tuple[str, ...], names: tuple[str, ...], section: str = "accelerations"
+) -> tuple[int, ...]:
+    if wanted == ("all",):
         return tuple(range(len(names)))
-    missing = [name for name in row.accelerations if name not in names]
+    missing = [name for name in wanted if name not in names]
     if missing:
         raise StructureError(
-            f"accelerations: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}"
         )
-    return tuple(sorted(names.index(name) for name in set(row.accelerations)))
+    return tuple(sorted(names.index(name) for name in set(wanted)))
+
+
+def _driver(draft: Draft, structure: Structure, positions: Positions) -> Driver:
+    body = positions.bodies[structure.driver]
+    pin = body.marks[structure.pin]
+    return Driver(body, body.marks[structure.pivot], pin, draft.board.uses(pin)[1])
 
 
 def _draw_trajectories(

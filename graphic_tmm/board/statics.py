@@ -1,0 +1,229 @@
+"""Forces on the board: lines of action, arms, moments; weights, inertia forces, couples, friction.
+
+A force is a quantity (N, signed) along a line of action. The line of a vector of zero length has no direction:
+nothing laid off along it comes to nothing, and its arm about any point is zero.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.geometry import wedge
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.values import Length, Line, Number, Point, Reals
+
+STANDS = 1e-9
+"""A speed below this share of the crank pin's is none: it has no sense."""
+_NO_LENGTH = ("the length to divide by is zero", "деление на нулевую длину")
+_PURE_COUPLE = (
+    "the forces come to a couple, which no single force replaces",
+    "силы сводятся к паре, её нельзя заменить одной силой",
+)
+_NOT_SETTLED = (
+    "the passes of friction do not settle: the mechanism locks itself, or is near to it",
+    "проходы с трением не сходятся: самоторможение или близость к нему",
+)
+
+
+@operation("Через {at} провести линию действия {it} параллельно {tail}{head}.")
+def action(at: Point, tail: Point, head: Point, *, quarters: int = 0) -> Line:
+    """Through {at} draw the line of action {it} parallel to {tail}{head}.
+
+    ``quarters``: turned by so many right angles, counter-clockwise.
+    """
+    vector = head - tail
+    size = np.abs(vector)
+    none = size == 0.0
+    direction = np.where(none, 0.0, vector / np.where(none, 1.0, size))
+    return Line(at + 0.0 * direction, direction * 1j**quarters)
+
+
+@operation("Измерить плечо {it}: расстояние от {about} до {line}.", reads=True)
+def arm(about: Point, line: Line) -> Length:
+    """Measure the arm {it}, the distance of {about} from {line}.
+
+    Positive where a force along the line turns counter-clockwise about the point.
+    """
+    return Length(wedge(line.at - about, line.along))
+
+
+@operation("Точку {image} перенести на рычаг, повернув план на 90°; отметить {it}.")
+def carry(pole: Point, of: Point, image: Point, *, quarters: int = 0) -> Point:
+    """Carry {image} over to the lever, with the plan turned by 90°: mark {it}.
+
+    ``pole``: of the lever, ``of``: of the plan; ``quarters``: right angles, counter-clockwise, that the plan
+    still lacks.
+    """
+    return Point(pole + (image - of) * 1j**quarters)
+
+
+@operation(formula=True)
+def weight(mass: Number, g: Number) -> Number:
+    """{mass}·{g}"""
+    return Number(mass * g)
+
+
+@operation(formula=True)
+def inertia_force(mass: Number, segment: Length, mu: Number) -> Number:
+    """{mass}·{segment}·{mu}"""
+    return Number(mass * np.abs(segment) * mu)
+
+
+@operation(formula=True)
+def inertia_force_along(mass: Number, segment: Length, mu: Number) -> Number:
+    """{mass}·|{segment}|·{mu}"""
+    return Number(mass * np.abs(segment) * mu)
+
+
+@operation(formula=True)
+def inertia_couple(inertia: Number, epsilon: Number) -> Number:
+    """−{inertia}·{epsilon}"""
+    return Number(-inertia * epsilon)
+
+
+def _sense(rate: Reals, fastest: Reals) -> Reals:
+    return np.asarray(np.where(np.abs(rate) <= STANDS * np.abs(fastest), 0.0, np.sign(rate)))
+
+
+@operation(formula=True)
+def with_motion(size: Number, segment: Length, of_pin: Length) -> Number:
+    """{size}·sgn {segment}"""
+    return Number(size * _sense(segment, of_pin) + 0.0 * segment)
+
+
+@operation(formula=True)
+def against_turning(size: Number, omega: Number, of_crank: Number) -> Number:
+    """−{size}·sgn {omega}"""
+    return Number(-size * _sense(omega, of_crank) + 0.0 * omega)
+
+
+@operation(formula=True, fails=_PURE_COUPLE)
+def offset(couple: Number, force: Number, mu_l: Number) -> Length:
+    """−{couple}/({force}·{mu_l})"""
+    none = (couple == 0.0) & (force == 0.0)
+    return Length(np.where(none, 0.0, -couple / np.where(none, 1.0, force * mu_l)))
+
+
+@operation(formula=True, fails=_PURE_COUPLE)
+def place_of(couple: Number, force: Number, mu_l: Number) -> Length:
+    """|{couple}|/({force}·{mu_l})"""
+    none = (couple == 0.0) & (force == 0.0)
+    return Length(np.where(none, 0.0, np.abs(couple) / np.where(none, 1.0, np.abs(force) * mu_l)))
+
+
+@operation(formula=True)
+def moment(force: Number, arm_: Length, mu_l: Number) -> Number:
+    """{force}·{arm_}·{mu_l}"""
+    return Number(force * arm_ * mu_l)
+
+
+@operation(formula=True)
+def reversed_(of: Number) -> Number:
+    """−{of}"""
+    return Number(-of)
+
+
+@operation(formula=True, fails=_NO_LENGTH)
+def tangential(moment_: Number, length: Length, mu_l: Number) -> Number:
+    """{moment_}/({length}·{mu_l})"""
+    return Number(moment_ / (length * mu_l))
+
+
+@operation(formula=True, fails=_NO_LENGTH)
+def balancing(moment_: Number, length: Length, mu_l: Number) -> Number:
+    """−{moment_}/({length}·{mu_l})"""
+    return Number(-moment_ / (length * mu_l))
+
+
+@operation(formula=True)
+def on_lever(force: Number, arm_: Length) -> Number:
+    """{force}·{arm_}"""
+    return Number(force * arm_)
+
+
+@operation(formula=True, fails=_NO_LENGTH)
+def converted(couple: Number, segment: Length, length: Length, mu_l: Number) -> Number:
+    """{couple}·{segment}/({length}·{mu_l})"""
+    return Number(couple * segment / (length * mu_l))
+
+
+@operation(formula=True, fails=_NO_LENGTH)
+def converted_reversed(couple: Number, segment: Length, length: Length, mu_l: Number) -> Number:
+    """−{couple}·{segment}/({length}·{mu_l})"""
+    return Number(-couple * segment / (length * mu_l))
+
+
+@operation(formula=True, fails=_NO_LENGTH)
+def balancing_on_lever(moment_: Number, segment: Length) -> Number:
+    """−{moment_}/{segment}"""
+    return Number(-moment_ / segment)
+
+
+@operation(formula=True)
+def moment_on_arm(force: Number, length: Number) -> Number:
+    """{force}·{length}"""
+    return Number(force * length)
+
+
+@operation(formula=True)
+def apart_percent(first: Number, second: Number) -> Number:
+    """100·|{first} − {second}|/|{second}|"""
+    return Number(100.0 * np.abs(first - second) / np.abs(np.where(second == 0.0, np.nan, second)))
+
+
+@operation("Через {through} провести {it} под углом трения к нормали направляющей {guide}.")
+def at_friction_angle(
+    through: Point, guide: Line, f: Number, normal: Length, segment: Length, of_pin: Length
+) -> Line:
+    """Through {through} draw {it} at the angle of friction to the normal of {guide}.
+
+    ``normal``: the normal part as found in the pass before, positive to the left of the guide; ``segment``:
+    the speed of the same link along it. The reaction leans against that speed.
+    """
+    lean = f * np.sign(normal) * _sense(segment, of_pin)
+    return Line(through, guide.along * ((1j - lean) / np.sqrt(1.0 + lean * lean)))
+
+
+@operation(formula=True)
+def circle_radius(f: Number, radius: Number) -> Number:
+    """{f}·{radius}"""
+    return Number(f * radius)
+
+
+@operation(formula=True)
+def difference_of(first: Number, second: Number) -> Number:
+    """{first} − {second}"""
+    return Number(first - second)
+
+
+@operation(formula=True)
+def pin_friction(rho: Number, reaction: Number, omega: Number, of_crank: Number) -> Number:
+    """−{rho}·{reaction}·sgn {omega}"""
+    return Number(-rho * np.abs(reaction) * _sense(omega, of_crank))
+
+
+@operation(formula=True)
+def still_open(last: Number, before: Number, first: Number) -> Number:
+    """|{last} − {before}|·max(1, q/(1 − q)),  q = |{last} − {before}|/|{before} − {first}|"""
+    change, earlier = np.abs(last - before), np.abs(before - first)
+    noise = change <= 1e-12 * np.maximum(np.abs(last), np.abs(before))
+    q = np.where(noise, 0.0, change / np.where(earlier == 0.0, np.nan, earlier))
+    q = np.where(np.isnan(q) & ~np.isnan(change), np.inf, q)
+    grown = np.where(q < 1.0, q / np.where(q < 1.0, 1.0 - q, 1.0), np.inf)
+    return Number(np.where(noise, change, change * np.maximum(1.0, grown)))
+
+
+@operation(formula=True, fails=_NOT_SETTLED)
+def settled(last: Number, open_: Number) -> Number:
+    """{last} ± {open_}"""
+    return Number(np.where(open_ <= np.abs(last), last, np.nan))
+
+
+@operation(formula=True, fails=("no power passes through the crank", "мощность не передаётся"))
+def efficiency(without: Number, with_: Number, speed: Number) -> Number:
+    """100·{without}/{with_}"""
+    driven = without * speed > 0.0
+    above = np.where(driven, without, with_)
+    below = np.where(driven, with_, without)
+    same = (without * with_ > 0.0) & (np.abs(above) <= np.abs(below))
+    return Number(100.0 * np.where(same, above, np.nan) / np.where(same, below, 1.0))

@@ -1,0 +1,85 @@
+"""The driving link: the balancing force at the crank pin, or the balancing moment, and the frame's reaction."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.calculations import in_si, to_board
+from graphic_tmm.board.operations import lay_off, measure, parallel, square
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.statics import balancing, reversed_
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.plans.bodies import Body
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.loads import Force
+from graphic_tmm.plans.statics import Acting, Moments, Polygon, Reaction
+
+
+class Driver(NamedTuple):
+    """The driving link: its body, the letters of its pivot and its pin, its drawn arm (Length)."""
+
+    body: Body
+    pivot: Mark
+    pin: Mark
+    arm: Mark
+
+
+class Driven(NamedTuple):
+    """The driving link as solved: the balancing force (N) or moment (N·m), the frame's reaction, the polygon.
+
+    ``force``: the balancing force as it is drawn, None for a moment.
+    """
+
+    balance: Mark
+    force: Force | None
+    reaction: Reaction
+    polygon: Polygon
+
+
+def solve_driver(
+    draft: Draft,
+    driver: Driver,
+    acting: Acting,
+    moments: Moments,
+    views: tuple[str, str],
+    frame: int,
+    kind: str,
+) -> Driven:
+    """Balance the driving link; ``views``: of its figure and of its polygon; ``kind``: "force" or "moment"."""
+    board, number = draft.board, driver.body.link.number
+    figure, polygon = views
+    board.open(figure)
+    board.say(f"I({number})")
+    forces = acting.forces.get(number, [])
+    couples = acting.couples.get(number, [])
+    total = moments.sum(driver.pivot, forces, couples, f"ΣM_{number}")
+    if total is None:
+        total = draft.take(Number, f"ΣM_{number}", 0.0, "N·m")
+    sides = [(force.letter, force.line, force.value) for force in forces]
+    force = None
+    if kind == "force":
+        assert draft.mu_l is not None
+        balance = board.draw(balancing, "P_b", total, driver.arm, draft.mu_l, unit="N")
+        line = board.draw(square, "(P_b)", driver.pin, driver.body.axis, sense=1)
+        force = Force("P_b", number, driver.pin, line, balance)
+        sides.append(("P_b", line, balance))
+    else:
+        balance = board.draw(reversed_, "M_b", total, unit="N·m")
+    board.open(polygon)
+    mu = board.take(Number, "μ_F", "N/mm")
+    start = end = draft.take(Point, "1", 0j)
+    board.lay_out(start, mu)
+    drawn = []
+    for k, (letter, line, value) in enumerate(sides):
+        side = board.draw(parallel, board.free(f"({letter})"), end, line, sense=1)
+        bare = letter.replace("_", "").replace("{", "").replace("}", "")
+        length = board.draw(to_board, board.free(f"y_{{{bare}}}"), value, mu)
+        head = board.draw(lay_off, str(k + 2), side, length)
+        drawn.append((letter, end, head))
+        end = head
+    name = f"R_{{{frame}{number}}}"
+    length = board.draw(measure, f"y_{{R{frame}{number}}}", end, start)
+    value = board.draw(in_si, name, length, mu, unit="N")
+    drawn.append((name, end, start))
+    reaction = Reaction(name, (frame, number), end, start, length, value, value)
+    return Driven(balance, force, reaction, Polygon(polygon, mu, tuple(drawn)))

@@ -1,0 +1,355 @@
+"""A group detached: tangential components from moments, then the polygon that two legs close.
+
+The polygon of links 2 and 3 goes: what is known of the outer reaction of link 2, its loads, the loads of link 3,
+what is known of its outer reaction; the lines of the unknown components, drawn through both ends, meet in the
+closing vertex. From there to the polygon go the whole reactions, and between the loads of the two links the
+reaction of the inner pair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from graphic_tmm.board.calculations import in_si, to_board
+from graphic_tmm.board.energetics import added
+from graphic_tmm.board.operations import (
+    lay_off,
+    measure,
+    measure_along,
+    meet,
+    parallel,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.statics import (
+    action,
+    arm,
+    at_friction_angle,
+    moment,
+    place_of,
+    tangential,
+)
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.plans.bodies import Closing, GuideLeg, PinLeg
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.loads import Couple, Force
+
+Pair = tuple[int, int]
+
+
+class Reaction(NamedTuple):
+    """The force of one link on another: its letter R_{12}, its vector, its length and its size (N).
+
+    ``normal``: of a sliding pair, the part square to its guide (Length, signed); ``place``: how far from the
+    closing point the reaction acts along the guide (Length), None where it acts there.
+    """
+
+    letter: str
+    links: Pair
+    tail: Mark
+    head: Mark
+    length: Mark
+    value: Mark
+    normal: Mark | None = None
+    place: Mark | None = None
+
+
+class Polygon(NamedTuple):
+    """A polygon of forces as drawn: its view, its scale, its sides (letter, tail, head) in order."""
+
+    view: str
+    mu: Mark
+    sides: tuple[tuple[str, Mark, Mark], ...]
+
+
+class Moments:
+    """Moments of forces about points, each arm measured once."""
+
+    def __init__(self, draft: Draft) -> None:
+        self.draft = draft
+        self._known: dict[tuple[Mark, Mark], Mark] = {}
+
+    def sum(
+        self, about: Mark, forces: Iterable[Force], couples: Iterable[Couple], letter: str
+    ) -> Mark | None:
+        """Return the sum of moments about a point, N·m; None where nothing turns about it."""
+        found = [self._of(about, force) for force in forces if force.point != about]
+        found += [couple.value for couple in couples]
+        total: Mark | None = None
+        for one in found:
+            total = one if total is None else self._added(total, one, letter)
+        return total
+
+    def _added(self, first: Mark, second: Mark, letter: str) -> Mark:
+        board = self.draft.board
+        return board.draw(added, board.free(letter), first, second, unit="N·m")
+
+    def _of(self, about: Mark, force: Force) -> Mark:
+        known = self._known.get((about, force.line))
+        if known is None:
+            board, mu_l = self.draft.board, self.draft.mu_l
+            assert mu_l is not None
+            name = force.letter.replace("{", "").replace("}", "").replace("_", "")
+            height = board.draw(arm, board.free(f"h_{{{name}}}"), about, force.line)
+            letter = board.free(f"M_{{{about.letter}}}({force.letter})")
+            known = board.draw(moment, letter, force.value, height, mu_l, unit="N·m")
+            self._known[about, force.line] = known
+        return known
+
+
+@dataclass
+class Acting:
+    """What acts on the links while groups are solved one after another: loads, then reactions handed on."""
+
+    forces: dict[int, list[Force]] = field(default_factory=dict)
+    couples: dict[int, list[Couple]] = field(default_factory=dict)
+
+    def add(self, load: Force | Couple) -> None:
+        """Enter a load."""
+        if isinstance(load, Force):
+            self.forces.setdefault(load.link, []).append(load)
+        else:
+            self.couples.setdefault(load.link, []).append(load)
+
+
+class Slope(NamedTuple):
+    """How a sliding pair's reaction leans off the normal: f, the normal part in the pass before, the speed.
+
+    ``normal`` and ``segment`` are those of the first link of the pair against the second; ``pin``: the crank
+    pin's speed on the same plan.
+    """
+
+    f: Mark
+    normal: Mark
+    segment: Mark
+    pin: Mark
+
+
+class Solved(NamedTuple):
+    """A group as solved: its reactions (outer ones by leg, then the inner), its polygon.
+
+    ``turning``: the sum of moments about the closing point that the outer pair of a link has to balance.
+    """
+
+    closing: Closing
+    reactions: tuple[Reaction, Reaction, Reaction]
+    polygon: Polygon
+    turning: dict[int, Mark | None]
+
+
+class _Chain:
+    """The known sides of a polygon, laid off one after another."""
+
+    def __init__(self, draft: Draft, mu: Mark, start: Mark) -> None:
+        self.draft, self.mu, self.end = draft, mu, start
+        self.sides: list[tuple[str, Mark, Mark]] = []
+
+    def add(self, letter: str, line: Mark, value: Mark) -> None:
+        """Lay off a load parallel to its line of action."""
+        board = self.draft.board
+        side = board.draw(parallel, board.free(f"({letter})"), self.end, line, sense=1)
+        self._lay(letter, side, value)
+
+    def add_across(self, letter: str, line: Mark, value: Mark) -> None:
+        """Lay off a tangential component: square to its link."""
+        side = self.draft.board.draw(square, f"({letter})", self.end, line, sense=1)
+        self._lay(letter, side, value)
+
+    def _lay(self, letter: str, side: Mark, value: Mark) -> None:
+        board = self.draft.board
+        length = board.draw(to_board, board.free(f"y_{{{_bare(letter)}}}"), value, self.mu)
+        head = self.draft.board.draw(lay_off, str(self.count + 1), side, length)
+        self.sides.append((letter, self.end, head))
+        self.end = head
+
+    @property
+    def count(self) -> int:
+        return len(self.sides) + 1
+
+
+def _bare(letter: str) -> str:
+    return letter.replace("_", "").replace("{", "").replace("}", "")
+
+
+def solve_group(
+    draft: Draft,
+    closing: Closing,
+    acting: Acting,
+    moments: Moments,
+    views: tuple[str, str],
+    slopes: dict[Pair, Slope],
+) -> Solved:
+    """Solve a group; ``views``: of its figure, where moments are taken, and of its polygon.
+
+    ``slopes``: friction along guides by pair (link, body); of the inner guide by (link 3, link 2).
+    """
+    first, second = closing.legs
+    inner = closing.group.inner.kind == "P"
+    board, (figure, polygon) = draft.board, views
+    board.open(figure)
+    board.say(f"II({closing.group.name})")
+    turning: dict[int, Mark | None] = {}
+    for leg in closing.legs:
+        both = inner and not (isinstance(leg, GuideLeg) and leg.inner)
+        links = (first.link, second.link) if both else (leg.link,)
+        turning[leg.link] = _moments_of(closing, acting, moments, links, f"ΣM_{leg.link}")
+    tangents = _tangents(draft, closing, turning)
+    board.open(polygon)
+    mu = board.take(Number, "μ_F", "N/mm")
+    start = draft.take(Point, "1", 0j)
+    board.lay_out(start, mu)
+    chain = _Chain(draft, mu, start)
+    if first.link in tangents and isinstance(first, PinLeg):
+        chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
+    loads = chain.end
+    for force in acting.forces.get(first.link, []):
+        chain.add(force.letter, force.line, force.value)
+    middle = chain.end
+    for force in acting.forces.get(second.link, []):
+        chain.add(force.letter, force.line, force.value)
+    loaded = chain.end
+    if second.link in tangents and isinstance(second, PinLeg):
+        chain.add_across(_tangent_letter(second), second.line, tangents[second.link])
+    held = isinstance(first, GuideLeg) and first.inner
+    lines = [
+        _unknown(draft, first, middle if held else start, slopes),
+        _unknown(draft, second, chain.end, slopes),
+    ]
+    top = board.draw(meet, str(chain.count + 1), lines[1], lines[0])
+    corners = _Corners(start, loads, middle, loaded, chain.end, top)
+    return _read(draft, closing, chain, corners, turning, tangents)
+
+
+def _moments_of(
+    closing: Closing, acting: Acting, moments: Moments, links: tuple[int, ...], letter: str
+) -> Mark | None:
+    forces = [force for link in links for force in acting.forces.get(link, [])]
+    couples = [couple for link in links for couple in acting.couples.get(link, [])]
+    return moments.sum(closing.point, forces, couples, letter)
+
+
+def _tangents(draft: Draft, closing: Closing, turning: dict[int, Mark | None]) -> dict[int, Mark]:
+    """Calculate the tangential components of the turning legs, where there is a moment to balance."""
+    found = {}
+    for leg in closing.legs:
+        total = turning[leg.link]
+        if isinstance(leg, PinLeg) and total is not None:
+            assert draft.mu_l is not None
+            letter = _tangent_letter(leg)
+            found[leg.link] = draft.board.draw(
+                tangential, letter, total, leg.length, draft.mu_l, unit="N"
+            )
+    return found
+
+
+def _tangent_letter(leg: PinLeg) -> str:
+    return f"R_{{{leg.body}{leg.link}}}^{{t}}"
+
+
+class _Corners(NamedTuple):
+    """Vertices of a polygon: its beginning, before, between and behind the loads, its end, where lines met."""
+
+    start: Mark
+    loads: Mark
+    middle: Mark
+    loaded: Mark
+    end: Mark
+    top: Mark
+
+
+def _unknown(
+    draft: Draft, leg: PinLeg | GuideLeg, through: Mark, slopes: dict[Pair, Slope]
+) -> Mark:
+    """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
+    board = draft.board
+    if isinstance(leg, PinLeg):
+        letter = board.free(f"(R_{{{leg.body}{leg.link}}})")
+        return board.draw(parallel, letter, through, leg.line, sense=1)
+    pair = _pair(leg)
+    letter = board.free(f"(R_{{{pair[1]}{pair[0]}}})")
+    if pair in slopes:
+        return board.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
+    return board.draw(square, letter, through, leg.line, sense=1)
+
+
+def _pair(leg: GuideLeg) -> Pair:
+    """Return whose reaction a guide's line shows: link and body; of the inner guide the rocker and the stone."""
+    return (leg.on, leg.link) if leg.inner else (leg.link, leg.body)
+
+
+def _read(
+    draft: Draft,
+    closing: Closing,
+    chain: _Chain,
+    at: _Corners,
+    turning: dict[int, Mark | None],
+    tangents: dict[int, Mark],
+) -> Solved:
+    """Measure the reactions; close the polygon with the unknown sides."""
+    first, second = closing.legs
+    inner = closing.group.inner.kind == "P"
+    found = []
+    vectors = ((at.top, at.loads), (at.loaded, at.top))
+    for leg, vector in zip(closing.legs, vectors, strict=True):
+        guide = leg.line if isinstance(leg, GuideLeg) and not leg.inner else None
+        couple = turning[leg.link] if guide is not None else None
+        found.append(_reaction(draft, chain.mu, (leg.body, leg.link), vector, guide, couple))
+    guide = first.line if inner else None
+    couple = turning[first.link] if inner else None
+    between = _reaction(
+        draft, chain.mu, (first.link, second.link), (at.top, at.middle), guide, couple
+    )
+    letters = [
+        f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
+        for leg in closing.legs
+    ]
+    sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
+    drawn = Polygon(chain.mu.view, chain.mu, sides)
+    return Solved(closing, (found[0], found[1], between), drawn, turning)
+
+
+def _reaction(
+    draft: Draft,
+    mu: Mark,
+    links: Pair,
+    vector: tuple[Mark, Mark],
+    guide: Mark | None,
+    couple: Mark | None,
+) -> Reaction:
+    """Measure a reaction; along a guide also its normal part, and where it acts if a couple is to be held."""
+    board, name = draft.board, f"{links[0]}{links[1]}"
+    length = board.draw(measure, f"y_{{R{name}}}", *vector)
+    value = board.draw(in_si, f"R_{{{name}}}", length, mu, unit="N")
+    if guide is None:
+        return Reaction(f"R_{{{name}}}", links, *vector, length, value)
+    across = board.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
+    normal = board.draw(measure_along, f"y_{{N{name}}}", *vector, across)
+    place = None
+    if couple is not None:
+        assert draft.mu_l is not None
+        force = board.draw(in_si, f"N_{{{name}}}", normal, mu, unit="N")
+        place = board.draw(place_of, f"h_{{{name}}}", couple, force, draft.mu_l)
+    return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, place)
+
+
+def hand_on(
+    draft: Draft, solved: Solved, acting: Acting, frame: int, figure_of: Callable[[int], str]
+) -> None:
+    """Enter the reactions of a group, reversed, as loads of the bodies that it is attached to.
+
+    ``figure_of``: link -> the view of the figure that shows it.
+    """
+    closing = solved.closing
+    for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
+        if leg.body == frame:
+            continue
+        draft.board.open(figure_of(leg.body))
+        point = leg.pivot if isinstance(leg, PinLeg) else closing.point
+        letter = f"R_{{{leg.link}{leg.body}}}"
+        line = draft.board.draw(action, f"({letter})", point, reaction.head, reaction.tail)
+        acting.add(Force(letter, leg.body, point, line, reaction.value))
+        couple = solved.turning.get(leg.link)
+        if isinstance(leg, GuideLeg) and not leg.inner and couple is not None:
+            acting.add(Couple(f"M_{{{leg.link}{leg.body}}}", leg.body, couple))

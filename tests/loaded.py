@@ -1,0 +1,158 @@
+"""Bring a loaded mechanism to the board, in one position, and compare its forces with the judge's."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import dynamics
+import numpy as np
+from dynamics import Loaded, Statics
+from oracle import State, solve_fast
+
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Angle
+from graphic_tmm.mechanism.loads import ForcesOrder, Friction, Load
+from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.plans.accelerations import draw_accelerations
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.driving import Driver
+from graphic_tmm.plans.forces import Forces, draw_forces
+from graphic_tmm.plans.loads import Ground
+from graphic_tmm.plans.positions import Positions, draw_frame, draw_positions
+from graphic_tmm.plans.velocities import crank_arm, draw_velocities
+
+
+class Solved(NamedTuple):
+    """The forces of one position: their log, marks, numbers with all scales 1, and the judge's."""
+
+    log: Construction
+    structure: Structure
+    positions: Positions
+    forces: Forces
+    reading: Reading
+    judge: Statics
+    state: State
+
+    def vector(self, tail: Mark, head: Mark) -> complex:
+        """A vector of a polygon, N."""
+        return complex((self.reading[head] - self.reading[tail])[0, 0])
+
+    def number(self, mark: Mark) -> float:
+        """The value of a mark."""
+        return float(self.reading[mark][0, 0])
+
+
+def places(structure: Structure, positions: Positions) -> dict[str, str]:
+    """By the name of a sliding pair: the letter of its group's closing point."""
+    found = {}
+    for closing in positions.closings:
+        for leg in closing.group.legs:
+            if leg.pair.kind == "P":
+                found[leg.pair.name] = closing.letter
+        if closing.group.inner.kind == "P":
+            found[closing.group.inner.name] = closing.letter
+    return found
+
+
+def order_of(loaded: Loaded, **options: Any) -> ForcesOrder:
+    """The order of a loaded mechanism: its forces in fixed directions, its moments."""
+    loads = [
+        Load(link, letter, abs(f), math.degrees(math.atan2(f.imag, f.real)))
+        for link, letter, f in loaded.forces
+    ]
+    loads += [Load(link, None, m, 0.0) for link, m in loaded.moments]
+    return ForcesOrder(("all",), tuple(loads), **options)
+
+
+def solve(
+    loaded: Loaded,
+    phi: float,
+    poses: Mapping[int, Any],
+    order: ForcesOrder,
+    *,
+    turned: bool = False,
+    start: bool = True,
+) -> Solved:
+    """Draw and execute the forces of a mechanism at a crank angle (degrees); ask the judge."""
+    mechanism = loaded.mechanism
+    structure, draft = dissect(mechanism), Draft()
+    frame = draw_frame(draft, mechanism, structure)
+    angle = draft.board.take(Angle, "φ", "°")
+    positions = draw_positions(draft, mechanism, structure, frame, angle)
+    velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
+    accelerations = None
+    if order.inertia:
+        accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
+    body = positions.bodies[structure.driver]
+    pin = body.marks[structure.pin]
+    driver = Driver(body, body.marks[structure.pivot], pin, draft.board.uses(pin)[1])
+    image = velocities.images.by_letter[structure.driver][structure.pin]
+    sense = 1 if mechanism.drive.speed > 0 else -1
+    ground = Ground(
+        draft,
+        mechanism,
+        positions,
+        velocities,
+        accelerations,
+        sense if turned else 0,
+        draft.board.uses(image)[1],
+        np.zeros(1),
+        1,
+    )
+    forces = draw_forces(ground, driver, order, crank_arm(draft, positions, structure))
+    log = draft.board.construction()
+    given = dict(draft.given)
+    for view in log.views:
+        if view.scale is not None:
+            given[view.scale] = 1.0
+    given[angle] = phi
+    reading = execute(log, given)
+    state = solve_fast(mechanism, phi, poses)
+    judge = dynamics.statics(
+        mechanism,
+        state,
+        loaded.forces,
+        loaded.moments,
+        gravity=order.gravity,
+        inertia=order.inertia,
+        balance="force" if order.balance == "force" else "moment",
+        friction=_friction(order.friction),
+        at=places(structure, positions),
+    )
+    return Solved(log, structure, positions, forces, reading, judge, state)
+
+
+def _friction(friction: Friction | None) -> dynamics.Friction | None:
+    return None if friction is None else dynamics.Friction(friction.f, friction.radius)
+
+
+def errors(solved: Solved) -> dict[str, float]:
+    """How far everything found is from the judge's, relative to the largest force there is."""
+    judge, forces = solved.judge, solved.forces
+    size = solved.state.size
+    top = max([abs(f) for f in judge.reactions.values()] + [abs(judge.balance), 1e-300])
+    if forces.order.balance == "moment":
+        top = max(top, abs(judge.balance) / size)
+    scale = {"reactions": 0.0, "closing": 0.0}
+    for reaction in forces.reactions:
+        due = judge.reactions[reaction.links]
+        found = solved.vector(reaction.tail, reaction.head)
+        scale["reactions"] = _worse(scale["reactions"], abs(found - due))
+        scale["reactions"] = _worse(
+            scale["reactions"], abs(solved.number(reaction.value) - abs(due))
+        )
+    for polygon in (*(g.polygon for g in forces.groups), forces.driven.polygon):
+        whole = sum(solved.vector(tail, head) for _, tail, head in polygon.sides)
+        scale["closing"] = _worse(scale["closing"], abs(whole))
+    arm = size if forces.order.balance == "moment" else 1.0
+    balance = solved.number(forces.driven.balance)
+    scale["balance"] = abs(balance - judge.balance) / arm
+    scale["lever"] = abs(solved.number(forces.lever.balance) - balance) / arm
+    return {name: _worse(0.0, value) / top for name, value in scale.items()}
+
+
+def _worse(worst: float, value: float) -> float:
+    return float("inf") if np.isnan(value) else max(worst, value)

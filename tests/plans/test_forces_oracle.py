@@ -1,0 +1,55 @@
+"""Every reaction, the balancing force and the lever against Newton's and Euler's equations."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import pytest
+from dynamics import Loaded, put_loads
+from loaded import errors, order_of, solve
+from mechanisms import KINDS, Drawn, sample
+
+RATIO = 1e-9
+
+
+def loaded(drawn: Drawn, seed: int) -> Loaded:
+    """Loads for a mechanism; a mass stands at a letter, the first if none was drawn."""
+    found = put_loads(lambda most: random.Random(seed).randint(0, most), drawn.mechanism)
+    pick = random.Random(seed)
+    found = put_loads(lambda most: pick.randint(0, most), drawn.mechanism)
+    links = [
+        replace(link, centre=link.centre or next(iter(link.points)))
+        if link.points
+        else replace(link, mass=None)
+        for link in found.mechanism.links
+    ]
+    return found._replace(mechanism=replace(found.mechanism, links=tuple(links)))
+
+
+def check(drawn: Drawn, seed: int) -> None:
+    one = loaded(drawn, seed)
+    pick = random.Random(seed)
+    gravity, inertia, turned = (bool(pick.randint(0, 3)) for _ in range(3))
+    order = order_of(
+        one,
+        gravity=gravity,
+        inertia=inertia,
+        balance=pick.choice(("force", "moment")),
+        couples=pick.choice(("moment", "pair")),
+    )
+    solved = solve(one, drawn.phi, drawn.poses, order, turned=turned)
+    found = errors(solved)
+    assert max(found.values()) <= RATIO, (found, drawn.kinds, seed, solved.judge.condition)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_one_group_of_each_kind(kind: str) -> None:
+    for k, drawn in enumerate(sample(60, seed=KINDS.index(kind), dyads=(1, 1), kinds=[kind])):
+        check(drawn, k)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_chains_of_groups(seed: int) -> None:
+    for k, drawn in enumerate(sample(50, seed=1000 + seed, dyads=(2, 3))):
+        check(drawn, 100 * seed + k)
