@@ -10,10 +10,19 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
+from graphic_tmm.plans.forces import VIEW
 from graphic_tmm.plans.project import Project
 from graphic_tmm.scene.records import Scales
 
 PLANS = ("positions", "velocities", "accelerations")
+LEVER = 150.0
+"""Room for the lever, mm."""
+ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0)
+"""How many times the lever may be larger than the velocity plan."""
+TRIANGLE, VECTOR = 60.0, 70.0
+"""Room for the largest force of an engine's triangles, and for its rotating vectors, mm."""
+POLYGON = 200.0
+"""Room for a polygon of forces, mm."""
 
 
 def choose_scales(
@@ -43,7 +52,8 @@ def choose_scales(
             mu_v = mu_l * abs(project.mechanism.drive.speed)
         scales["velocities"] = Scale("μ_v", mu_v, "(m/s)/mm")
     if project.accelerations is not None:
-        longest = _longest(project, given, "accelerations", project.accelerated)
+        places = project.accelerated or project.forced
+        longest = _longest(project, given, "accelerations", places)
         mu_a = wanted.mu_a or (
             pin_acceleration / wanted.pi_a if wanted.pi_a else standard(longest, vectors[1])
         )
@@ -74,12 +84,69 @@ def _longest(
     return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
 
 
+def force_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, float]:
+    """Return μ of every polygon of forces: what the scene fixes, else a standard one.
+
+    The largest side of a polygon in any position whose forces are asked for takes `POLYGON` mm at most.
+    """
+    made = project.forces
+    if made is None:
+        return {}
+    log = project.construction
+    scales = [
+        view.scale for view in log.views if view.scale is not None and view.name.startswith(VIEW)
+    ]
+    ones = {**given, **_free(project), **dict.fromkeys(scales, 1.0)}
+    marks = [
+        step.it for step in log.steps if step.it.view.startswith(VIEW) and step.it.kind is Point
+    ]
+    reading = execute(log, ones, marks)
+    found = {}
+    for mu in scales:
+        spots = [_at(reading[m], project.forced) for m in marks if m.view == mu.view]
+        extent = _extent([np.concatenate([[0j], *spots])])
+        found[mu] = made.order.mu or standard(extent, POLYGON)
+    return found | {made.lever.times: _enlarged(project, {**ones, **found})}
+
+
+def _enlarged(project: Project, given: Mapping[Mark, object]) -> float:
+    """Return how many times the lever is larger than the velocity plan, so that arms can be measured."""
+    assert project.forces is not None
+    lever = project.forces.lever
+    images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
+    reading = execute(project.construction, {**given, lever.times: 1.0}, [*images, lever.pole])
+    extent = _extent([np.concatenate([[0j], *(_at(reading[m], project.forced) for m in images)])])
+    return next((k for k in ENLARGED if k * extent <= LEVER), 1.0)
+
+
+def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
+    return np.asarray(values[0, list(places)] if values.shape[1] > 1 else values[0])
+
+
+def engine_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, float]:
+    """Return μ of an engine's force triangles and of its rotating vectors: standard ones."""
+    made = project.engine
+    if made is None:
+        return {}
+    ones = {**given, **_free(project), made.mu: 1.0, made.harmonics.mu: 1.0}
+    ends = list(made.harmonics.ends)
+    reading = execute(project.construction, ones, [made.values["P′"], *ends])
+    sizes = {
+        made.mu: np.abs(reading[made.values["P′"]]),
+        made.harmonics.mu: np.abs(reading[ends[0]]),
+    }
+    return {
+        mu: standard(float(np.max(size, initial=0.0, where=np.isfinite(size))), room)
+        for (mu, size), room in zip(sizes.items(), (TRIANGLE, VECTOR), strict=True)
+    }
+
+
 def chart_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, float]:
     """Return the values of the scale marks of the graphs, with the plans' own scales ``given``.
 
     With every scale that may be chosen at 1, an ordinate times its μ is what it stands for.
     """
-    free = {chart.mu: 1.0 for chart in project.charts if chart.chosen}
+    free = _free(project)
     wanted = [mark for chart in project.charts for mark in (*chart.ordinates, chart.mu)]
     reading = execute(project.construction, {**given, **free}, wanted)
     found = {}
@@ -92,6 +159,11 @@ def chart_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, f
         highest = float(np.max(heights, initial=0.0, where=np.isfinite(heights)))
         found[chart.mu] = chart.wanted or standard(highest, chart.room)
     return found
+
+
+def _free(project: Project) -> dict[Mark, float]:
+    """Return the scales of graphs that may be chosen, all of them 1: with them a mm is what it stands for."""
+    return {chart.mu: 1.0 for chart in project.charts if chart.chosen}
 
 
 def chart_scale_values(project: Project, reading: Reading) -> dict[str, Scale]:

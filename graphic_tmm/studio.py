@@ -13,16 +13,11 @@ from graphic_tmm.errors import Fault, SceneError, SheetError
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.plans.charts import Chart
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables import (
-    Column,
-    as_csv,
-    as_json,
-    chart_columns,
-    columns,
-    flywheel_columns,
-    flywheel_results,
-    rich_tables,
-)
+from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
+from graphic_tmm.tables.columns import Column, columns
+from graphic_tmm.tables.engine import engine_columns, engine_results
+from graphic_tmm.tables.forces import force_columns
+from graphic_tmm.tables.writing import as_csv, as_json, rich_tables
 from graphic_tmm.words import finding
 from graphic_tmm.words import protocol as narrate
 from graphic_tmm.work import Work, executed, ranges, record
@@ -52,6 +47,10 @@ SCALE_KEYS = {
     "diagram V": "mu_diagram_V",
     "diagram a": "mu_diagram_a",
     "base": "mu_base",
+    "lever": "mu_lever",
+    "engine": "mu_F_engine",
+    "harmonics": "mu_F_harmonics",
+    **{f"engine {symbol}": f"mu_{symbol}_engine" for symbol in "PNQTKM"},
     "indicator": "mu_p",
     "moment": "mu_M",
     "work": "mu_A",
@@ -163,6 +162,8 @@ def table_columns(work: Work) -> list[Column]:
         found += columns(log, work.accelerated, "accelerations", places, count, rates)
     found += chart_columns(project, work.reading, work.accelerated)
     found += flywheel_columns(project, work.reading)
+    found += force_columns(project, work.reading)
+    found += engine_columns(project, work.reading)
     return [column.without(work.undrawn) for column in found]
 
 
@@ -177,16 +178,24 @@ def table(work: Work, form: str) -> str | list[Any]:
         decimals = 1 if work.hand.ruler is not None else 3
         return rich_tables(found, project.names, work.scene.language, work.scene.title, decimals)
     scales = {
-        SCALE_KEYS[plan]: {"value": scale.value, "unit": scale.unit}
+        _scale_key(plan): {"value": scale.value, "unit": scale.unit}
         for plan, scale in work.scales.items()
     }
     results: dict[str, Any] = {
         "W": project.structure.mobility,
         "formula": project.structure.formula,
     }
-    for name, (value, of) in flywheel_results(project, work.reading).items():
+    found_results = flywheel_results(project, work.reading) | engine_results(project, work.reading)
+    for name, (value, of) in found_results.items():
         results[name] = {"value": value, "unit": of}
     return as_json(scene_name(work.scene.source), scales, positions, found, results)
+
+
+def _scale_key(plan: str) -> str:
+    """Return what the scale factor of a view is called where machines read it; forces 4-5 -> mu_F_4_5."""
+    if plan.startswith("forces "):
+        return "mu_F_" + plan.removeprefix("forces ").replace("-", "_").replace(" ", "_pass_")
+    return SCALE_KEYS[plan]
 
 
 def protocol(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,8 +15,15 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
-from graphic_tmm.scaling import chart_scale_values, chart_scales, choose_scales
+from graphic_tmm.scaling import (
+    chart_scale_values,
+    chart_scales,
+    choose_scales,
+    engine_scales,
+    force_scales,
+)
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.values import ENGINE_PLACES, FORCE_PLACES
 
 ROOM = {"A1": 230.0, "A4": 140.0}
 """For a format: room for the plan of positions, mm."""
@@ -40,6 +47,8 @@ class Work:
         log = self.project.construction
         plain = [s.it for s in log.steps if s.it.view != "accelerations" and not s.op.across]
         found = examine(log, self.given, plain, hand=self.hand)
+        if self.project.forces is not None:
+            found = tuple(_of_forces(found, self.project))
         if self.project.accelerations is None:
             return found
         marks = self.project.marks("accelerations")
@@ -81,9 +90,17 @@ def record(scene: Scene) -> Project:
             plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
             diagrams=scene.diagrams if "diagrams" in wanted else None,
             flywheel=scene.flywheel if "flywheel" in wanted else None,
+            engine=scene.engine if wanted & set(ENGINE_PLACES) else None,
+            forces=scene.forces if wanted & _needing_forces(scene) else None,
         )
     except StructureError as error:
         raise StructureError(f"{scene.source}: {error}") from error
+
+
+def _needing_forces(scene: Scene) -> set[str]:
+    """Return the places of a sheet that show forces, or a flywheel that is found by loads."""
+    by_loads = scene.flywheel is not None and scene.flywheel.indicator is None
+    return {*FORCE_PLACES, "flywheel"} if by_loads else set(FORCE_PLACES)
 
 
 def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[float, float]) -> Work:
@@ -95,6 +112,8 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
     given = dict(project.given)
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
+    given |= force_scales(project, given)
+    given |= engine_scales(project, given)
     given |= chart_scales(project, given)
     hand = EXACT if exact else Hand(scene.ruler)
     log = project.construction
@@ -106,12 +125,35 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
         whole = {mark for step in steps for mark in (step.it, *step.uses)}
         accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)
     scales |= chart_scale_values(project, reading)
+    if project.engine is not None:
+        mu = project.engine.mu
+        scales["engine"] = Scale("μ_F", float(reading[mu][0, 0]), mu.unit)
+        mu = project.engine.harmonics.mu
+        scales["harmonics"] = Scale("μ_F", float(reading[mu][0, 0]), mu.unit)
+    if project.forces is not None:
+        polygons = project.forces.polygons
+        lever = project.forces.lever.mu
+        scales["lever"] = Scale("μ_v", float(reading[lever][0, 0]), lever.unit)
+        scales |= {p.view: Scale("μ_F", float(reading[p.mu][0, 0]), "N/mm") for p in polygons}
     undrawn = _undrawn(project, reading)
     if len(undrawn) == len(project.names):
         raise StructureError(
             f"{scene.source}: none of the positions can be drawn" + ranges(project)
         )
     return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
+
+
+def _of_forces(found: tuple[Finding, ...], project: Project) -> Iterator[Finding]:
+    """Yield findings; those of forces only at positions whose forces are asked for."""
+    assert project.forces is not None
+    views = project.forces.views
+    for one in found:
+        if one.step.it.view not in views:
+            yield one
+            continue
+        places = tuple(k for k in one.positions if k in project.forced)
+        if places:
+            yield one._replace(positions=places)
 
 
 def ranges(project: Project) -> str:

@@ -108,6 +108,7 @@ def solve(
     for view in log.views:
         if view.scale is not None:
             given[view.scale] = 1.0
+    given[forces.lever.times] = 2.5
     given[angle] = phi
     reading = execute(log, given)
     state = solve_fast(mechanism, phi, poses)

@@ -14,7 +14,7 @@ from graphic_tmm.mechanism.orders import Drawn, KinematicOrder
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.tables import Column
+from graphic_tmm.tables.columns import Column
 from graphic_tmm.work import Work
 
 ORDER = KinematicOrder("B", start="displacement")

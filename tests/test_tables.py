@@ -18,7 +18,8 @@ from test_main import column, made, run, scene
 
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.tables import Column, as_csv, as_json, columns, rich_tables, segment_name
+from graphic_tmm.tables.columns import Column, columns, segment_name
+from graphic_tmm.tables.writing import as_csv, as_json, rich_tables
 from graphic_tmm.work import Work
 
 GRAPHS = ("diagrams", "flywheel")

@@ -35,6 +35,20 @@ def polytropic(
 
 
 @operation(formula=True, fails=("the stroke has no length", "ход равен нулю"))
+def polytropic_at_shaft(
+    pressure: Number,
+    clearance: Number,
+    start: Number,
+    travel: Length,
+    stroke: Length,
+    exponent: Number,
+) -> Number:
+    """{pressure}·(({clearance} + 1 − {start})/({clearance} + 1 − {travel}/{stroke}))^{exponent}"""
+    volumes = (clearance + 1.0 - start) / (clearance + 1.0 - travel / stroke)
+    return Number(pressure * np.where(exponent == 0.0, 1.0, volumes**exponent))
+
+
+@operation(formula=True, fails=("the stroke has no length", "ход равен нулю"))
 def between(
     first: Number, last: Number, start: Number, end: Number, travel: Length, stroke: Length
 ) -> Number:
@@ -60,6 +74,18 @@ def reduced_moment(
 ) -> Number:
     """−{outward}·{force}·{of_point}/{of_pin}·{arm}"""
     return Number(-outward * force * of_point / np.where(of_pin == 0.0, np.nan, of_pin) * arm)
+
+
+@operation(formula=True, fails=_NO_CRANK)
+def moment_of_drive(moment: Number, arm: Number, of_pin: Length) -> Number:
+    """{moment}·{arm}/{of_pin}"""
+    return Number(moment * arm / np.where(of_pin == 0.0, np.nan, of_pin))
+
+
+@operation(formula=True, fails=_NO_CRANK)
+def moment_of_resistance(moment: Number, arm: Number, of_pin: Length) -> Number:
+    """−{moment}·{arm}/{of_pin}"""
+    return Number(-moment * arm / np.where(of_pin == 0.0, np.nan, of_pin))
 
 
 @operation(formula=True)

@@ -47,14 +47,22 @@ def arm(about: Point, line: Line) -> Length:
     return Length(wedge(line.at - about, line.along))
 
 
-@operation("Точку {image} перенести на рычаг, повернув план на 90°; отметить {it}.")
-def carry(pole: Point, of: Point, image: Point, *, quarters: int = 0) -> Point:
-    """Carry {image} over to the lever, with the plan turned by 90°: mark {it}.
+@operation(
+    "Точку {image} повёрнутого на 90° плана перенести на рычаг, увеличив в {times} раз; отметить {it}."
+)
+def carry(pole: Point, of: Point, image: Point, times: Number, *, quarters: int = 0) -> Point:
+    """Carry {image} of the plan turned by 90° over to the lever, {times} times as large: mark {it}.
 
     ``pole``: of the lever, ``of``: of the plan; ``quarters``: right angles, counter-clockwise, that the plan
     still lacks.
     """
-    return Point(pole + (image - of) * 1j**quarters)
+    return Point(pole + (image - of) * times * 1j**quarters)
+
+
+@operation(formula=True)
+def per_times(mu: Number, times: Number) -> Number:
+    """{mu}/{times}"""
+    return Number(mu / times)
 
 
 @operation(formula=True)
@@ -142,15 +150,19 @@ def on_lever(force: Number, arm_: Length) -> Number:
 
 
 @operation(formula=True, fails=_NO_LENGTH)
-def converted(couple: Number, segment: Length, length: Length, mu_l: Number) -> Number:
-    """{couple}·{segment}/({length}·{mu_l})"""
-    return Number(couple * segment / (length * mu_l))
+def converted(
+    couple: Number, times: Number, segment: Length, length: Length, mu_l: Number
+) -> Number:
+    """{couple}·{times}·{segment}/({length}·{mu_l})"""
+    return Number(couple * times * segment / (length * mu_l))
 
 
 @operation(formula=True, fails=_NO_LENGTH)
-def converted_reversed(couple: Number, segment: Length, length: Length, mu_l: Number) -> Number:
-    """−{couple}·{segment}/({length}·{mu_l})"""
-    return Number(-couple * segment / (length * mu_l))
+def converted_reversed(
+    couple: Number, times: Number, segment: Length, length: Length, mu_l: Number
+) -> Number:
+    """−{couple}·{times}·{segment}/({length}·{mu_l})"""
+    return Number(-couple * times * segment / (length * mu_l))
 
 
 @operation(formula=True, fails=_NO_LENGTH)

@@ -1,4 +1,4 @@
-"""Loads and effects: what acts on the links besides each other, and what of it a scene calls for. SI, degrees."""
+"""Loads and effects: what acts on the links, and what of it a scene calls for. SI, degrees."""
 
 from __future__ import annotations
 

@@ -103,14 +103,16 @@ class Rim:
 
 @dataclass(frozen=True)
 class FlywheelOrder:
-    """A flywheel for the coefficient of irregularity ``delta``, by the gas forces of an indicator diagram.
+    """A flywheel for the coefficient of irregularity ``delta``.
+
+    ``indicator``: the gas forces of which diagram; None: by the loads of the links.
 
     ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``pole``: H in mm.
     ``integration``: ordinates at the "middles" of the curve, or of "chords". ``tangents``: of the energy–mass
     curve, at its "points" or at the smooth "curve" through them; None leaves that method out.
     """
 
-    indicator: IndicatorOrder
+    indicator: IndicatorOrder | None
     delta: float
     constant: str = "resisting"
     pole: float = 40.0
@@ -119,3 +121,22 @@ class FlywheelOrder:
     integration: str = "middles"
     tangents: str | None = "points"
     rim: Rim | None = None
+
+
+@dataclass(frozen=True)
+class EngineOrder:
+    """The forces of a crank mechanism, position by position: from the gas to the turning moment.
+
+    ``point``: where the connecting rod meets the piston or crosshead. ``share``: of the rod's mass that goes
+    to and fro with it; None for the exact split by the lever rule. ``mass``: the whole mass going to and fro
+    (kg) where it is given so. ``series``: P_in by the two-term series instead of the plan of accelerations.
+    ``unit``: of forces, "N" or "kgf". ``base``: the length of the diagrams' base, mm.
+    """
+
+    indicator: IndicatorOrder
+    point: str
+    share: float | None = None
+    mass: float | None = None
+    series: bool = False
+    unit: str = "N"
+    base: float = 120.0

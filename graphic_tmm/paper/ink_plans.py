@@ -17,10 +17,10 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations import lay_off, measure, measure_along, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
+from graphic_tmm.paper.arrows import told_arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
-from graphic_tmm.paper.symbols import ARROW_LENGTH, arrowhead, pole
-from graphic_tmm.tables import segment_name
+from graphic_tmm.paper.symbols import pole
 
 BEYOND = 4.0
 """How far a construction line goes on behind the intersection, mm."""
@@ -129,19 +129,7 @@ def _vector(
     vector: Vector, a: complex, b: complex, mu: float, unit: str, *, thin: bool
 ) -> list[Stroke]:
     pen = ("medium" if thin else "main") if vector.absolute else ("thin" if thin else "medium")
-    head = min(ARROW_LENGTH, 0.45 * abs(b - a))
-    shaft = b - (b - a) / abs(b - a) * head * 0.5
-    mm = abs(b - a)
-    data = (
-        ("segment", segment_name(vector.segment)),
-        ("mm", f"{mm:.2f}"),
-        ("value", f"{mm * mu:.6g}"),
-        ("unit", unit),
-    )
-    stroke = line(pen, a, shaft)._replace(
-        title=f"{segment_name(vector.segment)} = {mm:.1f} mm = {mm * mu:.4g} {unit}", data=data
-    )
-    return [stroke, *arrowhead(b, b - a, pen=pen, length=head)]
+    return told_arrow(a, b, pen, vector.segment, mu, unit)
 
 
 def _beyond(

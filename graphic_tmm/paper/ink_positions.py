@@ -56,7 +56,7 @@ def draw_positions_ink(
     ``main``: the index of the position drawn heavy; ``skipped``: those that cannot be drawn; ``crank``: the
     marks of its pivot and pin; ``sense``: of its rotation.
     """
-    ink = _Ink(construction, reading, [i for i in range(len(names)) if i not in skipped])
+    ink = PositionsInk(construction, reading, [i for i in range(len(names)) if i not in skipped])
     figures = [f for f in construction.figures if f.view == PLAN]
     strokes: list[Stroke | Bezier] = []
     strokes += ink.guides(figures)
@@ -97,17 +97,19 @@ def clear_start(reach: float, bearing: float, sense: int) -> float:
     return next((start for start in starts if clear(start)), starts[0])
 
 
-class _Ink:
+class PositionsInk:
     """The log and its numbers while they are inked."""
 
     def __init__(self, construction: Construction, reading: Reading, places: list[int]) -> None:
         self.construction, self.reading, self.places = construction, reading, places
 
     def at(self, mark: Mark, index: int) -> complex:
+        """Return where a point is in one position."""
         row = self.reading[mark][0]
         return complex(row[index if row.size > 1 else 0])
 
     def along(self, mark: Mark, index: int) -> complex:
+        """Return the direction of a line in one position."""
         row = self.reading[mark].along[0]
         return complex(row[index if row.size > 1 else 0])
 

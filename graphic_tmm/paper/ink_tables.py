@@ -13,7 +13,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.tables import Column
+from graphic_tmm.tables.columns import Column
 from graphic_tmm.words import fixed, unit
 
 SIZE = 3.5
@@ -70,7 +70,7 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         name = pair_name(pair, mechanism)
         joined = ",".join(str(k) for k in sorted(pair.links))
         index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
-        rows.append([escape(name), joined, words[pair.kind], index])
+        rows.append([escape(name), joined, words[f"kind {pair.kind}"], index])
     heads = [words["letter"], words["joined"], words["kind"], words["index"]]
     return table("table-pairs", words["pairs"], heads, rows, size=SIZE)
 

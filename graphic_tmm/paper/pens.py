@@ -42,8 +42,8 @@ def pens(format: str) -> Mapping[str, Pen]:
     "thin" (construction, dimension and hatching lines), "dashed", "centre" (dash-dot), "phantom"
     (dash and two dots), "medium" (vectors of plans), "main", "thick" (open section line, 1.5 s),
     "body" (a slider: a main line round the paper's white, hides its guide), "rod" (a main line that
-    runs over a slider to its pin), "paper" (hides what lies under it, draws no line), "joint" (a
-    main line round white: pins, uppermost).
+    runs over a slider to its pin), "over" (a medium line that does), "paper" (hides what lies under
+    it, draws no line), "joint" (a main line round white: pins, uppermost).
     """
     size = format.removesuffix(" portrait")
     if size not in MAIN_WIDTH:
@@ -62,6 +62,7 @@ def pens(format: str) -> Mapping[str, Pen]:
             "thick": Pen(round(1.5 * s, 2)),
             "body": Pen(s, (), "black", "white"),
             "rod": Pen(s),
+            "over": Pen(round(s / 2, 2)),
             "paper": Pen(0.0, (), "none", "white"),
             "joint": Pen(s, (), "black", "white"),
         }

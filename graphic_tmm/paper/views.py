@@ -17,10 +17,13 @@ from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table, s
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.specimen import specimen
 from graphic_tmm.paper.specimen_symbols import specimen_symbols
+from graphic_tmm.paper.views_engine import engine_diagram_views, engine_views
 from graphic_tmm.paper.views_flywheel import flywheel_views, pole_texts
+from graphic_tmm.paper.views_forces import force_table, force_views, lever_views
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables import UNITS, chart_columns, columns
+from graphic_tmm.tables.charts import chart_columns
+from graphic_tmm.tables.columns import UNITS, columns
 from graphic_tmm.work import Work
 
 
@@ -175,6 +178,11 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
     "equations": _equations,
     "diagrams": _diagrams,
     "flywheel": flywheel_views,
+    "forces": force_views,
+    "lever": lever_views,
+    "force table": force_table,
+    "engine": engine_views,
+    "engine diagrams": engine_diagram_views,
     "structure": _structure,
     "results": _results,
     "velocity table": _velocity_table,

@@ -17,7 +17,8 @@ from graphic_tmm.paper.ink_tables import SIZE, result_table
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.flywheel import VIEWS, Flywheel
-from graphic_tmm.tables import flywheel_columns, flywheel_results
+from graphic_tmm.plans.indicator import Indicator
+from graphic_tmm.tables.charts import flywheel_columns, flywheel_results
 from graphic_tmm.words import number, unit
 from graphic_tmm.work import Work
 
@@ -36,13 +37,8 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
     words = CAPTIONS[language]
     names = [escape(name) for name in project.names[: project.count]]
     log, reading = project.construction, drawn.reading
-    indicator = draw_indicator_ink(
-        log, reading, made.indicator, names, words["indicator"], lettered=lettered
-    )
-    views = [
-        captioned(indicator, words["indicator"], mu_text(drawn.scales["indicator"], language)),
-        stacked("flywheel-graphs", _graphs(drawn, made, lettered)),
-    ]
+    views = [] if made.indicator is None else [indicator_view(drawn, made.indicator, lettered)]
+    views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
         found = draw_energy_mass_ink(
             log, reading, made.energy_mass, names, words["energy-mass"], lettered=lettered
@@ -54,6 +50,17 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
         views.append(_sketch(drawn, made))
     rows = flywheel_columns(project, reading)
     return [*views, result_table("flywheel", rows, project.names, language), _results(drawn)]
+
+
+def indicator_view(drawn: Work, indicator: Indicator, lettered: bool) -> Drawing:
+    """Return the indicator diagram, captioned."""
+    project, language = drawn.project, drawn.scene.language
+    title = CAPTIONS[language]["indicator"]
+    names = [escape(name) for name in project.names[: project.count]]
+    view = draw_indicator_ink(
+        project.construction, drawn.reading, indicator, names, title, lettered=lettered
+    )
+    return captioned(view, title, mu_text(drawn.scales["indicator"], language))
 
 
 def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:

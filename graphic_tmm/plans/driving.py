@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board.calculations import in_si, to_board
-from graphic_tmm.board.operations import lay_off, measure, parallel, square
+from graphic_tmm.board.calculations import in_si
+from graphic_tmm.board.operations import measure, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.statics import balancing, reversed_
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.plans.bodies import Body
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.loads import Force
-from graphic_tmm.plans.statics import Acting, Moments, Polygon, Reaction
+from graphic_tmm.plans.moments import Acting, Moments
+from graphic_tmm.plans.polygons import Chain, Polygon, Reaction
 
 
 class Driver(NamedTuple):
@@ -67,19 +68,16 @@ def solve_driver(
         balance = board.draw(reversed_, "M_b", total, unit="N·m")
     board.open(polygon)
     mu = board.take(Number, "μ_F", "N/mm")
-    start = end = draft.take(Point, "1", 0j)
+    start = draft.take(Point, "1", 0j)
     board.lay_out(start, mu)
-    drawn = []
-    for k, (letter, line, value) in enumerate(sides):
-        side = board.draw(parallel, board.free(f"({letter})"), end, line, sense=1)
-        bare = letter.replace("_", "").replace("{", "").replace("}", "")
-        length = board.draw(to_board, board.free(f"y_{{{bare}}}"), value, mu)
-        head = board.draw(lay_off, str(k + 2), side, length)
-        drawn.append((letter, end, head))
-        end = head
+    chain = Chain(draft, mu, start)
+    for letter, line, value in sides:
+        chain.add(letter, line, value)
+    end = chain.end
     name = f"R_{{{frame}{number}}}"
     length = board.draw(measure, f"y_{{R{frame}{number}}}", end, start)
     value = board.draw(in_si, name, length, mu, unit="N")
-    drawn.append((name, end, start))
     reaction = Reaction(name, (frame, number), end, start, length, value, value)
-    return Driven(balance, force, reaction, Polygon(polygon, mu, tuple(drawn)))
+    return Driven(
+        balance, force, reaction, Polygon(polygon, mu, (*chain.sides, (name, end, start)))
+    )

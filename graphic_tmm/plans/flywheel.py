@@ -8,34 +8,32 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from graphic_tmm.board.calculations import scale_of_integral, to_board, turn_per_mm
-from graphic_tmm.board.energetics import flywheel_inertia, reduced_moment
-from graphic_tmm.board.execute import execute
-from graphic_tmm.board.graphs import at_zero, highest, lowest
-from graphic_tmm.board.operations import join, measure, measure_along, meet, parallel, square
+from graphic_tmm.board.energetics import (
+    added,
+    flywheel_inertia,
+    moment_of_drive,
+    moment_of_resistance,
+    reduced_moment,
+)
+from graphic_tmm.board.graphs import highest, lowest
+from graphic_tmm.board.operations import join, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.orders import FlywheelOrder
-from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.plans import graphs
-from graphic_tmm.plans.bodies import GuideLeg
 from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.cylinder import Cylinder, Machine
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.energy import Energies, draw_energies
 from graphic_tmm.plans.energy_mass import EnergyMass, draw_energy_mass
+from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.graphs import Axes, Base, Boundaries
-from graphic_tmm.plans.indicator import Indicator, draw_indicator
-from graphic_tmm.plans.motion import Motion
-from graphic_tmm.plans.positions import VIEW as POSITIONS
-from graphic_tmm.plans.positions import Positions
+from graphic_tmm.plans.indicator import Indicator
 from graphic_tmm.plans.rim import DrawnRim, draw_rim
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
-STANDS = 1e-6
-"""A piston slower than this share of its fastest stands."""
 ROOM = 110.0
 """Room for the highest ordinate of the moment, mm."""
 
@@ -49,7 +47,7 @@ class Flywheel:
 
     order: FlywheelOrder
     base: Base
-    indicator: Indicator
+    indicator: Indicator | None
     charts: tuple[Chart, ...]
     energies: Energies
     works: tuple[Boundaries, Mark]
@@ -59,45 +57,32 @@ class Flywheel:
     rim: DrawnRim | None
 
 
-@dataclass(frozen=True)
-class Machine:
-    """What a flywheel is drawn for: the mechanism and its plans, where positions stand in the row."""
-
-    mechanism: Mechanism
-    positions: Positions
-    velocities: Motion
-    pivot: str
-    pin: str
-    arm: Mark
-    numbers: np.ndarray
-    count: int
-
-
-def draw_flywheel(draft: Draft, machine: Machine, leg: GuideLeg, order: FlywheelOrder) -> Flywheel:
+def draw_flywheel(
+    draft: Draft,
+    machine: Machine,
+    order: FlywheelOrder,
+    cylinder: Cylinder | None,
+    forces: Forces | None,
+) -> Flywheel:
     """Draw everything that leads to the moment of inertia of a flywheel.
 
-    ``leg``: the leg by which the piston slides on the frame.
+    ``cylinder``: whose gas drives or resists; else the loads of ``forces`` do.
 
     Raises
     ------
     StructureError
-        If δ or H is not positive, masses or pressures are missing.
+        If δ or H is not positive, masses or loads are missing.
     """
     _refuse(order)
     board, velocities = draft.board, machine.velocities
-    extras = machine.numbers.size - machine.count
-    outward = _outward(draft, machine, leg)
-    _refuse_zero(draft, machine, leg, outward, order)
-    point = machine.positions.point(order.indicator.point)
-    board.open(POSITIONS)
-    start = board.draw(at_zero, board.free(f"{order.indicator.point}_0"), point)
-    travel = board.draw(measure, f"s_{order.indicator.point}", start, point)
-    indicator = draw_indicator(draft, travel, machine.count, extras, order.indicator)
     board.open(VIEWS["moment"])
     length = draft.take(Length, "L", order.base, "mm")
     mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
-    moment = _moment(draft, machine, leg, indicator, outward)
+    if cylinder is not None:
+        moment = _by_gas(draft, machine, cylinder, order.constant)
+    else:
+        moment = _by_loads(draft, machine, forces, order.constant)
     mu_M = board.take(Number, "μ_M", "(N·m)/mm")
     heights = board.draw(to_board, "y_M", moment, mu_M)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
@@ -122,7 +107,9 @@ def draw_flywheel(draft: Draft, machine: Machine, leg: GuideLeg, order: Flywheel
             draft, energies, surplus, energy_axes, delta, velocities.speed, order.tangents
         )
     more = (second.chart,) if second is not None else ()
-    found = (indicator.chart, chart, *charts, *more)
+    indicator = cylinder.indicator if cylinder is not None else None
+    first = (indicator.chart,) if indicator is not None else ()
+    found = (*first, chart, *charts, *more)
     return Flywheel(order, base, indicator, found, energies, works, segment, inertia, second, rim)
 
 
@@ -135,47 +122,38 @@ def _refuse(order: FlywheelOrder) -> None:
         )
 
 
-def _outward(draft: Draft, machine: Machine, leg: GuideLeg) -> float:
-    """Return the sense of the guide, +1 or −1, in which the cover lies: away from the crank."""
-    closing = next(c for c in machine.positions.closings if leg in c.legs)
-    side = machine.positions.sides.get(closing.group.name)
-    return 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
+def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
+    """Calculate the reduced moment of the gas, which pushes the piston from the cover towards the crank.
 
-
-def _refuse_zero(
-    draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: FlywheelOrder
-) -> None:
-    """Refuse a row that does not begin at a dead centre, or parts of a diagram that begin at the inner one."""
-    assert draft.mu_l is not None
-    speed = machine.velocities.readings[leg.link]
-    given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
-    found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
-    point = order.indicator.point
-    remedy = f"begin where {point} is farthest from the crank, by zero in [drive]"
-    fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
-    if abs(found[0]) > STANDS * fastest:
-        raise StructureError(
-            f"indicator: the row does not begin at a dead centre of {point}: {remedy}"
-        )
-    sides = (order.indicator.cover, order.indicator.shaft)
-    if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
-        raise StructureError(
-            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}"
-        )
-
-
-def _moment(
-    draft: Draft, machine: Machine, leg: GuideLeg, indicator: Indicator, outward: float
-) -> Mark:
-    """Calculate the reduced moment: gas pushes the piston from the cover towards the crank."""
+    It drives; with a constant driving moment it is the resistance of the gas that is told, of a compressor.
+    """
     board, velocities = draft.board, machine.velocities
-    sign = draft.take(Number, "σ", outward)
+    way = cylinder.outward if constant == "resisting" else -cylinder.outward
+    sign = draft.take(Number, "σ", way)
     pin = velocities.images.by_letter[machine.mechanism.drive.link][machine.pin]
     drawn = board.uses(pin)[1]
-    speed = velocities.readings[leg.link]
-    return board.draw(
-        reduced_moment, "M_r", sign, indicator.force, speed, drawn, machine.arm, unit="N·m"
-    )
+    speed = velocities.readings[cylinder.leg.link]
+    force = cylinder.indicator.force
+    return board.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
+
+
+def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:
+    """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
+    if forces is None:
+        raise StructureError(
+            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
+        )
+    board = draft.board
+    found = [forces.lever.moments[k] for k in forces.loads.outer if k in forces.lever.moments]
+    if not found:
+        raise StructureError(
+            "flywheel: no load does work: give gravity or a [[load]] besides inertia"
+        )
+    total = found[0]
+    for more in found[1:]:
+        total = board.draw(added, "ΣM", total, more, unit="N·mm")
+    formula = moment_of_drive if constant == "resisting" else moment_of_resistance
+    return board.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
 def _works(

@@ -6,18 +6,20 @@ reactions of the pass before cause.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.statics import apart_percent, efficiency, settled, still_open
 from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.plans.cylinder import Cylinder
 from graphic_tmm.plans.driving import Driven, Driver, solve_driver
 from graphic_tmm.plans.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.plans.lever import Lever, draw_lever
 from graphic_tmm.plans.loads import Couple, Force, Ground, Loads, draw_loads
-from graphic_tmm.plans.statics import Acting, Moments, Reaction, Solved, hand_on, solve_group
+from graphic_tmm.plans.moments import Acting, Moments
+from graphic_tmm.plans.polygons import Polygon, Reaction
+from graphic_tmm.plans.statics import Solved, hand_on, solve_group
 
 VIEW = "forces"
 """Polygons are views "forces 4-5"; figures of detached groups "group 4-5", of the driving link "group 1"."""
@@ -45,6 +47,18 @@ class Forces:
     circles: dict[str, Mark] | None = None
 
     @property
+    def views(self) -> frozenset[str]:
+        """The views that the forces are drawn in."""
+        polygons = self.polygons
+        figures = {polygon.view.replace(VIEW, "group") for polygon in polygons}
+        return frozenset({"loads", "friction", "lever", *figures, *(p.view for p in polygons)})
+
+    @property
+    def polygons(self) -> tuple[Polygon, ...]:
+        """The polygons in the order in which they were drawn."""
+        return (*(group.polygon for group in self.groups), self.driven.polygon)
+
+    @property
     def reactions(self) -> tuple[Reaction, ...]:
         """The reactions in the order in which they were found."""
         found = [reaction for group in self.groups for reaction in group.reactions]
@@ -63,11 +77,11 @@ def draw_forces(
     driver: Driver,
     order: ForcesOrder,
     arm: Mark,
-    gas: Callable[[], Force] | None = None,
+    gas: Cylinder | None = None,
 ) -> Forces:
     """Record the kinetostatics and the lever.
 
-    ``arm``: the crank's real length (m); ``gas``: draws the gas force on the piston.
+    ``arm``: the crank's real length (m); ``gas``: the cylinder whose gas pushes the piston.
 
     Raises
     ------
@@ -82,7 +96,8 @@ def draw_forces(
     count = friction.passes if friction is not None else 0
     found = joints(ground.positions.closings, (crank, frame, driver.pivot.letter))
     rub = Rub(draft, ground.velocities, friction, ground.pin_speed, crank) if friction else None
-    rubbing, passes = Rubbing(), []
+    rubbing = Rubbing()
+    passes: list[_Pass] = []
     for k in range(count + 1):
         if k and rub is not None:
             rubbing = rub.draw(found, _by_joint(found, passes[-1]))
@@ -125,8 +140,10 @@ def _solve(
 ) -> _Pass:
     draft, acting = ground.draft, Acting()
     frame, crank = ground.mechanism.frame.number, driver.body.link.number
-    for load in (*loads.forces, *loads.couples, *rubbing.couples):
-        acting.add(load)
+    for force in loads.forces:
+        acting.add(force)
+    for couple in (*loads.couples, *rubbing.couples):
+        acting.add(couple)
     figures = {crank: f"group {crank}"}
     for closing in ground.positions.closings:
         figures |= dict.fromkeys(closing.group.links, f"group {closing.group.name}")

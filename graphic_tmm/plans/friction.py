@@ -20,7 +20,8 @@ from graphic_tmm.plans.bodies import Closing, GuideLeg
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.loads import Couple, Force
 from graphic_tmm.plans.motion import Motion, known_image
-from graphic_tmm.plans.statics import Reaction, Slope
+from graphic_tmm.plans.polygons import Reaction
+from graphic_tmm.plans.statics import Slope
 
 VIEW = "friction"
 

@@ -128,7 +128,9 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
     """Lay off the pressures of one side, read them, go round them with the planimeter."""
     board, sign, (count, extras) = draft.board, NAMES[name], row
     if gas.stretches:
-        pressure = by_stretches(draft, sign, gas, row, on.travel, on.stroke)
+        pressure = by_stretches(
+            draft, sign, gas, row, on.travel, on.stroke, at_shaft=name == "shaft"
+        )
     elif len(gas.pressures) == count:
         values = np.array([*gas.pressures, *[np.nan] * extras])[None, :]
         pressure = draft.take(Number, f"p_{sign}", values, "Pa")

@@ -1,7 +1,7 @@
 """Zhukovsky's lever: the turned velocity plan as a rigid lever about its pole, with every load at its image.
 
-A force is carried parallel to the image of its point of application; a couple on a link as its moment converted to
-the plan, M·ab/l, or as a pair of forces at the ends of the link's segment. The lever is in equilibrium.
+A force is carried parallel to the image of its point of application; a couple on a link as its moment converted
+to the plan, M·ab/l, or as a pair of forces at the ends of the link's segment. The lever is in equilibrium.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from graphic_tmm.board.energetics import added
-from graphic_tmm.board.operations import parallel, square
+from graphic_tmm.board.operations import measure, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.statics import (
     arm,
@@ -19,11 +19,13 @@ from graphic_tmm.board.statics import (
     converted_reversed,
     moment_on_arm,
     on_lever,
+    per_times,
     reversed_,
     tangential,
 )
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.plans.bodies import PinLeg
+from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.driving import Driver
 from graphic_tmm.plans.loads import Couple, Force
 from graphic_tmm.plans.motion import Motion
@@ -42,17 +44,22 @@ class Carried(NamedTuple):
 
 
 class Lever(NamedTuple):
-    """The lever as drawn: its pole, the images carried over by link, the forces on it, what balances it.
+    """The lever as drawn: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
-    ``balance``: N at the crank pin, or N·m; ``couples``: the converted moments (N·mm) by letter.
+    ``balance``: N at the crank pin, or N·m; ``couples``: the converted moments (N·mm) by letter;
+    ``moments``: of all loads (N·mm); ``segment``: of the crank pin, as read (Length).
     """
 
     pole: Mark
+    times: Mark
+    mu: Mark
     images: dict[int, tuple[Mark, ...]]
     forces: tuple[Carried, ...]
     couples: dict[str, Mark]
+    moments: dict[str, Mark]
     balance: Mark
     pin: Mark
+    segment: Mark
 
 
 class _Plan:
@@ -61,9 +68,10 @@ class _Plan:
     def __init__(self, draft: Draft, velocities: Motion, quarters: int) -> None:
         self.draft, self.velocities, self.quarters = draft, velocities, quarters
         self.pole = draft.take(Point, "p", 0j)
+        self.times = draft.board.take(Number, "k")
         self.known: dict[Mark, Mark] = {velocities.images.pole: self.pole}
         self.forces: list[Carried] = []
-        self.moments: list[Mark] = []
+        self.moments: dict[str, Mark] = {}
         self.converted: dict[str, Mark] = {}
 
     def image(self, of: Mark) -> Mark:
@@ -72,7 +80,7 @@ class _Plan:
             pole = self.velocities.images.pole
             letter = board.free(of.letter)
             self.known[of] = board.draw(
-                carry, letter, self.pole, pole, of, quarters=self.quarters
+                carry, letter, self.pole, pole, of, self.times, quarters=self.quarters
             )
         return self.known[of]
 
@@ -91,7 +99,7 @@ class _Plan:
         height = board.draw(arm, board.free(f"h_{{{bare}}}"), self.pole, along)
         found = board.draw(on_lever, board.free(f"M({letter})"), value, height, unit="N·mm")
         self.forces.append(Carried(letter, point, along, value))
-        self.moments.append(found)
+        self.moments[letter] = found
 
     def carry_couple(self, couple: Couple, base: _Base, kind: str) -> None:
         """Convert a couple to the plan, or set a pair of forces at the ends of its link's segment."""
@@ -104,13 +112,14 @@ class _Plan:
                 formula,
                 board.free(f"{couple.letter}′"),
                 couple.value,
+                self.times,
                 base.segment,
                 base.length,
                 draft.mu_l,
                 unit="N·mm",
             )
             self.converted[couple.letter] = found
-            self.moments.append(found)
+            self.moments[couple.letter] = found
             return
         force = board.draw(
             tangential, board.free(f"F_{{{bare}}}"), couple.value, base.length, draft.mu_l, unit="N"
@@ -123,7 +132,7 @@ class _Plan:
 
 
 class _Base(NamedTuple):
-    """What a link's couple is converted by: its segment on the plan, its length, their ends, the plan's sense."""
+    """What a link's couple is converted by: its segment on the plan, its length, their ends, the sense."""
 
     segment: Mark
     length: Mark
@@ -153,7 +162,8 @@ def draw_lever(
     """
     draft.board.open(VIEW)
     plan = _Plan(draft, velocities, quarters)
-    draft.board.lay_out(plan.pole, velocities.mu)
+    mu = draft.board.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
+    draft.board.lay_out(plan.pole, mu)
     forces, turned = loads
     pin_image = velocities.images.by_letter[driver.body.link.number][driver.pin.letter]
     pin = plan.image(pin_image)
@@ -164,7 +174,8 @@ def draw_lever(
         base = _base(draft, positions, velocities, driver, couple.link, sense)
         if base is not None:
             plan.carry_couple(couple, base, couples)
-    balance = _balance(draft, plan, velocities, pin_image, arm)
+    segment = draft.board.draw(measure, f"p{pin.letter}", plan.pole, pin)
+    balance = _balance(draft, plan, segment, arm)
     images = {
         number: tuple(
             plan.known[image]
@@ -173,19 +184,17 @@ def draw_lever(
         )
         for number in positions.bodies
     }
-    return Lever(plan.pole, images, tuple(plan.forces), plan.converted, balance, pin)
+    found = (images, tuple(plan.forces), plan.converted, plan.moments)
+    return Lever(plan.pole, plan.times, mu, *found, balance, pin, segment)
 
 
-def _balance(
-    draft: Draft, plan: _Plan, velocities: Motion, pin: Mark, arm: Mark | None
-) -> Mark:
+def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
     board = draft.board
     total: Mark | None = None
-    for found in plan.moments:
+    for found in plan.moments.values():
         total = found if total is None else board.draw(added, "ΣM", total, found, unit="N·mm")
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
-    segment = board.uses(pin)[1]
     force = board.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
     if arm is None:
         return force

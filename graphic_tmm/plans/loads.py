@@ -6,7 +6,6 @@ along it. Nothing is drawn of an effect that is not called for.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -28,6 +27,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Load
 from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.plans.cylinder import Cylinder
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.motion import Motion, is_signed, reading_of
 from graphic_tmm.plans.positions import Positions
@@ -70,6 +70,13 @@ class Loads:
     on_lever: list[Force] = field(default_factory=list)
     couples_on_lever: list[Couple] = field(default_factory=list)
 
+    @property
+    def outer(self) -> tuple[str, ...]:
+        """The letters of the loads that are not inertia's."""
+        letters = [force.letter for force in self.on_lever]
+        letters += [couple.letter for couple in self.couples_on_lever]
+        return tuple(k for k in letters if not k.startswith(("P_{i", "M_{i")))
+
     def add(self, load: Force | Couple) -> None:
         """Enter a load that both methods take alike."""
         if isinstance(load, Force):
@@ -84,7 +91,7 @@ class Ground(NamedTuple):
     """What loads are drawn on: the board, the mechanism, its plans, how the velocity plan is turned.
 
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
-    ``numbers``: where each position stands in the row of ``count`` intervals.
+    ``numbers``: where each position stands in the row of so many ``intervals``.
     """
 
     draft: Draft
@@ -95,13 +102,13 @@ class Ground(NamedTuple):
     quarters: int
     pin_speed: Mark
     numbers: np.ndarray
-    count: int
+    intervals: int
 
 
-def draw_loads(ground: Ground, order: ForcesOrder, gas: Callable[[], Force] | None) -> Loads:
+def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Loads:
     """Calculate the loads and draw their lines of action.
 
-    ``gas``: draws the gas force on the piston.
+    ``gas``: the cylinder whose gas pushes the piston.
 
     Raises
     ------
@@ -118,7 +125,7 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Callable[[], Force] | No
     for load in order.loads:
         loads.add(_given(ground, load))
     if gas is not None:
-        loads.add(gas())
+        loads.add(_gas(ground, gas))
     return loads
 
 
@@ -189,6 +196,15 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     return Force(letter, n, point, line, value, image)
 
 
+def _gas(ground: Ground, cylinder: Cylinder) -> Force:
+    """Draw the force of the gas on the piston: along its guide, from the cover towards the crank."""
+    letter, link = cylinder.indicator.order.point, cylinder.leg.link
+    point, image = _at(ground, link, letter)
+    sense = -1 if cylinder.outward > 0 else 1
+    line = ground.draft.board.draw(parallel, "(P)", point, cylinder.leg.line, sense=sense)
+    return Force("P", link, point, line, cylinder.indicator.force, image)
+
+
 def _given(ground: Ground, load: Load) -> Force | Couple:
     links = ground.mechanism.by_number
     if load.link not in links or load.link == ground.mechanism.frame.number:
@@ -248,7 +264,7 @@ def _moment(ground: Ground, load: Load) -> Couple:
 
 def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     """Take the size of a load: constant, by position, by angle; or find it by a travel."""
-    draft, count = ground.draft, ground.count
+    draft, count = ground.draft, ground.intervals
     letter = draft.board.free(letter)
     if load.travel is not None:
         return by_travel(

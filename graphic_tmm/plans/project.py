@@ -11,17 +11,19 @@ from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.loads import ForcesOrder
-from graphic_tmm.mechanism.orders import FlywheelOrder, KinematicOrder
+from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
 from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.cylinder import Machine, draw_cylinder
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.driving import Driver
-from graphic_tmm.plans.flywheel import Flywheel, Machine, draw_flywheel
+from graphic_tmm.plans.engine import Engine, draw_engine
+from graphic_tmm.plans.flywheel import Flywheel, draw_flywheel
 from graphic_tmm.plans.forces import Forces, draw_forces
-from graphic_tmm.plans.kinematic import Kinematic, draw_kinematic, sliding_leg
+from graphic_tmm.plans.kinematic import Kinematic, draw_kinematic
 from graphic_tmm.plans.loads import Ground
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.plans.positions import (
@@ -61,12 +63,15 @@ class Project:
     flywheel: Flywheel | None = None
     forces: Forces | None = None
     forced: tuple[int, ...] = ()
+    engine: Engine | None = None
 
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The graphs on axes, in the order in which they stand one below the other."""
         found = tuple(self.kinematic.charts.values()) if self.kinematic is not None else ()
-        return (*found, *(self.flywheel.charts if self.flywheel is not None else ()))
+        for made in (self.flywheel, self.engine):
+            found = (*found, *(made.charts if made is not None else ()))
+        return tuple({chart.view: chart for chart in found}.values())
 
     def scale(self, plan: str) -> Mark:
         """Return the mark of a plan's μ."""
@@ -90,6 +95,7 @@ def draw_project(
     diagrams: KinematicOrder | None = None,
     flywheel: FlywheelOrder | None = None,
     forces: ForcesOrder | None = None,
+    engine: EngineOrder | None = None,
 ) -> Project:
     """Record the plans of a mechanism; a plan that is not asked for records no step.
 
@@ -112,10 +118,11 @@ def draw_project(
         )
     _draw_trajectories(draft, positions, trajectories, row.count)
     velocities = accelerations = None
-    if "velocities" in plans or "accelerations" in plans or diagrams or flywheel or forces:
+    machinery = flywheel or forces or engine
+    if "velocities" in plans or "accelerations" in plans or diagrams or machinery:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerated = _places(row.accelerations, numbered.names) if "accelerations" in plans else ()
-    inertia = forces is not None and forces.inertia
+    inertia = engine is not None or (forces is not None and forces.inertia)
     if (accelerated or inertia) and velocities is not None:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
     kinematic = None
@@ -131,39 +138,22 @@ def draw_project(
             _numbers(numbered.angles, row.count, mechanism.drive),
             row.count,
         )
-    made = None
-    if flywheel is not None:
-        assert velocities is not None
-        leg = sliding_leg(positions, flywheel.indicator.point, mechanism.frame.number, "flywheel")
+    statics, made, driving = None, None, None
+    if velocities is not None and machinery:
+        numbers = _numbers(numbered.angles, row.count, mechanism.drive)
+        arm = crank_arm(draft, positions, structure)
         machine = Machine(
             mechanism,
             positions,
             velocities,
             structure.pivot,
             structure.pin,
-            crank_arm(draft, positions, structure),
-            _numbers(numbered.angles, row.count, mechanism.drive),
+            arm,
+            numbers,
             row.count,
         )
-        made = draw_flywheel(draft, machine, leg, flywheel)
-    statics = None
-    if forces is not None:
-        assert velocities is not None
-        driver = _driver(draft, structure, positions)
-        image = velocities.images.by_letter[structure.driver][structure.pin]
-        sense = 1 if mechanism.drive.speed > 0 else -1
-        ground = Ground(
-            draft,
-            mechanism,
-            positions,
-            velocities,
-            accelerations,
-            sense if turned else 0,
-            draft.board.uses(image)[1],
-            _numbers(numbered.angles, row.count, mechanism.drive),
-            row.count,
-        )
-        statics = draw_forces(ground, driver, forces, crank_arm(draft, positions, structure))
+        orders = (forces, flywheel, engine)
+        statics, made, driving = _machine(draft, machine, accelerations, turned, *orders)
     given = dict(draft.given)
     for group in structure.groups:
         side = side_record(mechanism, group)
@@ -188,6 +178,7 @@ def draw_project(
         made,
         statics,
         _places(forces.positions, numbered.names, "forces") if forces is not None else (),
+        driving,
     )
 
 
@@ -235,10 +226,57 @@ def _places(
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
 
-def _driver(draft: Draft, structure: Structure, positions: Positions) -> Driver:
-    body = positions.bodies[structure.driver]
-    pin = body.marks[structure.pin]
-    return Driver(body, body.marks[structure.pivot], pin, draft.board.uses(pin)[1])
+def _machine(
+    draft: Draft,
+    machine: Machine,
+    accelerations: Motion | None,
+    turned: bool,
+    forces: ForcesOrder | None,
+    flywheel: FlywheelOrder | None,
+    engine: EngineOrder | None,
+) -> tuple[Forces | None, Flywheel | None, Engine | None]:
+    """Draw what belongs to a machine: its cylinder, its forces, its flywheel, its crank mechanism."""
+    cylinder, statics, made, driving = None, None, None, None
+    gas = flywheel.indicator if flywheel is not None else None
+    gas = gas or (forces.gas if forces is not None else None)
+    gas = gas or (engine.indicator if engine is not None else None)
+    if gas is not None:
+        cylinder = draw_cylinder(draft, machine, gas, "indicator")
+    if forces is not None:
+        on_piston = cylinder if forces.gas is not None else None
+        ground = _ground(draft, machine, accelerations, turned)
+        statics = draw_forces(ground, _driver(draft, machine), forces, machine.arm, on_piston)
+    if flywheel is not None:
+        by_gas = cylinder if flywheel.indicator is not None else None
+        made = draw_flywheel(draft, machine, flywheel, by_gas, statics)
+    if engine is not None:
+        assert accelerations is not None
+        assert cylinder is not None
+        driving = draw_engine(draft, machine, accelerations, cylinder, engine)
+    return statics, made, driving
+
+
+def _ground(draft: Draft, machine: Machine, accelerations: Motion | None, turned: bool) -> Ground:
+    drive, velocities = machine.mechanism.drive, machine.velocities
+    image = velocities.images.by_letter[drive.link][machine.pin]
+    sense = 1 if drive.speed > 0 else -1
+    return Ground(
+        draft,
+        machine.mechanism,
+        machine.positions,
+        velocities,
+        accelerations,
+        sense if turned else 0,
+        draft.board.uses(image)[1],
+        machine.numbers,
+        machine.count,
+    )
+
+
+def _driver(draft: Draft, machine: Machine) -> Driver:
+    body = machine.positions.bodies[machine.mechanism.drive.link]
+    pin = body.marks[machine.pin]
+    return Driver(body, body.marks[machine.pivot], pin, draft.board.uses(pin)[1])
 
 
 def _draw_trajectories(

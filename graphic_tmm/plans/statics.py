@@ -1,117 +1,25 @@
 """A group detached: tangential components from moments, then the polygon that two legs close.
 
-The polygon of links 2 and 3 goes: what is known of the outer reaction of link 2, its loads, the loads of link 3,
-what is known of its outer reaction; the lines of the unknown components, drawn through both ends, meet in the
-closing vertex. From there to the polygon go the whole reactions, and between the loads of the two links the
-reaction of the inner pair.
+The polygon of links 2 and 3 goes: what is known of the outer reaction of link 2, its loads, the loads of link
+3, what is known of its outer reaction. The lines of the unknown components, drawn through both ends, meet in
+the closing vertex; from there to between the loads of the two links goes the reaction of the inner pair.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from typing import NamedTuple
 
-from graphic_tmm.board.calculations import in_si, to_board
-from graphic_tmm.board.energetics import added
-from graphic_tmm.board.operations import (
-    lay_off,
-    measure,
-    measure_along,
-    meet,
-    parallel,
-    square,
-)
+from graphic_tmm.board.calculations import in_si
+from graphic_tmm.board.operations import measure, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.statics import (
-    action,
-    arm,
-    at_friction_angle,
-    moment,
-    place_of,
-    tangential,
-)
+from graphic_tmm.board.statics import action, at_friction_angle, place_of, tangential
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.plans.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.loads import Couple, Force
-
-Pair = tuple[int, int]
-
-
-class Reaction(NamedTuple):
-    """The force of one link on another: its letter R_{12}, its vector, its length and its size (N).
-
-    ``normal``: of a sliding pair, the part square to its guide (Length, signed); ``place``: how far from the
-    closing point the reaction acts along the guide (Length), None where it acts there.
-    """
-
-    letter: str
-    links: Pair
-    tail: Mark
-    head: Mark
-    length: Mark
-    value: Mark
-    normal: Mark | None = None
-    place: Mark | None = None
-
-
-class Polygon(NamedTuple):
-    """A polygon of forces as drawn: its view, its scale, its sides (letter, tail, head) in order."""
-
-    view: str
-    mu: Mark
-    sides: tuple[tuple[str, Mark, Mark], ...]
-
-
-class Moments:
-    """Moments of forces about points, each arm measured once."""
-
-    def __init__(self, draft: Draft) -> None:
-        self.draft = draft
-        self._known: dict[tuple[Mark, Mark], Mark] = {}
-
-    def sum(
-        self, about: Mark, forces: Iterable[Force], couples: Iterable[Couple], letter: str
-    ) -> Mark | None:
-        """Return the sum of moments about a point, N·m; None where nothing turns about it."""
-        found = [self._of(about, force) for force in forces if force.point != about]
-        found += [couple.value for couple in couples]
-        total: Mark | None = None
-        for one in found:
-            total = one if total is None else self._added(total, one, letter)
-        return total
-
-    def _added(self, first: Mark, second: Mark, letter: str) -> Mark:
-        board = self.draft.board
-        return board.draw(added, board.free(letter), first, second, unit="N·m")
-
-    def _of(self, about: Mark, force: Force) -> Mark:
-        known = self._known.get((about, force.line))
-        if known is None:
-            board, mu_l = self.draft.board, self.draft.mu_l
-            assert mu_l is not None
-            name = force.letter.replace("{", "").replace("}", "").replace("_", "")
-            height = board.draw(arm, board.free(f"h_{{{name}}}"), about, force.line)
-            letter = board.free(f"M_{{{about.letter}}}({force.letter})")
-            known = board.draw(moment, letter, force.value, height, mu_l, unit="N·m")
-            self._known[about, force.line] = known
-        return known
-
-
-@dataclass
-class Acting:
-    """What acts on the links while groups are solved one after another: loads, then reactions handed on."""
-
-    forces: dict[int, list[Force]] = field(default_factory=dict)
-    couples: dict[int, list[Couple]] = field(default_factory=dict)
-
-    def add(self, load: Force | Couple) -> None:
-        """Enter a load."""
-        if isinstance(load, Force):
-            self.forces.setdefault(load.link, []).append(load)
-        else:
-            self.couples.setdefault(load.link, []).append(load)
+from graphic_tmm.plans.moments import Acting, Moments
+from graphic_tmm.plans.polygons import Chain, Pair, Polygon, Reaction
 
 
 class Slope(NamedTuple):
@@ -137,40 +45,6 @@ class Solved(NamedTuple):
     reactions: tuple[Reaction, Reaction, Reaction]
     polygon: Polygon
     turning: dict[int, Mark | None]
-
-
-class _Chain:
-    """The known sides of a polygon, laid off one after another."""
-
-    def __init__(self, draft: Draft, mu: Mark, start: Mark) -> None:
-        self.draft, self.mu, self.end = draft, mu, start
-        self.sides: list[tuple[str, Mark, Mark]] = []
-
-    def add(self, letter: str, line: Mark, value: Mark) -> None:
-        """Lay off a load parallel to its line of action."""
-        board = self.draft.board
-        side = board.draw(parallel, board.free(f"({letter})"), self.end, line, sense=1)
-        self._lay(letter, side, value)
-
-    def add_across(self, letter: str, line: Mark, value: Mark) -> None:
-        """Lay off a tangential component: square to its link."""
-        side = self.draft.board.draw(square, f"({letter})", self.end, line, sense=1)
-        self._lay(letter, side, value)
-
-    def _lay(self, letter: str, side: Mark, value: Mark) -> None:
-        board = self.draft.board
-        length = board.draw(to_board, board.free(f"y_{{{_bare(letter)}}}"), value, self.mu)
-        head = self.draft.board.draw(lay_off, str(self.count + 1), side, length)
-        self.sides.append((letter, self.end, head))
-        self.end = head
-
-    @property
-    def count(self) -> int:
-        return len(self.sides) + 1
-
-
-def _bare(letter: str) -> str:
-    return letter.replace("_", "").replace("{", "").replace("}", "")
 
 
 def solve_group(
@@ -200,7 +74,7 @@ def solve_group(
     mu = board.take(Number, "μ_F", "N/mm")
     start = draft.take(Point, "1", 0j)
     board.lay_out(start, mu)
-    chain = _Chain(draft, mu, start)
+    chain = Chain(draft, mu, start)
     if first.link in tangents and isinstance(first, PinLeg):
         chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
     loads = chain.end
@@ -275,14 +149,14 @@ def _unknown(
 
 
 def _pair(leg: GuideLeg) -> Pair:
-    """Return whose reaction a guide's line shows: link and body; of the inner guide the rocker and the stone."""
+    """Return whose reaction a guide's line shows: link and body; of the inner guide rocker and stone."""
     return (leg.on, leg.link) if leg.inner else (leg.link, leg.body)
 
 
 def _read(
     draft: Draft,
     closing: Closing,
-    chain: _Chain,
+    chain: Chain,
     at: _Corners,
     turning: dict[int, Mark | None],
     tangents: dict[int, Mark],

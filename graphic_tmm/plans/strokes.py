@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.energetics import between, polytropic
+from graphic_tmm.board.energetics import between, polytropic, polytropic_at_shaft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
@@ -21,11 +21,19 @@ SLACK = 1e-9
 
 
 def by_stretches(
-    draft: Draft, sign: str, gas: Gas, row: tuple[int, int], travel: Mark, stroke: Mark
+    draft: Draft,
+    sign: str,
+    gas: Gas,
+    row: tuple[int, int],
+    travel: Mark,
+    stroke: Mark,
+    *,
+    at_shaft: bool = False,
 ) -> Mark:
     """Calculate the pressure of every position of the row by the stretch that it stands on.
 
-    ``row``: how many positions make it, and how many stand behind it; these have no pressure.
+    ``row``: how many positions make it, and how many stand behind it; these have no pressure. ``at_shaft``:
+    the volume is that on the side of the shaft, which is least at the far end of the stroke.
 
     Raises
     ------
@@ -48,7 +56,8 @@ def by_stretches(
         clearance = draft.take(Number, f"c_{sign}", gas.clearance)
         exponent = take(f"n_{sign}", "exponent")
         uses = (first, clearance, start, travel, stroke, exponent)
-        return draft.board.draw(polytropic, f"p_{sign}", *uses, unit="Pa")
+        formula = polytropic_at_shaft if at_shaft else polytropic
+        return draft.board.draw(formula, f"p_{sign}", *uses, unit="Pa")
     last, end = take(f"p_{sign}1", "last", "Pa"), take(f"x_{sign}1", "end")
     uses = (first, last, start, end, travel, stroke)
     return draft.board.draw(between, f"p_{sign}", *uses, unit="Pa")

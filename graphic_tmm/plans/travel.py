@@ -6,6 +6,8 @@ step, by the travel as measured.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from graphic_tmm.board.energetics import between
@@ -95,7 +97,7 @@ def _parts(
 def _part(points: tuple[tuple[float, float], ...], share: float) -> _Part:
     """Return the part that a share of the stroke stands on; nothing acts outside of them."""
     ordered = sorted(points)
-    for (a, p), (b, q) in zip(ordered, ordered[1:], strict=False):
+    for (a, p), (b, q) in pairwise(ordered):
         if a - SLACK <= share <= b + SLACK:
             return (a, b, p, q)
     return _NOTHING

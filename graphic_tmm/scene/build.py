@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
-from graphic_tmm.scene import build_orders, geometry
+from graphic_tmm.scene import build_forces, build_orders, geometry
 from graphic_tmm.scene import models as m
+from graphic_tmm.scene.force_tables import EffectsTable
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
@@ -29,19 +32,20 @@ def scene(parts: Parts, source: str) -> Scene:
     assert block is not None
     links = [link for link in parts.links if link is not None]
     sheets = [sheet for sheet in parts.sheets if sheet is not None] or [m.SheetTable()]
+    mechanism = _mechanism(frame, links, drive) if frame and drive else None
     return Scene(
         source=source,
         title=head.title,
         language=head.language,
-        mechanism=_mechanism(frame, links, drive) if frame and drive else None,
+        mechanism=mechanism,
         row=_row(drive) if drive else Row(),
         turned=plans.velocities == "turned",
         common_pole=plans.velocity_pole == "common",
         main=plans.main,
         diagrams=build_orders.diagrams(parts.diagrams) if parts.diagrams else None,
-        flywheel=build_orders.flywheel(parts.flywheel, parts.indicator)
-        if parts.flywheel and parts.indicator
-        else None,
+        flywheel=build_orders.flywheel(parts.flywheel, parts.indicator) if parts.flywheel else None,
+        forces=_forces(parts, mechanism) if mechanism is not None else None,
+        engine=_engine(parts),
         trajectories=plans.trajectories,
         scales=_scales(scales),
         ruler=hand.ruler,
@@ -49,6 +53,21 @@ def scene(parts: Parts, source: str) -> Scene:
         title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
     )
+
+
+def _forces(parts: Parts, mechanism: Mechanism) -> ForcesOrder | None:
+    if parts.forces is None:
+        return None
+    gas = build_orders.indicator(parts.indicator) if parts.indicator else None
+    loads = [load for load in parts.loads if load is not None]
+    effects = parts.effects or EffectsTable()
+    return build_forces.forces(parts.forces, effects, loads, parts.friction, gas, mechanism)
+
+
+def _engine(parts: Parts) -> EngineOrder | None:
+    if parts.engine is None or parts.indicator is None:
+        return None
+    return build_forces.engine(parts.engine, build_orders.indicator(parts.indicator))
 
 
 def _mechanism(frame: m.FrameTable, links: list[m.LinkTable], drive: m.DriveTable) -> Mechanism:

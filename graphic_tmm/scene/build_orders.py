@@ -42,20 +42,19 @@ def diagrams(table: DiagramsTable) -> KinematicOrder:
     )
 
 
-def flywheel(table: FlywheelTable, indicator: IndicatorTable) -> FlywheelOrder:
-    """Return what the sections of flywheel and indicator diagram ask for."""
-    cover = _gas(indicator, "cover")
+def indicator(table: IndicatorTable) -> IndicatorOrder:
+    """Return what the section of the indicator diagram asks for."""
+    cover = _gas(table, "cover")
     assert cover is not None
-    order = IndicatorOrder(
-        indicator.point,
-        cover,
-        _gas(indicator, "shaft"),
-        indicator.base,
-        indicator.height,
-        indicator.mu_p,
+    return IndicatorOrder(
+        table.point, cover, _gas(table, "shaft"), table.base, table.height, table.mu_p
     )
+
+
+def flywheel(table: FlywheelTable, gas: IndicatorTable | None) -> FlywheelOrder:
+    """Return what the sections of flywheel and indicator diagram ask for."""
     return FlywheelOrder(
-        order,
+        indicator(gas) if gas is not None else None,
         table.delta,
         table.constant,
         table.H,

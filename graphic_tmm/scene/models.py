@@ -8,6 +8,13 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from pydantic.fields import FieldInfo
 
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.force_tables import (
+    EffectsTable,
+    EngineTable,
+    ForcesTable,
+    FrictionTable,
+    LoadTable,
+)
 from graphic_tmm.scene.order_tables import (
     DiagramsTable,
     FlywheelTable,
@@ -216,6 +223,11 @@ class SceneFile(Head):
     diagrams: DiagramsTable | None = key("kinematic diagrams of a point", None, None)
     indicator: IndicatorTable | None = key("the indicator diagram of a cylinder", None, None)
     flywheel: FlywheelTable | None = key("the flywheel of a machine", None, None)
+    effects: EffectsTable = Field(default_factory=EffectsTable)
+    load: list[LoadTable] = Field(default_factory=list, description="forces and moments on links")
+    forces: ForcesTable | None = key("kinetostatics and the lever", None, None)
+    friction: FrictionTable | None = key("friction of the pairs", None, None)
+    engine: EngineTable | None = key("the forces of an engine's crank mechanism", None, None)
     scales: ScalesTable = Field(default_factory=ScalesTable)
     hand: HandTable = Field(default_factory=HandTable)
     sheet: list[SheetTable] = Field(default_factory=list, description="the sheets")
@@ -237,6 +249,11 @@ _TABLES: dict[str, type[BaseModel]] = {
     "cover_strokes": StrokeTable,
     "shaft_strokes": StrokeTable,
     "flywheel": FlywheelTable,
+    "effects": EffectsTable,
+    "load": LoadTable,
+    "forces": ForcesTable,
+    "friction": FrictionTable,
+    "engine": EngineTable,
     "scales": ScalesTable,
     "hand": HandTable,
     "sheet": SheetTable,

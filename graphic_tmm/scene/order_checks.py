@@ -25,8 +25,8 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
         yield from _pressures(parts, parts.indicator)
     if parts.flywheel is not None:
         yield from _row(parts, "flywheel")
-        if "indicator" not in doc:
-            says = "nothing drives the machine; write a section [indicator] with the pressures"
+        if "indicator" not in doc and "forces" not in doc:
+            says = "nothing drives or resists; write a section [indicator], or loads and [forces]"
             yield Found(("flywheel",), says)
     yield from _placed(doc)
 

@@ -28,11 +28,12 @@ def _traced(value: object) -> tuple[tuple[float, float], ...]:
             raise ValueError(
                 f'{kind_of(item)} in the list; a point is a share of the stroke and a pressure, [0.4, "2 bar"]'
             )
-        found.append((_within(item[0]), quantities.parse(item[1], "pressure")))
+        found.append((within(item[0]), quantities.parse(item[1], "pressure")))
     return tuple(found)
 
 
-def _within(value: object) -> float:
+def within(value: object) -> float:
+    """Return a share of the stroke, 0 … 1; ValueError if it is none."""
     number = quantities.parse(value, "ratio") if isinstance(value, str) else value
     if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 <= number <= 1:
         raise ValueError(f"{kind_of(value)} stands here; a share of the stroke is between 0 and 1")
@@ -76,7 +77,7 @@ Traced = Annotated[
         {"type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2}, "minItems": 2},
     ),
 ]
-Within = Annotated[float, Rule(lambda value, names: _within(value), {"type": ["number", "string"]})]
+Within = Annotated[float, Rule(lambda value, names: within(value), {"type": ["number", "string"]})]
 Exponent = Annotated[float, Rule(lambda value, names: _exponent(value), {"type": "number"})]
 Way = Annotated[str, choice("out", "back", туда="out", обратно="back")]
 Irregularity = Annotated[float, Rule(lambda value, names: _share(value, 2.0), SCALE)]

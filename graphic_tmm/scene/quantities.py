@@ -35,6 +35,7 @@ Dimension = Literal[
     "scale of pressures",
     "scale of moments",
     "scale of works",
+    "scale of forces",
     "density",
     "ratio",
 ]
@@ -105,6 +106,9 @@ _TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
     ("scale of pressures", "1e6", "MPa/mm МПа/мм"),
     ("scale of moments", "1", "N·m/mm Н·м/мм"),
     ("scale of works", "1", "J/mm Дж/мм"),
+    ("scale of forces", "1", "N/mm Н/мм"),
+    ("scale of forces", "1000", "kN/mm кН/мм"),
+    ("scale of forces", _KGF, "kgf/mm кгс/мм"),
     ("density", "1", "kg/m³ кг/м³"),
     ("ratio", "0.01", "%"),
     ("scale of accelerations", "1", "(m/s²)/mm (м/с²)/мм m/s²/mm м/с²/мм m/(s²·mm) м/(с²·мм)"),
@@ -130,6 +134,7 @@ _EXAMPLES: dict[Dimension, str] = {
     "scale of pressures": "1500 Pa/mm",
     "scale of moments": "8 N*m/mm",
     "scale of works": "16.7 J/mm",
+    "scale of forces": "40 N/mm",
     "density": "7800 kg/m^3",
     "ratio": "23 %",
 }
@@ -264,6 +269,8 @@ def _parse_text(text: str, dimension: Dimension) -> float:
         raise ValueError(_no_unit(number, dimension))
     if unit is None:
         raise ValueError(_unknown_unit(text, rest, dimension))
+    if dimension == "mass" and unit == UNITS["kgf"]:
+        unit = UNITS["kg"]  # a weight divided by the standard g that makes a kgf of a kg
     if unit.dimension != dimension:
         raise ValueError(_wrong_dimension(text, number, unit, dimension))
     return measured(number, unit, text)
@@ -314,8 +321,6 @@ def _no_unit(number: str, dimension: Dimension) -> str:
 
 def _wrong_dimension(text: str, number: str, unit: Unit, dimension: Dimension) -> str:
     said = f'"{_short(text)}" is {article(unit.dimension)}'
-    if (unit.dimension, dimension) == ("force", "mass") and unit.factor == Decimal(_KGF):
-        return f'{said}; a mass is wanted here: a weight of {number} kgf is a mass of "{number} kg"'
     example = f"{number} {_EXAMPLES[dimension].split()[1]}"
     return f'{said}; {article(dimension)} is wanted here, for example "{example}"'
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.scene import build, checks, order_checks, references
+from graphic_tmm.scene import build, checks, force_checks, order_checks, references
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.lines import locate
 from graphic_tmm.scene.records import Scene
@@ -47,6 +47,7 @@ def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scen
     found.extend(references.check(doc, missing))
     found.extend(checks.check(parts))
     found.extend(order_checks.check(doc, parts))
+    found.extend(force_checks.check(doc, parts))
     if found:
         lines = locate(text)
         faults = {fault(doc, lines, item) for item in found}

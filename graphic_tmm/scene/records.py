@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from graphic_tmm.mechanism.orders import FlywheelOrder, KinematicOrder
+from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
 
 
@@ -60,6 +61,8 @@ class Scene:
     common_pole: bool = False
     diagrams: KinematicOrder | None = None
     flywheel: FlywheelOrder | None = None
+    forces: ForcesOrder | None = None
+    engine: EngineOrder | None = None
     main: str | None = None
     trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)

@@ -146,14 +146,15 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         if not isinstance(number, int) or isinstance(number, bool):
             continue
         if number not in names.bodies:
-            yield from _no_link((*at, "on"), number, names)
+            yield from no_link((*at, "on"), number, names)
         elif number == link.get("number"):
             yield Found((*at, "on"), f"link {number} cannot slide on itself; write another number")
         else:
             yield from _along((*at, "along"), slide.get("along"), number, names)
 
 
-def _no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
+def no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
+    """Tell that there is no link of that number, if all numbers could be read."""
     if names.complete:
         listed = ", ".join(str(n) for n in sorted(names.bodies))
         shown = number if abs(number) < 10**40 else "of so large a number"
@@ -202,7 +203,7 @@ def _centre(path: Path, link: Document) -> Iterator[Found]:
 def _drive(drive: Document, names: Outline) -> Iterator[Found]:
     number = drive.get("link")
     if _is_whole(number) and number not in names.bodies:
-        yield from _no_link(("drive", "link"), number, names)
+        yield from no_link(("drive", "link"), number, names)
     elif number == names.frame and _is_whole(number):
         yield Found(
             ("drive", "link"), f"link {number} is the frame, which does not turn; name the crank"

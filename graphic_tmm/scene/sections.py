@@ -20,6 +20,13 @@ from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
+from graphic_tmm.scene.force_tables import (
+    EffectsTable,
+    EngineTable,
+    ForcesTable,
+    FrictionTable,
+    LoadTable,
+)
 from graphic_tmm.scene.lines import Path
 from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
 
@@ -47,6 +54,11 @@ class Parts:
     diagrams: DiagramsTable | None
     indicator: IndicatorTable | None
     flywheel: FlywheelTable | None
+    effects: EffectsTable | None
+    loads: list[LoadTable | None]
+    forces: ForcesTable | None
+    friction: FrictionTable | None
+    engine: EngineTable | None
     scales: m.ScalesTable | None
     hand: m.HandTable | None
     sheets: list[m.SheetTable | None]
@@ -91,6 +103,11 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
         diagrams=optional(DiagramsTable, "diagrams"),
         indicator=optional(IndicatorTable, "indicator"),
         flywheel=optional(FlywheelTable, "flywheel"),
+        effects=section(EffectsTable, "effects"),
+        loads=sections(LoadTable, "load"),
+        forces=optional(ForcesTable, "forces"),
+        friction=optional(FrictionTable, "friction"),
+        engine=optional(EngineTable, "engine"),
         scales=section(m.ScalesTable, "scales"),
         hand=section(m.HandTable, "hand"),
         sheets=sections(m.SheetTable, "sheet"),

@@ -287,7 +287,18 @@ USUAL_PLACES = (
     "positions", "velocities", "accelerations", "equations", "diagrams", "flywheel", "structure", "results",
 )  # fmt: skip
 """What stands on a sheet that does not say what does."""
-PLACES = (*USUAL_PLACES, "velocity table", "acceleration table", *FREE_PLACES)
+FORCE_PLACES = ("forces", "lever", "force table")
+"""What a sheet can show of forces."""
+ENGINE_PLACES = ("engine", "engine diagrams")
+"""What a sheet can show of an engine's forces."""
+PLACES = (
+    *USUAL_PLACES,
+    *FORCE_PLACES,
+    *ENGINE_PLACES,
+    "velocity table",
+    "acceleration table",
+    *FREE_PLACES,
+)
 _MM: Schema = {
     "anyOf": [{"type": "string"}, {"type": "number"}],
     "description": 'a length on the sheet, "60 mm"',

@@ -224,14 +224,21 @@ def test_the_rim_is_that_of_the_document() -> None:
     )  # the document rounds D_i to 0.38
 
 
-def test_a_constant_driving_moment_turns_the_surplus_about() -> None:
+def test_a_constant_driving_moment_tells_the_resistance_of_the_gas_and_the_same_surplus() -> None:
     resisting, driving = drawn(), drawn(constant="driving")
     _, surplus = by_hand(MOMENT, LINKS, "middles")
     mu = resisting.scales["energy"].value
     chart = next(c for c in fly(driving).charts if c.view == "energy")
     found = driving.reading[chart.ordinates[0]][0] * mu
-    np.testing.assert_allclose(found, -surplus, atol=1e-9)
-    assert inertia(driving) != pytest.approx(inertia(resisting), rel=1e-3)
+    np.testing.assert_allclose(found, surplus, atol=1e-9)
+    moments = [
+        next(c for c in fly(w).charts if c.view == "moment") for w in (resisting, driving)
+    ]
+    one, other = (
+        w.reading[c.ordinates[0]] for w, c in zip((resisting, driving), moments, strict=True)
+    )
+    np.testing.assert_allclose(other, -one, atol=1e-9)
+    assert inertia(driving) == pytest.approx(inertia(resisting), rel=1e-9)
 
 
 def test_another_pole_distance_changes_the_drawing_and_not_the_result() -> None:

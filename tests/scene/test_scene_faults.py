@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.errors import SceneError
-from graphic_tmm.scene import build, checks, references, sections
+from graphic_tmm.scene import build, checks, force_checks, order_checks, references, sections
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.read import read
 
@@ -177,7 +177,7 @@ CASES = [
     ('"A1"', '"A1"\nplace = []', "sheet 1, place", 32, "a list of plans is wanted"),
     ("[[sheet]]", "[sheet]", "sheet", 30, r"write \[\[sheet\]\] in double brackets"),
     ('name = "N"', 'nam = "N"', "title_block.nam", 33, 'did you mean "name"'),
-    ('name = "N"', 'name = "N"\n[effects]\ngravity = true', "effects", 34, "means nothing here"),
+    ('name = "N"', 'name = "N"\n[effect]\ngravity = true', "effect", 34, "means nothing here"),
     ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 1\nstroke = 1\nOB = 1',
      "task.K_v", 36, "number greater than 1"),
     ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 2\nstroke = -1\nOB = 1',
@@ -385,6 +385,7 @@ def test_any_wrong_value_gives_faults_in_words(name, data):
             return
     parts, found = sections.understand(doc)
     found += [*references.check(doc, lambda text: ""), *checks.check(parts)]
+    found += [*order_checks.check(doc, parts), *force_checks.check(doc, parts)]
     told = [fault(doc, {}, item) for item in found]
     assert all(item.key and item.message for item in told)
     assert not [item for item in told if re.search("Input|valid|pydantic", item.message)]

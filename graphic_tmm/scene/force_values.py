@@ -1,0 +1,135 @@
+"""The kinds of values of the sections of loads, effects, forces and friction."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Annotated
+
+from graphic_tmm.mechanism.loads import AGAINST
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene.order_values import within
+from graphic_tmm.scene.quantities import Dimension, kind_of
+from graphic_tmm.scene.values import SCALE, Names, Rule, choice, mu, whole
+
+_RESISTING = (
+    "against velocity",
+    "against rotation",
+    "against",
+    "против скорости",
+    "против вращения",
+)
+_ROW = {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}}
+_POINTS = {
+    "type": "array",
+    "items": {"type": "array", "minItems": 2, "maxItems": 2},
+    "minItems": 2,
+}
+
+
+def _switch(value: object, names: Names) -> bool:
+    if isinstance(value, bool):
+        return value
+    raise ValueError(f"{kind_of(value)} stands here; write true, or leave the effect out")
+
+
+def _direction(value: object, names: Names) -> float | str:
+    if value in _RESISTING:
+        return AGAINST
+    try:
+        return quantities.parse(value, "angle")
+    except ValueError:
+        raise ValueError(
+            f'{kind_of(value)} stands here; write "against velocity", "against rotation", or the angle '
+            'from the x axis, "-90 deg"'
+        ) from None
+
+
+def _size(value: object, names: Names) -> float:
+    """Return a force or a moment: which of the two its unit tells, and the section asks for."""
+    dimension: Dimension = "moment" if _is_moment(value) else "force"
+    return quantities.parse(value, dimension)
+
+
+def _is_moment(value: object) -> bool:
+    try:
+        quantities.parse(value, "force")
+    except ValueError:
+        return isinstance(value, str) and any(sign in value for sign in "*·⋅")
+    return False
+
+
+def _sizes(value: object, names: Names) -> tuple[float, ...]:
+    if not isinstance(value, list) or not value:
+        raise ValueError(
+            f'{kind_of(value)} stands here; write the size in each position, ["190 N", "0 N"]'
+        )
+    return tuple(_size(item, names) for item in value)
+
+
+def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, float], ...]:
+    example = '[[0, "0 N"], ["90 deg", "190 N"]]' if angle else '[[0, "0 N"], [1, "190 N"]]'
+    if not isinstance(value, list) or len(value) < 2:
+        raise ValueError(f"{kind_of(value)} stands here; write points of the table, {example}")
+    found = []
+    for item in value:
+        if not isinstance(item, list) or len(item) != 2:
+            raise ValueError(f"{kind_of(item)} in the list; a point is a list of two, {example}")
+        at = quantities.parse(item[0], "angle") if angle else within(item[0])
+        found.append((at, _size(item[1], names)))
+    if any(a >= b for (a, _), (b, _) in pairwise(found)):
+        raise ValueError(
+            "the points of the table do not follow one after the other; put them in order"
+        )
+    if angle and not (found[0][0] >= 0 and found[-1][0] <= 360):
+        raise ValueError("the angles go from 0 to 360°, from the zero position on")
+    return tuple(found)
+
+
+def _coefficient(value: object, names: Names) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= 2:
+        raise ValueError(f"{kind_of(value)} stands here; a coefficient of friction is 0 to 2, 0.1")
+    return float(value)
+
+
+def _limit(value: object, names: Names) -> float:
+    number = quantities.parse(value, "ratio") * 100 if isinstance(value, str) else value
+    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number <= 100:
+        raise ValueError(f'{kind_of(value)} stands here; write a share, "5 %"')
+    return float(number)
+
+
+def _links(value: object, names: Names) -> tuple[int, ...]:
+    whole_numbers = isinstance(value, list) and all(
+        isinstance(item, int) and not isinstance(item, bool) for item in value
+    )
+    if not isinstance(value, list) or not whole_numbers:
+        raise ValueError(f"{kind_of(value)} stands here; a list of links is wanted, [3]")
+    return tuple(value)
+
+
+Switch = Annotated[bool, Rule(_switch, {"type": "boolean"})]
+Force = Annotated[float, Rule(lambda value, names: quantities.parse(value, "force"), SCALE)]
+Moment = Annotated[
+    float,
+    Rule(lambda value, names: quantities.parse(value, "moment"), {"type": ["number", "string"]}),
+]
+Direction = Annotated[float | str, Rule(_direction, {"type": ["number", "string"]})]
+Sizes = Annotated[tuple[float, ...], Rule(_sizes, _ROW)]
+ByAngle = Annotated[
+    tuple[tuple[float, float], ...],
+    Rule(lambda value, names: _pairs(value, names, angle=True), _POINTS),
+]
+ByTravel = Annotated[
+    tuple[tuple[float, float], ...],
+    Rule(lambda value, names: _pairs(value, names, angle=False), _POINTS),
+]
+Coefficient = Annotated[float, Rule(_coefficient, {"type": "number", "minimum": 0})]
+Limit = Annotated[float, Rule(_limit, {"type": ["number", "string"]})]
+Links = Annotated[tuple[int, ...], Rule(_links, {"type": "array", "items": {"type": "integer"}})]
+Balance = Annotated[str, choice("force", "moment", сила="force", момент="moment")]
+Couples = Annotated[str, choice("moment", "pair", момент="moment", пара="pair")]
+Passes = Annotated[int, whole(2, 50)]
+MuForce = Annotated[float, mu("scale of forces")]
+Share = Annotated[float, Rule(lambda value, names: within(value), {"type": ["number", "string"]})]
+Series = Annotated[str, choice("plan", "series", план="plan", ряд="series")]
+ForceUnit = Annotated[str, choice("N", "kgf", Н="N", кгс="kgf")]

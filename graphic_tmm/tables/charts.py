@@ -1,0 +1,93 @@
+"""The columns of kinematic diagrams and of the flywheel, and the flywheel's results."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.plans.project import Project
+from graphic_tmm.tables.columns import Column, quiet, row_of, segment_name
+
+
+def chart_columns(
+    project: Project, reading: Reading, planned: Reading | None
+) -> tuple[Column, ...]:
+    """Return the columns of the diagrams: what they give, what the plans give, the difference in %.
+
+    The difference is told in % of the largest that the plan gives.
+    ``planned``: the numbers of the plan of accelerations, at its positions.
+    """
+    kinematic, count = project.kinematic, len(project.names)
+    if kinematic is None:
+        return ()
+    everywhere, made = range(count), []
+    for symbol, chart in kinematic.charts.items():
+        mm, mu = reading[chart.ordinates[0]], reading[chart.mu]
+        (mm,) = quiet([mm])
+        rows = row_of(mm, everywhere, count), row_of(mm * mu, everywhere, count)
+        made.append(Column("diagrams", symbol, symbol, chart.unit, *rows))
+        source, places = {"V": (reading, everywhere), "a": (planned, project.accelerated)}.get(
+            symbol, (None, ())
+        )
+        if source is None or symbol not in kinematic.planned:
+            continue
+        view = project.construction.view(kinematic.planned[symbol].view)
+        assert view is not None
+        assert view.scale is not None
+        (due,) = quiet([source[kinematic.planned[symbol]] * source[view.scale]])
+        plan = row_of(due, places, count)
+        made.append(
+            Column(
+                "diagrams", f"{symbol}_plan", f"{symbol}_plan", chart.unit, (None,) * count, plan
+            )
+        )
+        made.append(_difference(f"{symbol}_difference", rows[1], plan))
+    return tuple(made)
+
+
+def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
+    """Return the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
+    if project.flywheel is None:
+        return ()
+    count, made = len(project.names), []
+    for chart in project.flywheel.charts:
+        mu = reading[chart.mu]
+        for mark in chart.ordinates:
+            letter = mark.letter.replace("y_", "p_") if chart.symbol == "p" else mark.letter
+            if chart.view == "work":
+                continue  # ΔT is laid off, and read, once more among the energies
+            (mm,) = quiet([reading[mark]])
+            rows = row_of(mm, range(count), count), row_of(mm * mu, range(count), count)
+            made.append(Column("flywheel", segment_name(letter), letter, chart.unit, *rows))
+    return tuple(made)
+
+
+def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[float, str]]:
+    """Return the results of the flywheel by name: value and unit."""
+    found = project.flywheel
+    if found is None:
+        return {}
+    marks = {"cd": (found.segment, "mm"), "J_fly": (found.inertia, "kg·m²")}
+    if found.energy_mass is not None:
+        marks["J_fly_energy_mass"] = (found.energy_mass.inertia, "kg·m²")
+    if found.rim is not None:
+        rim = found.rim
+        named = ("D_max", "D_e", "D_i", "D_mean", "rim_mass", "rim_width")
+        sizes = (rim.limit, rim.outer, rim.inner, rim.mean, rim.mass, rim.width)
+        units = ("m", "m", "m", "m", "kg", "m")
+        marks |= {n: (mark, unit) for n, mark, unit in zip(named, sizes, units, strict=True)}
+    for side in found.indicator.sides if found.indicator is not None else ():
+        marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
+    values = {name: (float(reading[mark][0, 0]), unit) for name, (mark, unit) in marks.items()}
+    return {name: found for name, found in values.items() if math.isfinite(found[0])}
+
+
+def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:
+    """Return by how much figures differ from what is due, in % of the largest due."""
+    largest = max((abs(x) for x in due if x is not None), default=0.0)
+    row = tuple(
+        100.0 * (x - y) / largest if x is not None and y is not None and largest else None
+        for x, y in zip(found, due, strict=True)
+    )
+    return Column("diagrams", letter, letter, "%", (None,) * len(row), row)
