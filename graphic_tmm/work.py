@@ -22,8 +22,7 @@ from graphic_tmm.scaling import (
     engine_scales,
     force_scales,
 )
-from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.values import ENGINE_PLACES, FORCE_PLACES
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene
 
 ROOM = {"A1": 230.0, "A4": 140.0}
 """For a format: room for the plan of positions, mm."""
@@ -49,7 +48,7 @@ class Work:
         found = examine(log, self.given, plain, hand=self.hand)
         if self.project.forces is not None:
             found = tuple(_of_forces(found, self.project))
-        if self.project.accelerations is None:
+        if self.accelerated is None:
             return found
         marks = self.project.marks("accelerations")
         more = examine(log, self.given, marks, hand=self.hand, positions=self.project.accelerated)
@@ -120,7 +119,7 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
     still = [m for m in (*log.given, *(s.it for s in log.steps)) if m.view != "accelerations"]
     reading = execute(log, given, still, hand=hand)
     accelerated = None
-    if project.accelerations is not None:
+    if project.accelerations is not None and project.accelerated:
         steps = [step for step in log.steps if step.it.view == "accelerations"]
         whole = {mark for step in steps for mark in (step.it, *step.uses)}
         accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)

@@ -11,7 +11,16 @@ from pathlib import Path
 import pytest
 
 import graphic_tmm
-from graphic_tmm.board import calculations, curve, energetics, graphs, operations, supports
+from graphic_tmm.board import (
+    calculations,
+    curve,
+    energetics,
+    engines,
+    graphs,
+    operations,
+    statics,
+    supports,
+)
 from graphic_tmm.board.grammar import OPERATIONS
 
 ROOT = Path(__file__).parent.parent
@@ -66,7 +75,16 @@ def test_an_operation_speaks_both_languages(op) -> None:
 
 
 def test_every_operation_is_in_the_table() -> None:
-    rooms = (operations, calculations, curve, graphs, energetics, supports)
+    rooms = (
+        operations,
+        calculations,
+        curve,
+        graphs,
+        energetics,
+        engines,
+        statics,
+        supports,
+    )
     made = {
         v.name for room in rooms for v in vars(room).values() if type(v).__name__ == "Operation"
     }

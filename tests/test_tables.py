@@ -22,11 +22,13 @@ from graphic_tmm.tables.columns import Column, columns, segment_name
 from graphic_tmm.tables.writing import as_csv, as_json, rich_tables
 from graphic_tmm.work import Work
 
-GRAPHS = ("diagrams", "flywheel")
-"""Plans told in test_chart_tables.py and test_flywheel_tables.py."""
+GRAPHS = ("diagrams", "flywheel", "forces", "engine")
+"""Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
 OTHER_MU = {
     "mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base", "mu_p", "mu_M", "mu_A", "mu_T", "mu_J",
+    "mu_lever",
 }  # fmt: skip
+FORCE_UNITS = ("N", "kgf", "kgf·m")
 MU = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
 # reference A2: exact mm at positions 1..12
 X = [0, 42.53, 65.29, 60, 38.64, 17.47, 0, 17.47, 38.64, 60, 65.29, 42.53]
@@ -72,7 +74,8 @@ def test_the_document_has_its_shape(name: str) -> None:
     assert {"W", "formula"} <= set(made["results"])
     assert made["results"]["W"] == 1
     for plan, scale in made["scales"].items():
-        assert plan in MU.values() or plan in OTHER_MU
+        known = plan in MU.values() or plan in OTHER_MU
+        assert known or plan.startswith("mu_F_") or plan.endswith("_engine")
         assert set(scale) == {"value", "unit"}
         assert scale["value"] > 0
     count = len(made["positions"])
@@ -82,7 +85,19 @@ def test_the_document_has_its_shape(name: str) -> None:
         assert 0 <= place["angle_deg"] < 360
     for one in made["columns"]:
         assert list(one) == ["plan", "segment", "unit", "mm", "value"]
-        assert one["unit"] in {"m", "m/s", "m/s²", "1/s", "1/s²", "%", "Pa", "N·m", "J", "kg·m²"}
+        assert one["unit"] in {
+            "m",
+            "m/s",
+            "m/s²",
+            "1/s",
+            "1/s²",
+            "%",
+            "Pa",
+            "N·m",
+            "J",
+            "kg·m²",
+            *FORCE_UNITS,
+        }
         assert len(one["mm"]) == len(one["value"]) == count
     named = [(one["plan"], one["segment"]) for one in made["columns"]]
     assert len(named) == len(set(named))

@@ -95,13 +95,13 @@ def _sense(rate: Reals, fastest: Reals) -> Reals:
 
 @operation(formula=True)
 def with_motion(size: Number, segment: Length, of_pin: Length) -> Number:
-    """{size}·sgn {segment}"""
+    """{size}·sgn({segment}/{of_pin})"""
     return Number(size * _sense(segment, of_pin) + 0.0 * segment)
 
 
 @operation(formula=True)
 def against_turning(size: Number, omega: Number, of_crank: Number) -> Number:
-    """−{size}·sgn {omega}"""
+    """−{size}·sgn({omega}/|{of_crank}|)"""
     return Number(-size * _sense(omega, of_crank) + 0.0 * omega)
 
 
@@ -210,7 +210,7 @@ def difference_of(first: Number, second: Number) -> Number:
 
 @operation(formula=True)
 def pin_friction(rho: Number, reaction: Number, omega: Number, of_crank: Number) -> Number:
-    """−{rho}·{reaction}·sgn {omega}"""
+    """−{rho}·{reaction}·sgn({omega}/|{of_crank}|)"""
     return Number(-rho * np.abs(reaction) * _sense(omega, of_crank))
 
 
@@ -233,7 +233,7 @@ def settled(last: Number, open_: Number) -> Number:
 
 @operation(formula=True, fails=("no power passes through the crank", "мощность не передаётся"))
 def efficiency(without: Number, with_: Number, speed: Number) -> Number:
-    """100·{without}/{with_}"""
+    """100·({without}/{with_})^sgn({without}·{speed})"""
     driven = without * speed > 0.0
     above = np.where(driven, without, with_)
     below = np.where(driven, with_, without)

@@ -9,9 +9,9 @@ from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.force_tables import LoadTable
 from graphic_tmm.scene.lines import Path
 from graphic_tmm.scene.order_checks import LEAST
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES
 from graphic_tmm.scene.references import Outline, no_link, outline
 from graphic_tmm.scene.sections import Document, Parts, pairing, table
-from graphic_tmm.scene.values import ENGINE_PLACES, FORCE_PLACES
 
 TOLD = ("force", "moment", "by_position", "by_angle", "of")
 

@@ -9,6 +9,11 @@ from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
 
+FORCE_PLACES = ("forces", "lever", "force table")
+"""What a sheet can show of forces."""
+ENGINE_PLACES = ("engine", "engine diagrams")
+"""What a sheet can show of an engine's forces."""
+
 
 @dataclass(frozen=True)
 class Scales:

@@ -11,6 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from graphic_tmm.scene import lengths, letters, quantities
 from graphic_tmm.scene.quantities import Dimension, kind_of
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES
 
 Names = Mapping[str, float]
 Schema = dict[str, Any]
@@ -287,10 +288,6 @@ USUAL_PLACES = (
     "positions", "velocities", "accelerations", "equations", "diagrams", "flywheel", "structure", "results",
 )  # fmt: skip
 """What stands on a sheet that does not say what does."""
-FORCE_PLACES = ("forces", "lever", "force table")
-"""What a sheet can show of forces."""
-ENGINE_PLACES = ("engine", "engine diagrams")
-"""What a sheet can show of an engine's forces."""
 PLACES = (
     *USUAL_PLACES,
     *FORCE_PLACES,

@@ -19,6 +19,9 @@ PI = mp.pi
 REFERENCES: dict[str, Callable[..., Any]] = {
     "ring_area": lambda a, b: PI * (a**2 - b**2) / 4,
     "polytropic": lambda p, c, a, t, s, n: p * ((c + a) / (c + t / s)) ** n,
+    "polytropic_at_shaft": lambda p, c, a, t, s, n: p * ((c + 1 - a) / (c + 1 - t / s)) ** n,
+    "moment_of_drive": lambda m, r, a: m * r / a,
+    "moment_of_resistance": lambda m, r, a: -m * r / a,
     "between": lambda p, q, a, b, t, s: p + (q - p) * (t / s - a) / (b - a),
     "gas_force": lambda p, f: p * f,
     "net_force": lambda a, b: a - b,
@@ -39,6 +42,14 @@ REFERENCES: dict[str, Callable[..., Any]] = {
 }
 RANGES = {
     "polytropic": ((1.0, 100.0), (0.01, 0.2), (0.0, 1.0), (1.0, 100.0), (100.0, 200.0), (0.0, 1.6)),
+    "polytropic_at_shaft": (
+        (1.0, 100.0),
+        (0.01, 0.2),
+        (0.0, 0.9),
+        (1.0, 90.0),
+        (100.0, 200.0),
+        (0.0, 1.6),
+    ),
     "between": ((1.0, 9.0), (20.0, 40.0), (0.0, 0.2), (0.5, 1.0), (60.0, 90.0), (100.0, 120.0)),
     "ring_area": ((50.0, 100.0), (1.0, 40.0)),
     "rim_width": ((0.01, 100.0), (0.01, 100.0), (50.0, 100.0), (1.0, 40.0)),

@@ -231,9 +231,7 @@ def test_a_constant_driving_moment_tells_the_resistance_of_the_gas_and_the_same_
     chart = next(c for c in fly(driving).charts if c.view == "energy")
     found = driving.reading[chart.ordinates[0]][0] * mu
     np.testing.assert_allclose(found, surplus, atol=1e-9)
-    moments = [
-        next(c for c in fly(w).charts if c.view == "moment") for w in (resisting, driving)
-    ]
+    moments = [next(c for c in fly(w).charts if c.view == "moment") for w in (resisting, driving)]
     one, other = (
         w.reading[c.ordinates[0]] for w, c in zip((resisting, driving), moments, strict=True)
     )
