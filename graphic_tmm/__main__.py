@@ -17,7 +17,16 @@ if TYPE_CHECKING:
     from graphic_tmm.work import Work
 
 F = TypeVar("F", bound=Callable[..., Any])
-PLANS = ("extremes", "positions", "velocities", "accelerations", "diagrams", "flywheel")
+PLANS = (
+    "extremes",
+    "positions",
+    "velocities",
+    "accelerations",
+    "forces",
+    "engine",
+    "diagrams",
+    "flywheel",
+)
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -153,7 +162,8 @@ def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.studio import fitted, protocol
+    from graphic_tmm.narration import protocol
+    from graphic_tmm.studio import fitted
 
     drawn = fitted(_read(scene), exact=exact)
     chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)

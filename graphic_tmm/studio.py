@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.board.execute import execute
-from graphic_tmm.captions import CAPTIONS
-from graphic_tmm.errors import Fault, SceneError, SheetError
-from graphic_tmm.mechanism.synthesis import Found, rocker
-from graphic_tmm.plans.charts import Chart
+from graphic_tmm.errors import SheetError
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
 from graphic_tmm.tables.columns import Column, columns
@@ -19,7 +15,6 @@ from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.writing import as_csv, as_json, rich_tables
 from graphic_tmm.words import finding
-from graphic_tmm.words import protocol as narrate
 from graphic_tmm.work import Work, executed, ranges, record
 
 if TYPE_CHECKING:
@@ -196,88 +191,3 @@ def _scale_key(plan: str) -> str:
     if plan.startswith("forces "):
         return "mu_F_" + plan.removeprefix("forces ").replace("-", "_").replace(" ", "_pass_")
     return SCALE_KEYS[plan]
-
-
-def protocol(
-    work: Work, plans: Sequence[str], position: str | None, language: str
-) -> Iterator[str]:
-    """Yield the lines of the protocol of plans in one position.
-
-    Raises
-    ------
-    SceneError
-        If there is no such position, or it has no plan of accelerations.
-    """
-    project = work.project
-    place = _position(work, position, needs="accelerations" if len(plans) == 1 else "")
-    for plan in plans:
-        for view in _views_of(work, plan):
-            yield from _plan_lines(work, view, place, language)
-        if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
-            raise _refused(work, plan, project.names[place])
-
-
-def _views_of(work: Work, plan: str) -> list[str]:
-    """Return the views of the board that a plan is drawn in, in the order of the log."""
-    if plan not in ("diagrams", "flywheel"):
-        return [plan]
-    kinematic, flywheel = work.project.kinematic, work.project.flywheel
-    found: tuple[Chart, ...] = ()
-    if plan == "diagrams" and kinematic is not None:
-        found = tuple(kinematic.charts.values())
-    if plan == "flywheel" and flywheel is not None:
-        found = flywheel.charts
-    charts = {chart.view for chart in found}
-    return [view.name for view in work.project.construction.views if view.name in charts]
-
-
-def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[str]:
-    project, log, reading, index = work.project, work.project.construction, work.reading, place
-    if plan == "synthesis":
-        found = synthesis(work.scene)
-        if found is None:
-            return
-        log, reading, index = found.construction, execute(found.construction, found.given), 0
-    if plan == "accelerations":
-        if work.accelerated is None or place not in project.accelerated:
-            return
-        reading, index = work.accelerated, project.accelerated.index(place)
-    turned = work.scene.turned and plan == "velocities"
-    lines = list(narrate(log, plan, reading, index, language, turned=turned))
-    if not lines:
-        return
-    words = CAPTIONS[language]
-    at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
-    kinematic = work.project.kinematic
-    point = kinematic.order.point if kinematic is not None else ""
-    yield f"{words[plan].format(point=point)}{at}"
-    for line in lines:
-        yield f"{line.number:4}. {line.text}" if line.number else f"      [{line.text}]"
-        if line.calculation:
-            yield f"      {line.calculation}"
-    yield ""
-
-
-def _position(work: Work, name: str | None, needs: str) -> int:
-    project = work.project
-    if name is None:
-        return next(iter(project.accelerated), min(1, len(project.names) - 1))
-    if name not in project.names:
-        raise SceneError(
-            work.scene.source,
-            (Fault("--position", 0, f"there is no {name}; there are {', '.join(project.names)}"),),
-        )
-    return project.names.index(name)
-
-
-def _refused(work: Work, plan: str, name: str) -> SceneError:
-    drawn = ", ".join(work.project.names[k] for k in work.project.accelerated) or "none"
-    text = (
-        f"position {name} has no plan of accelerations (those that have one: {drawn}); add it there"
-    )
-    return SceneError(work.scene.source, (Fault("drive.accelerations", 0, text),))
-
-
-def synthesis(scene: Scene) -> Found | None:
-    """Return the recorded synthesis of a scene that states a task."""
-    return rocker(**scene.task.given) if scene.task is not None else None

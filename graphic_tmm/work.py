@@ -116,7 +116,8 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
     given |= chart_scales(project, given)
     hand = EXACT if exact else Hand(scene.ruler)
     log = project.construction
-    still = [m for m in (*log.given, *(s.it for s in log.steps)) if m.view != "accelerations"]
+    still = {m for m in log.given if m.view != "accelerations"}
+    still |= {m for s in log.steps if s.it.view != "accelerations" for m in (s.it, *s.uses)}
     reading = execute(log, given, still, hand=hand)
     accelerated = None
     if project.accelerations is not None and project.accelerated:

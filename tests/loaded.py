@@ -74,9 +74,9 @@ def solve(
     order: ForcesOrder,
     *,
     turned: bool = False,
-    start: bool = True,
+    judged: bool = True,
 ) -> Solved:
-    """Draw and execute the forces of a mechanism at a crank angle (degrees); ask the judge."""
+    """Draw and execute the forces of a mechanism at a crank angle (degrees); ask the judge if ``judged``."""
     mechanism = loaded.mechanism
     structure, draft = dissect(mechanism), Draft()
     frame = draw_frame(draft, mechanism, structure)
@@ -112,6 +112,9 @@ def solve(
     given[angle] = phi
     reading = execute(log, given)
     state = solve_fast(mechanism, phi, poses)
+    if not judged:
+        nothing = Statics({}, {}, {}, {}, math.nan, 0.0, 0.0, 0.0)
+        return Solved(log, structure, positions, forces, reading, nothing, state)
     judge = dynamics.statics(
         mechanism,
         state,

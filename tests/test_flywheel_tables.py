@@ -11,8 +11,9 @@ import pytest
 from gallery import SHEETS
 
 from graphic_tmm.mechanism.orders import FlywheelOrder
+from graphic_tmm.narration import protocol
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted, protocol, table, warnings
+from graphic_tmm.studio import fitted, table, warnings
 from graphic_tmm.work import Work, work
 
 

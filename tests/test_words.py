@@ -16,8 +16,9 @@ from hypothesis import strategies as st
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.captions import CAPTIONS, LINK_NAMES
+from graphic_tmm.narration import synthesis
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted, synthesis
+from graphic_tmm.studio import fitted
 from graphic_tmm.words import finding, fixed, number, protocol, unit
 from graphic_tmm.work import Work
 

@@ -10,7 +10,7 @@ from graphic_tmm.paper.ink_graphs import Names, draw_graph
 from graphic_tmm.paper.ink_tables import SIZE, result_table
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.paper.views_flywheel import indicator_view
+from graphic_tmm.paper.views_flywheel import cylinder_view
 from graphic_tmm.plans.engine import VIEW, Engine
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.words import number, unit
@@ -19,12 +19,14 @@ from graphic_tmm.work import Work
 
 def engine_views(drawn: Work, lettered: bool) -> list[Drawing]:
     """Return the indicator diagram, the force triangles and the rotating vectors of an engine."""
-    made, project = drawn.project.engine, drawn.project
+    made = drawn.project.engine
     if made is None:
         return []
-    shown = project.flywheel is not None and project.flywheel.indicator is not None
-    first = [] if shown else [indicator_view(drawn, made.indicator, lettered)]
-    return [*first, *_triangles(drawn, made, lettered), _rotating(drawn, made, lettered)]
+    return [
+        *cylinder_view(drawn, lettered),
+        *_triangles(drawn, made, lettered),
+        _rotating(drawn, made, lettered),
+    ]
 
 
 def engine_diagram_views(drawn: Work, lettered: bool) -> list[Drawing]:

@@ -52,6 +52,15 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
     return [*views, result_table("flywheel", rows, project.names, language), _results(drawn)]
 
 
+def cylinder_view(drawn: Work, lettered: bool) -> list[Drawing]:
+    """Return the indicator diagram of a cylinder, if there is one that the flywheel does not show."""
+    cylinder, flywheel = drawn.project.cylinder, drawn.project.flywheel
+    shown = flywheel is not None and flywheel.indicator is not None
+    if cylinder is None or shown:
+        return []
+    return [indicator_view(drawn, cylinder.indicator, lettered)]
+
+
 def indicator_view(drawn: Work, indicator: Indicator, lettered: bool) -> Drawing:
     """Return the indicator diagram, captioned."""
     project, language = drawn.project, drawn.scene.language

@@ -13,6 +13,7 @@ from graphic_tmm.paper.ink_lever import draw_lever_ink
 from graphic_tmm.paper.ink_polygons import bar, draw_polygon
 from graphic_tmm.paper.ink_tables import result_table
 from graphic_tmm.paper.letters import escape
+from graphic_tmm.paper.views_flywheel import cylinder_view
 from graphic_tmm.plans.bodies import PinLeg
 from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.polygons import Polygon, Reaction
@@ -27,7 +28,8 @@ def force_views(drawn: Work, lettered: bool) -> list[Drawing]:
     made = drawn.project.forces
     if made is None:
         return []
-    views = []
+    gas = made.order.gas is not None and drawn.project.engine is None
+    views = cylinder_view(drawn, lettered) if gas else []
     for place in _places(drawn):
         for solved in made.groups:
             name = solved.closing.group.name

@@ -31,7 +31,6 @@ from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.cylinder import Cylinder, Machine
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.harmonics import Harmonics, draw_harmonics
-from graphic_tmm.plans.indicator import Indicator
 from graphic_tmm.plans.lumping import Lumped, lump
 from graphic_tmm.plans.motion import Motion
 
@@ -60,7 +59,6 @@ class Engine:
     """
 
     order: EngineOrder
-    indicator: Indicator
     lumped: Lumped
     harmonics: Harmonics
     acceleration: Mark
@@ -115,9 +113,8 @@ def draw_engine(
     values["P′"] = board.draw(added, "P′", values["P"], used, unit=order.unit)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
     charts, curves = _diagrams(draft, machine, values, order)
-    charts = (cylinder.indicator.chart, *charts)
     found = (acceleration, values, triangles, mu, charts, curves)
-    return Engine(order, cylinder.indicator, lumped, harmonics, *found)
+    return Engine(order, lumped, harmonics, *found)
 
 
 def _legs(machine: Machine, cylinder: Cylinder, order: EngineOrder) -> _Legs:

@@ -157,6 +157,7 @@ def _solve(
             moments,
             (f"group {name}", f"{VIEW} {name}{suffix}"),
             rubbing.slopes,
+            rough=order.friction is not None,
         )
         hand_on(draft, solved, acting, frame, figures.__getitem__)
         groups.append(solved)

@@ -99,7 +99,13 @@ class _Plan:
         height = board.draw(arm, board.free(f"h_{{{bare}}}"), self.pole, along)
         found = board.draw(on_lever, board.free(f"M({letter})"), value, height, unit="N·mm")
         self.forces.append(Carried(letter, point, along, value))
-        self.moments[letter] = found
+        self.note(letter, found)
+
+    def note(self, letter: str, moment: Mark) -> None:
+        """Keep a moment; loads of one letter (friction of two pairs at a pin) are told apart by primes."""
+        while letter in self.moments:
+            letter += "′"
+        self.moments[letter] = moment
 
     def carry_couple(self, couple: Couple, base: _Base, kind: str) -> None:
         """Convert a couple to the plan, or set a pair of forces at the ends of its link's segment."""
@@ -119,7 +125,7 @@ class _Plan:
                 unit="N·mm",
             )
             self.converted[couple.letter] = found
-            self.moments[couple.letter] = found
+            self.note(couple.letter, found)
             return
         force = board.draw(
             tangential, board.free(f"F_{{{bare}}}"), couple.value, base.length, draft.mu_l, unit="N"

@@ -17,7 +17,7 @@ from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.plans.accelerations import draw_accelerations
 from graphic_tmm.plans.assembly import Assembly, check_assembly
 from graphic_tmm.plans.charts import Chart
-from graphic_tmm.plans.cylinder import Machine, draw_cylinder
+from graphic_tmm.plans.cylinder import Cylinder, Machine, draw_cylinder
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.driving import Driver
 from graphic_tmm.plans.engine import Engine, draw_engine
@@ -64,11 +64,14 @@ class Project:
     forces: Forces | None = None
     forced: tuple[int, ...] = ()
     engine: Engine | None = None
+    cylinder: Cylinder | None = None
 
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The graphs on axes, in the order in which they stand one below the other."""
         found = tuple(self.kinematic.charts.values()) if self.kinematic is not None else ()
+        if self.cylinder is not None:
+            found = (*found, self.cylinder.indicator.chart)
         for made in (self.flywheel, self.engine):
             found = (*found, *(made.charts if made is not None else ()))
         return tuple({chart.view: chart for chart in found}.values())
@@ -138,7 +141,7 @@ def draw_project(
             _numbers(numbered.angles, row.count, mechanism.drive),
             row.count,
         )
-    statics, made, driving = None, None, None
+    statics, made, driving, cylinder = None, None, None, None
     if velocities is not None and machinery:
         numbers = _numbers(numbered.angles, row.count, mechanism.drive)
         arm = crank_arm(draft, positions, structure)
@@ -153,7 +156,7 @@ def draw_project(
             row.count,
         )
         orders = (forces, flywheel, engine)
-        statics, made, driving = _machine(draft, machine, accelerations, turned, *orders)
+        statics, made, driving, cylinder = _machine(draft, machine, accelerations, turned, *orders)
     given = dict(draft.given)
     for group in structure.groups:
         side = side_record(mechanism, group)
@@ -179,6 +182,7 @@ def draw_project(
         statics,
         _places(forces.positions, numbered.names, "forces") if forces is not None else (),
         driving,
+        cylinder,
     )
 
 
@@ -234,7 +238,7 @@ def _machine(
     forces: ForcesOrder | None,
     flywheel: FlywheelOrder | None,
     engine: EngineOrder | None,
-) -> tuple[Forces | None, Flywheel | None, Engine | None]:
+) -> tuple[Forces | None, Flywheel | None, Engine | None, Cylinder | None]:
     """Draw what belongs to a machine: its cylinder, its forces, its flywheel, its crank mechanism."""
     cylinder, statics, made, driving = None, None, None, None
     gas = flywheel.indicator if flywheel is not None else None
@@ -253,7 +257,7 @@ def _machine(
         assert accelerations is not None
         assert cylinder is not None
         driving = draw_engine(draft, machine, accelerations, cylinder, engine)
-    return statics, made, driving
+    return statics, made, driving, cylinder
 
 
 def _ground(draft: Draft, machine: Machine, accelerations: Motion | None, turned: bool) -> Ground:

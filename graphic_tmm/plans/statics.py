@@ -54,10 +54,13 @@ def solve_group(
     moments: Moments,
     views: tuple[str, str],
     slopes: dict[Pair, Slope],
+    *,
+    rough: bool,
 ) -> Solved:
     """Solve a group; ``views``: of its figure, where moments are taken, and of its polygon.
 
     ``slopes``: friction along guides by pair (link, body); of the inner guide by (link 3, link 2).
+    ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
     first, second = closing.legs
     inner = closing.group.inner.kind == "P"
@@ -93,7 +96,7 @@ def solve_group(
     ]
     top = board.draw(meet, str(chain.count + 1), lines[1], lines[0])
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
-    return _read(draft, closing, chain, corners, turning, tangents)
+    return _read(draft, closing, chain, corners, (turning, tangents), rough=rough)
 
 
 def _moments_of(
@@ -158,20 +161,25 @@ def _read(
     closing: Closing,
     chain: Chain,
     at: _Corners,
-    turning: dict[int, Mark | None],
-    tangents: dict[int, Mark],
+    sums: tuple[dict[int, Mark | None], dict[int, Mark]],
+    *,
+    rough: bool,
 ) -> Solved:
-    """Measure the reactions; close the polygon with the unknown sides."""
+    """Measure the reactions; close the polygon with the unknown sides.
+
+    ``sums``: the moments that the outer pairs have to balance, the tangential components found of them.
+    """
+    turning, tangents = sums
     first, second = closing.legs
     inner = closing.group.inner.kind == "P"
-    found = []
     vectors = ((at.top, at.loads), (at.loaded, at.top))
+    found = []
     for leg, vector in zip(closing.legs, vectors, strict=True):
-        guide = leg.line if isinstance(leg, GuideLeg) and not leg.inner else None
-        couple = turning[leg.link] if guide is not None else None
+        slides = isinstance(leg, GuideLeg) and not leg.inner
+        guide = leg.line if slides and rough else None
+        couple = turning[leg.link] if slides else None
         found.append(_reaction(draft, chain.mu, (leg.body, leg.link), vector, guide, couple))
-    guide = first.line if inner else None
-    couple = turning[first.link] if inner else None
+    guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
     between = _reaction(
         draft, chain.mu, (first.link, second.link), (at.top, at.middle), guide, couple
     )
@@ -192,18 +200,18 @@ def _reaction(
     guide: Mark | None,
     couple: Mark | None,
 ) -> Reaction:
-    """Measure a reaction; along a guide also its normal part, and where it acts if a couple is to be held."""
+    """Measure a reaction; ``guide``: to which its normal part is wanted; ``couple``: that it has to hold."""
     board, name = draft.board, f"{links[0]}{links[1]}"
     length = board.draw(measure, f"y_{{R{name}}}", *vector)
     value = board.draw(in_si, f"R_{{{name}}}", length, mu, unit="N")
-    if guide is None:
-        return Reaction(f"R_{{{name}}}", links, *vector, length, value)
-    across = board.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
-    normal = board.draw(measure_along, f"y_{{N{name}}}", *vector, across)
-    place = None
+    force, normal, place = value, None, None
+    if guide is not None:
+        across = board.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
+        normal = board.draw(measure_along, f"y_{{N{name}}}", *vector, across)
+        if couple is not None:
+            force = board.draw(in_si, f"N_{{{name}}}", normal, mu, unit="N")
     if couple is not None:
         assert draft.mu_l is not None
-        force = board.draw(in_si, f"N_{{{name}}}", normal, mu, unit="N")
         place = board.draw(place_of, f"h_{{{name}}}", couple, force, draft.mu_l)
     return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, place)
 

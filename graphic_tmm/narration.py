@@ -1,0 +1,129 @@
+"""The protocol of a scene's plans in one position: what a student does, sentence by sentence, with numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.words import plain
+from graphic_tmm.words import protocol as narrate
+from graphic_tmm.work import Work
+
+GATHERED = ("diagrams", "flywheel", "engine", "forces")
+"""Plans that are drawn in several views."""
+
+
+def protocol(
+    work: Work, plans: Sequence[str], position: str | None, language: str
+) -> Iterator[str]:
+    """Yield the lines of the protocol of plans in one position.
+
+    Raises
+    ------
+    SceneError
+        If there is no such position, or it has no plan of accelerations.
+    """
+    project = work.project
+    place = _position(work, position, needs="accelerations" if len(plans) == 1 else "")
+    for plan in plans:
+        for view in _views_of(work, plan):
+            yield from _plan_lines(work, view, place, language)
+        if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
+            raise _refused(work, plan, project.names[place])
+
+
+def _views_of(work: Work, plan: str) -> list[str]:
+    """Return the views of the board that a plan is drawn in, in the order of the log."""
+    project = work.project
+    found: set[str] = set()
+    if plan == "diagrams" and project.kinematic is not None:
+        found = {chart.view for chart in project.kinematic.charts.values()}
+    elif plan == "flywheel" and project.flywheel is not None:
+        found = {chart.view for chart in project.flywheel.charts}
+    elif plan == "engine" and project.engine is not None:
+        found = {"engine", "harmonics", *(chart.view for chart in project.engine.charts)}
+    elif plan == "forces" and project.forces is not None:
+        found = set(project.forces.views)
+    elif plan not in GATHERED:
+        return [plan]
+    views = dict.fromkeys(step.it.view for step in project.construction.steps)
+    return [view for view in views if view in found]
+
+
+def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[str]:
+    project, log, reading, index = work.project, work.project.construction, work.reading, place
+    if plan == "synthesis":
+        found = synthesis(work.scene)
+        if found is None:
+            return
+        log, reading, index = found.construction, execute(found.construction, found.given), 0
+    if plan == "accelerations":
+        if work.accelerated is None or place not in project.accelerated:
+            return
+        reading, index = work.accelerated, project.accelerated.index(place)
+    turned = work.scene.turned and plan == "velocities"
+    lines = list(narrate(log, plan, reading, index, language, turned=turned))
+    if not lines:
+        return
+    words = CAPTIONS[language]
+    at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
+    kinematic = work.project.kinematic
+    point = kinematic.order.point if kinematic is not None else ""
+    yield f"{_title(plan, language).format(point=point)}{at}"
+    yield from _polygon(work, plan)
+    for line in lines:
+        yield f"{line.number:4}. {line.text}" if line.number else f"      [{line.text}]"
+        if line.calculation:
+            yield f"      {line.calculation}"
+    yield ""
+
+
+def _position(work: Work, name: str | None, needs: str) -> int:
+    project = work.project
+    if name is None:
+        return next(iter(project.accelerated), min(1, len(project.names) - 1))
+    if name not in project.names:
+        raise SceneError(
+            work.scene.source,
+            (Fault("--position", 0, f"there is no {name}; there are {', '.join(project.names)}"),),
+        )
+    return project.names.index(name)
+
+
+def _refused(work: Work, plan: str, name: str) -> SceneError:
+    drawn = ", ".join(work.project.names[k] for k in work.project.accelerated) or "none"
+    text = (
+        f"position {name} has no plan of accelerations (those that have one: {drawn}); add it there"
+    )
+    return SceneError(work.scene.source, (Fault("drive.accelerations", 0, text),))
+
+
+def synthesis(scene: Scene) -> Found | None:
+    """Return the recorded synthesis of a scene that states a task."""
+    return rocker(**scene.task.given) if scene.task is not None else None
+
+
+def _title(view: str, language: str) -> str:
+    """Return what a view is called: plans by their name, figures and polygons of forces by their group."""
+    words = CAPTIONS[language]
+    kind, _, name = view.partition(" ")
+    keys = {
+        "group": ("group of forces", "link of forces"),
+        "forces": ("polygon of group", "polygon of link"),
+    }
+    if kind in keys and name:
+        return words[keys[kind][0 if "-" in name else 1]].format(name=name)
+    return words.get(f"diagram {view}", words.get(view, view))
+
+
+def _polygon(work: Work, view: str) -> Iterator[str]:
+    """Yield the vector equation of a polygon of forces."""
+    made = work.project.forces
+    for polygon in made.polygons if made is not None else ():
+        if polygon.view == view:
+            letters = [plain(letter) for letter, _, _ in polygon.sides]
+            yield f"      [{' + '.join(letters)} = 0]"
