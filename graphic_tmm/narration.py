@@ -47,7 +47,8 @@ def _views_of(work: Work, plan: str) -> list[str]:
     elif plan == "engine" and project.engine is not None:
         found = {"engine", "harmonics", *(chart.view for chart in project.engine.charts)}
     elif plan == "forces" and project.forces is not None:
-        found = set(project.forces.views)
+        owns = project.forces.owns
+        found = {s.it.view for s in project.construction.steps if owns(s.it.view)}
     elif plan not in GATHERED:
         return [plan]
     views = dict.fromkeys(step.it.view for step in project.construction.steps)

@@ -146,9 +146,8 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
 def _of_forces(found: tuple[Finding, ...], project: Project) -> Iterator[Finding]:
     """Yield findings; those of forces only at positions whose forces are asked for."""
     assert project.forces is not None
-    views = project.forces.views
     for one in found:
-        if one.step.it.view not in views:
+        if not project.forces.owns(one.step.it.view):
             yield one
             continue
         places = tuple(k for k in one.positions if k in project.forced)

@@ -125,7 +125,16 @@ def _group(made: Forces, solved: Solved) -> Detached:
         [c for k in links for c in made.acting.couples.get(k, [])],
         unknown,
         solved.polygon.mu,
+        _circles(
+            made, [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
+        ),
     )
+
+
+def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
+    """Return the friction circles of pins: their points and radii (m)."""
+    circles = made.circles or {}
+    return [(pin, circles[pin.letter]) for pin in pins if pin.letter in circles]
 
 
 def _driver(drawn: Work, made: Forces) -> Detached:
@@ -136,7 +145,8 @@ def _driver(drawn: Work, made: Forces) -> Detached:
     pivot = body.marks[drawn.project.structure.pivot]
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
-    return Detached((crank,), forces, couples, [found], driven.polygon.mu)
+    circles = _circles(made, [pivot, body.marks[drawn.project.structure.pin]])
+    return Detached((crank,), forces, couples, [found], driven.polygon.mu, circles)
 
 
 def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:

@@ -46,12 +46,11 @@ class Forces:
     efficiency: Mark | None = None
     circles: dict[str, Mark] | None = None
 
-    @property
-    def views(self) -> frozenset[str]:
-        """The views that the forces are drawn in."""
-        polygons = self.polygons
-        figures = {polygon.view.replace(VIEW, "group") for polygon in polygons}
-        return frozenset({"loads", "friction", "lever", *figures, *(p.view for p in polygons)})
+    @staticmethod
+    def owns(view: str) -> bool:
+        """Whether a view of the board is one that forces are drawn in, those of earlier passes too."""
+        kind, _, rest = view.partition(" ")
+        return view in ("loads", "friction", "lever") or (kind in (VIEW, "group") and bool(rest))
 
     @property
     def polygons(self) -> tuple[Polygon, ...]:
