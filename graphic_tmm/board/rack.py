@@ -1,0 +1,96 @@
+"""The basic rack that cuts a gear: its rounded tip, the limits it sets to a tooth, the fillet it leaves.
+
+The rack's tooth has the half thickness π·m/4 on its middle line; its straight flanks go down to the depth h, and
+the rounding ρ of its tip goes on from there. A contact on the rounding is told by the angle φ of its normal:
+from α, the end of the straight flank, to 90°, the bottom of the root.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.values import Angle, Length, Number, Reals
+
+
+def _sin(angle: Angle) -> Reals:
+    return np.asarray(np.sin(np.radians(angle)))
+
+
+def _cos(angle: Angle) -> Reals:
+    return np.asarray(np.cos(np.radians(angle)))
+
+
+def _tan(angle: Angle) -> Reals:
+    return np.asarray(np.tan(np.radians(angle)))
+
+
+@operation(formula=True)
+def rounding(m: Number, ha: Number, c: Number, alpha: Angle) -> Number:
+    """{m}·min({c}, (π/4 − ({ha} + {c})·tan {alpha})·cos {alpha})/(1 − sin {alpha})
+
+    The rounding of the rack's tooth begins where the teeth cut need no straight flank, or it is full.
+    """
+    full = (np.pi / 4.0 - (ha + c) * _tan(alpha)) * _cos(alpha)
+    return Number(m * np.minimum(c, full) / (1.0 - _sin(alpha)))
+
+
+@operation(formula=True)
+def straight_depth(ha: Number, c: Number, m: Number, rho: Number, alpha: Angle) -> Number:
+    """({ha} + {c})·{m} − {rho}·(1 − sin {alpha})"""
+    return Number((ha + c) * m - rho * (1.0 - _sin(alpha)))
+
+
+@operation(formula=True)
+def rounding_depth(ha: Number, c: Number, x: Number, m: Number, rho: Number) -> Number:
+    """({ha} + {c} − {x})·{m} − {rho}"""
+    return Number((ha + c - x) * m - rho)
+
+
+@operation(formula=True)
+def rounding_offset(m: Number, ha: Number, c: Number, rho: Number, alpha: Angle) -> Number:
+    """π·{m}/4 − (({ha} + {c})·{m} − {rho})·tan {alpha} − {rho}/cos {alpha}"""
+    depth = (ha + c) * m - rho
+    return Number(np.pi * m / 4.0 - depth * _tan(alpha) - rho / _cos(alpha))
+
+
+@operation(formula=True)
+def least_shift(h: Number, m: Number, z: Number, alpha: Angle) -> Number:
+    """{h}/{m} − {z}·sin² {alpha}/2"""
+    return Number(h / m - z * _sin(alpha) ** 2 / 2.0)
+
+
+@operation(formula=True)
+def limit_curvature(r: Number, alpha: Angle, h: Number, x: Number, m: Number) -> Number:
+    """{r}·sin {alpha} − ({h} − {x}·{m})/sin {alpha}"""
+    return Number(r * _sin(alpha) - (h - x * m) / _sin(alpha))
+
+
+@operation(formula=True)
+def lowest_curvature(a_w: Number, alpha_w: Angle, r_b: Number, alpha_a: Angle) -> Number:
+    """{a_w}·sin {alpha_w} − {r_b}·tan {alpha_a}"""
+    return Number(a_w * _sin(alpha_w) - r_b * _tan(alpha_a))
+
+
+@operation(formula=True)
+def not_negative(value: Number) -> Number:
+    """max({value}, 0)"""
+    return Number(np.maximum(value, 0.0))
+
+
+@operation(formula=True)
+def ray_of_rounding(alpha: Angle, n: Number, parts: Number) -> Angle:
+    """{alpha} + {n}·(90° − {alpha})/{parts}"""
+    return Angle(alpha + n * (90.0 - alpha) / parts)
+
+
+@operation(formula=True)
+def rolled_of_ray(offset: Length, depth: Length, phi: Angle) -> Length:
+    """{offset} − {depth}·cos {phi}/sin {phi}"""
+    return Length(offset - depth * _cos(phi) / _sin(phi))
+
+
+@operation(formula=True)
+def reach_of_ray(depth: Length, phi: Angle, rho: Length) -> Length:
+    """{depth}/sin {phi} + {rho}"""
+    return Length(depth / _sin(phi) + rho)
