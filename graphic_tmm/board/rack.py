@@ -1,8 +1,8 @@
 """The basic rack that cuts a gear: its rounded tip, the limits it sets to a tooth, the fillet it leaves.
 
-The rack's tooth has the half thickness π·m/4 on its middle line; its straight flanks go down to the depth h, and
-the rounding ρ of its tip goes on from there. A contact on the rounding is told by the angle φ of its normal:
-from α, the end of the straight flank, to 90°, the bottom of the root.
+The rack's tooth has the half thickness π·m/4 on its middle line; its straight flanks go down to the depth h,
+and the rounding ρ of its tip goes on from there. A contact on the rounding is told by the angle φ of its
+normal: from α, the end of the straight flank, to 90°, the bottom of the root.
 """
 
 from __future__ import annotations

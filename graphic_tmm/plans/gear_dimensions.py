@@ -180,7 +180,5 @@ def _limits(
         unit="m",
     )
     free = board.draw(rack.not_negative, f"[ρ_{{p{k + 1}}}]", own["limit"], unit="m")
-    clearance = board.draw(
-        g.tip_clearance, f"c_{k + 1}", a_w, other["r_a"], own["r_f"], unit="m"
-    )
+    clearance = board.draw(g.tip_clearance, f"c_{k + 1}", a_w, other["r_a"], own["r_f"], unit="m")
     return {"lowest": lowest, "free": free, "clearance": clearance}

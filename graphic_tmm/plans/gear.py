@@ -1,0 +1,75 @@
+"""A pair of spur gears, drawn as by hand: dimensions, circles, flanks, contact ratio, specific sliding."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.mechanism.gear_orders import GearOrder
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.gear_checks import Check, record_checks
+from graphic_tmm.plans.gear_contact import Contact, draw_contact
+from graphic_tmm.plans.gear_dimensions import GearSizes, calculate_sizes
+from graphic_tmm.plans.gear_line import ActionLine, draw_action_line
+from graphic_tmm.plans.gear_refusals import refuse_order, refuse_sizes
+from graphic_tmm.plans.gear_rows import Rows, choose_rows
+from graphic_tmm.plans.gear_sliding import Sliding, draw_sliding
+from graphic_tmm.plans.gear_teeth import Wheel, draw_wheel
+
+ROOM = 430.0
+"""Room for the centre distance, mm."""
+
+
+@dataclass(frozen=True)
+class Gear:
+    """The pair as drawn: its dimensions, line of action, wheels, contact, diagram of sliding, checks."""
+
+    order: GearOrder
+    sizes: GearSizes
+    rows: Rows
+    line: ActionLine
+    wheels: tuple[Wheel, Wheel]
+    contact: Contact
+    sliding: Sliding
+    checks: tuple[Check, ...]
+
+
+def draw_gear(draft: Draft, order: GearOrder) -> Gear:
+    """Draw the whole pair on a draft of its own: its axis of positions are the steps of the rolling.
+
+    Raises
+    ------
+    StructureError
+        If the order cannot be a gear pair; what is merely poor is told by the checks.
+    """
+    refuse_order(order)
+    sizes = calculate_sizes(draft, order)
+    exact = execute(draft.board.construction(), draft.given)
+
+    def value(mark: Mark) -> float:
+        return float(exact[mark][0, 0])
+
+    refuse_sizes(sizes, value)
+    checks = record_checks(draft, sizes)
+    rows = choose_rows(sizes, value)
+    line = draw_action_line(draft, sizes)
+    wheels = (
+        draw_wheel(draft, 0, sizes, line, rows, value),
+        draw_wheel(draft, 1, sizes, line, rows, value),
+    )
+    contact = draw_contact(draft, sizes, line, wheels)
+    sliding = draw_sliding(draft, sizes, line, rows)
+    return Gear(order, sizes, rows, line, wheels, contact, sliding, checks)
+
+
+def gear_scales(draft: Draft, gear: Gear) -> dict[Mark, float]:
+    """Return μ_l (m/mm) and the scale of the sliding (1/mm): what the order fixes, else standard ones."""
+    mu, mu_sliding = gear.line.mu, gear.sliding.chart.mu
+    exact = execute(draft.board.construction(), draft.given, [gear.sizes.a_w])
+    a_w = float(exact[gear.sizes.a_w][0, 0])
+    return {
+        mu: gear.order.mu or standard_length(a_w, ROOM),
+        mu_sliding: gear.order.mu_sliding or standard(gear.sliding.floor, gear.sliding.chart.room),
+    }
