@@ -80,8 +80,11 @@ def not_negative(value: Number) -> Number:
 
 @operation(formula=True)
 def ray_of_rounding(alpha: Angle, n: Number, parts: Number) -> Angle:
-    """{alpha} + {n}·(90° − {alpha})/{parts}"""
-    return Angle(alpha + n * (90.0 - alpha) / parts)
+    """2·arctan((tan({alpha}/2))^(1 − {n}/{parts}))
+
+    From α to 90°, the closer together the flatter the ray: its foot on the pitch line moves fast there.
+    """
+    return Angle(2.0 * np.degrees(np.arctan(_tan(Angle(alpha / 2.0)) ** (1.0 - n / parts))))
 
 
 @operation(formula=True)

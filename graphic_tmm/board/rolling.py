@@ -127,10 +127,10 @@ def curve_meets_arc(curve: Curve, arc: Arc) -> Point:
 
 
 def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
-    """Return where arcs of a curve reach circles, by halving the first arc that crosses each."""
+    """Return where arcs of a curve first reach circles: a knot, or by halving the arc that crosses."""
     knots = np.append(arcs.p, arcs.q[-1:])[:, None]
-    reach = np.abs(knots - centre)
-    outside = reach - radius >= -TANGENT * (np.abs(knots) + reach + radius)
+    gap = np.abs(knots - centre) - radius
+    outside, slack = gap >= 0.0, TANGENT * (np.abs(knots) + np.abs(knots - centre) + radius)
     there = np.isfinite(knots[1:]) & np.isfinite(knots[:-1]) & np.isfinite(radius)
     changes = (outside[1:] != outside[:-1]) & there
     at = np.argmax(changes, axis=0)
@@ -140,7 +140,10 @@ def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
         u = (low + high) / 2.0
         still = (np.abs(own.on(u) - centre) >= radius) == begins
         low, high = np.where(still, u, low), np.where(still, high, u)
-    return np.where(changes.any(axis=0), own.on((low + high) / 2.0), np.nan)
+    crossed = np.where(changes.any(axis=0), own.on((low + high) / 2.0), np.nan)
+    stands = np.abs(gap) <= slack
+    knot, last = np.argmax(stands, axis=0), np.where(changes.any(axis=0), at + 1, gap.shape[0])
+    return np.where(stands.any(axis=0) & (knot <= last), knots[knot, 0], crossed)
 
 
 @operation(

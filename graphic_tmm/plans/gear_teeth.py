@@ -28,8 +28,8 @@ from graphic_tmm.plans.gear_dimensions import GearSizes, WheelSizes
 from graphic_tmm.plans.gear_line import ActionLine, Circles
 from graphic_tmm.plans.gear_rows import Roll, Rows
 
-UNDERCUT = 0.05
-"""A flank that would begin less than this many modules behind the base circle begins on it: no cut is seen."""
+UNDERCUT = 0.01
+"""The depth of an undercut goes with |ρ_l|³/r², about an eighth of it; below so many modules none is seen."""
 
 
 @dataclass(frozen=True)
@@ -106,10 +106,13 @@ def draw_wheel(
     axis = board.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
     bends = _fillet(draft, k, sizes, line, rows, middle)
     fillet = board.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet)
-    if value(wheel.limit) < -UNDERCUT * sizes.order.m:
+    limit = value(wheel.limit)
+    if limit >= 0.0:
+        start = board.draw(beginning, f"L_{{{i}}}", fillet)
+    elif -(limit**3) > UNDERCUT * sizes.order.m * value(wheel.r) ** 2:
         start = board.draw(curves_cross, f"L_{{{i}}}", fillet, curve)
     else:
-        start = board.draw(beginning, f"L_{{{i}}}", fillet)
+        start = origin
     corner = board.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
     left = _Spots(*(board.draw(reflect, board.free(mark.letter), mark, axis) for mark in right))
