@@ -106,13 +106,7 @@ def draw_wheel(
     axis = board.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
     bends = _fillet(draft, k, sizes, line, rows, middle)
     fillet = board.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet)
-    limit = value(wheel.limit)
-    if limit >= 0.0:
-        start = board.draw(beginning, f"L_{{{i}}}", fillet)
-    elif -(limit**3) > UNDERCUT * sizes.order.m * value(wheel.r) ** 2:
-        start = board.draw(curves_cross, f"L_{{{i}}}", fillet, curve)
-    else:
-        start = origin
+    start = _start(draft, wheel, (curve, fillet, origin), value, sizes.order.m)
     corner = board.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
     left = _Spots(*(board.draw(reflect, board.free(mark.letter), mark, axis) for mark in right))
@@ -120,27 +114,60 @@ def draw_wheel(
     if value(wheel.s_a) < 0.0:
         apex = board.draw(curves_cross, f"V_{{{i}}}", curve, mirrored[0])
         right, left = right._replace(tip=apex), left._replace(tip=apex)
-    middle_tooth = Tooth(
-        Flank(curve, fillet, right.start, right.tip), Flank(*mirrored, left.start, left.tip)
+    sides = (
+        Flank(curve, fillet, right.start, right.tip),
+        Flank(*mirrored, left.start, left.tip),
     )
-    beside = []
-    for sense in (1, -1):
-        sides = []
-        for side in (right, left):
-            turn = (circles.centre, wheel.angular_pitch)
-            spots = _Spots(
-                *(
-                    board.draw(turn_about, board.free(mark.letter), mark, *turn, sense=sense)
-                    for mark in side
-                )
-            )
-            curves = _curves(draft, spots, i, (roll.count, rows.fillet))
-            sides.append(Flank(*curves, spots.start, spots.tip))
-        beside.append(Tooth(*sides))
-    teeth = (beside[0], middle_tooth, beside[1])
+    teeth = (
+        _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=1),
+        Tooth(*sides),
+        _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=-1),
+    )
     return Wheel(
         wheel, circles, roll, origin, feet, points, curve, at_pitch, middle, axis, corner, teeth
     )
+
+
+def _start(
+    draft: Draft,
+    wheel: WheelSizes,
+    drawn: tuple[Mark, Mark, Mark],
+    value: Callable[[Mark], float],
+    m: float,
+) -> Mark:
+    """Mark where the flank begins: at the fillet's beginning, or, undercut, where the fillet crosses it.
+
+    ``drawn``: the flank, the fillet, the beginning of the involute, where a flank begins whose cut is not seen.
+    """
+    curve, fillet, origin = drawn
+    limit, letter = value(wheel.limit), f"L_{{{wheel.number}}}"
+    if limit >= 0.0:
+        return draft.board.draw(beginning, letter, fillet)
+    if -(limit**3) > UNDERCUT * m * value(wheel.r) ** 2:
+        return draft.board.draw(curves_cross, letter, fillet, curve)
+    return origin
+
+
+def _beside(
+    draft: Draft,
+    sides: tuple[_Spots, _Spots],
+    wheel: WheelSizes,
+    circles: Circles,
+    counts: tuple[int, int],
+    *,
+    sense: int,
+) -> Tooth:
+    """Draw the tooth one pitch to the left (``sense`` 1) of the middle one, or to its right (−1)."""
+    board, name, flanks = draft.board, "^{+}" if sense > 0 else "^{−}", []
+    for side in sides:
+        turned = []
+        for mark in side:
+            letter = board.free(f"{mark.letter}{name}")
+            turn = (circles.centre, wheel.angular_pitch)
+            turned.append(board.draw(turn_about, letter, mark, *turn, sense=sense))
+        spots = _Spots(*turned)
+        flanks.append(Flank(*_curves(draft, spots, wheel.number, counts), spots.start, spots.tip))
+    return Tooth(flanks[0], flanks[1])
 
 
 def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark, Mark, Mark]:
@@ -151,9 +178,9 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     """
     board, circles, roll = draft.board, line.circles[k], rows.flanks[k]
     i, limit, end = k + 1, line.limits[k], line.ends[1 - k]
-    string = board.draw(measure, f"N_{i}P", limit, line.pole)
+    string = line.to_pole if k == 0 else board.draw(measure, f"N_{i}P", limit, line.pole)
     origin = board.draw(along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1)
-    whole = board.draw(measure, f"N_{i}{end.letter}", limit, end)
+    whole = line.to_ends[1] if k == 0 else board.draw(measure, f"N_{i}a", limit, end)
     parts = draft.take(Number, f"k_{i}", float(roll.parts))
     n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
     unrolled = board.draw(abscissa, f"u_{i}", n, whole, parts)
