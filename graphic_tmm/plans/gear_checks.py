@@ -48,17 +48,18 @@ def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
     draft.board.open(VIEW)
     zero = draft.take(Number, "0", 0.0, "m")
     one = draft.take(Number, "[ε_{α}]", 1.0)
-    m, found = sizes.order.m, []
+    teeth, found = float(sizes.order.z1 + sizes.order.z2), []
+    size = sizes.order.m * teeth
     for wheel in sizes.wheels:
-        i, radius = wheel.number, m * (sizes.order.z1 + sizes.order.z2)
+        i = wheel.number
         found += [
-            Check("pointed tooth", i, wheel.s_a, zero, radius),
-            Check("tip thickness", i, wheel.s_a, sizes.least_tip, radius),
-            Check("undercut", i, wheel.x, wheel.x_min, radius / m),
-            Check("interference", i, wheel.lowest, wheel.free, radius),
-            Check("clearance", i, wheel.clearance, zero, radius),
+            Check("pointed tooth", i, wheel.s_a, zero, size),
+            Check("tip thickness", i, wheel.s_a, sizes.least_tip, size),
+            Check("undercut", i, wheel.x, wheel.x_min, teeth),
+            Check("interference", i, wheel.lowest, wheel.free, size),
+            Check("clearance", i, wheel.clearance, zero, size),
         ]
-    return (*found, Check("contact ratio", 0, sizes.contact_ratio, one, m and radius / m))
+    return (*found, Check("contact ratio", 0, sizes.contact_ratio, one, teeth))
 
 
 def verdicts(checks: tuple[Check, ...], reading: Reading) -> tuple[Verdict, ...]:

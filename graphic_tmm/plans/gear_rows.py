@@ -13,7 +13,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.plans.gear_dimensions import GearSizes, WheelSizes
 
 STATIONS = 13
-"""Stations of the specific sliding."""
+"""Stations of a curve of specific sliding."""
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """The diagram of specific sliding under the line of action: ϑ1 and ϑ2 over the distance x from N1.
 
-Stations stand so that the ratio of both radii of curvature grows evenly from one to the next; between them both
-curves bend alike, and each ends where the other is steepest.
+The stations of a curve stand in a geometric series from its own limit point on: there it falls without end, and
+its points stand the closer together the steeper it is. At the other limit point it is 1.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from graphic_tmm.board.gearing import part_of, remainder, specific_sliding
 from graphic_tmm.board.operations import lay_off, measure_along, ray, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.rolling import smooth_through
-from graphic_tmm.board.values import Length, Number, Point
+from graphic_tmm.board.values import Length, Number, Point, Reals
 from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.gear_dimensions import GearSizes
@@ -44,17 +44,32 @@ class Stations:
 
 
 @dataclass(frozen=True)
-class Sliding:
-    """The diagram: its chart (μ_ϑ), origin in N1, N2, the row of stations with both curves, the ends, P.
+class Branch:
+    """The curve of one wheel: ϑ (Number) at a row of places, their points, the curve through them.
 
-    ``further``: at the distances the task names, if it does; ``floor``: the lowest ordinate of the row.
+    ``x``: of the places from N1 (Length). ``near``: how far the places are from the wheel's own limit point (Length).
+    """
+
+    near: Mark
+    x: Mark
+    sliding: Mark
+    feet: Mark
+    points: Mark
+    curve: Mark
+
+
+@dataclass(frozen=True)
+class Sliding:
+    """The diagram: its chart (μ_ϑ), origin in N1, N2, the curves of both wheels, a and b, P.
+
+    ``further``: at the distances the task names, if it does; ``floor``: the lowest ordinate of the curves is
+    minus so much.
     """
 
     chart: Chart
     origin: Mark
     end: Mark
-    row: Stations
-    curves: tuple[Mark, Mark]
+    branches: tuple[Branch, Branch]
     ends: tuple[Stations, Stations]
     pole: Stations
     further: Stations | None
@@ -86,24 +101,21 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
     )
     pole = _stations(draft, ground, line.to_pole, "P")
     floor = _floor(draft, line, mu, [mark for one in ends for mark in one.sliding])
-    shares = draft.take(Number, "f", rows.row(_shares(sizes.order.z2 / sizes.order.z1, floor)))
-    x = board.draw(part_of, "x", shares, line.length)
-    row = _stations(draft, ground, x, "i")
-    curves = tuple(
-        board.draw(smooth_through, f"(ϑ_{k + 1})", row.points[k], row=STATIONS) for k in range(2)
+    branches = (
+        _branch(draft, ground, 0, rows.row(_shares(sizes.order.z1 / sizes.order.z2, floor))),
+        _branch(draft, ground, 1, rows.row(_shares(sizes.order.z2 / sizes.order.z1, floor))),
     )
     up = board.draw(square, "(N_{1}ϑ)", origin, base, sense=1)
     read = tuple(
-        board.draw(measure_along, f"y_{k + 1}", row.feet, row.points[k], up) for k in range(2)
+        board.draw(measure_along, f"y_{k + 1}", branch.feet, branch.points, up)
+        for k, branch in enumerate(branches)
     )
     further = None
     if sizes.order.stations:
         given = draft.take(Length, "x_{s}", rows.row(sizes.order.stations), "mm")
         further = _stations(draft, ground, given, "s")
     chart = Chart(VIEW, "ϑ", "", mu, read, True, sizes.order.mu_sliding, ROOM)
-    return Sliding(
-        chart, origin, end, row, (curves[0], curves[1]), (ends[0], ends[1]), pole, further, floor
-    )
+    return Sliding(chart, origin, end, branches, (ends[0], ends[1]), pole, further, floor)
 
 
 def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
@@ -123,6 +135,23 @@ def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
     return Stations(x, sliding, feet, (points[0], points[1]))
 
 
+def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
+    """Draw the curve of wheel ``k`` (0 or 1) through points over a row of shares of N1N2 from its own limit."""
+    board, i = draft.board, k + 1
+    share = draft.take(Number, f"f_{i}", shares)
+    near = board.draw(part_of, f"N_{i}i", share, ground.length)
+    far = board.draw(remainder, f"N_{2 - k}i", ground.length, near)
+    x = near if k == 0 else far
+    own, other = ground.teeth[k], ground.teeth[1 - k]
+    sliding = board.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
+    feet = board.draw(lay_off, f"i_{{{i}}}", ground.base, x)
+    lines = board.draw(square, f"(i_{i})", feet, ground.base, sense=1)
+    height = board.draw(to_board, f"[ϑ_{i}]", sliding, ground.mu)
+    points = board.draw(lay_off, f"i_{{{i}}}′", lines, height)
+    curve = board.draw(smooth_through, f"(ϑ_{i})", points, row=STATIONS)
+    return Branch(near, x, sliding, feet, points, curve)
+
+
 def _floor(draft: Draft, line: ActionLine, mu: Mark, slidings: list[Mark]) -> float:
     """Choose the lowest ordinate by the sliding on the working line."""
     given = {**draft.given, line.mu: 1.0, mu: 1.0}
@@ -132,7 +161,10 @@ def _floor(draft: Draft, line: ActionLine, mu: Mark, slidings: list[Mark]) -> fl
     return min(max(FLOOR[0], DEEPER * max(known, default=0.0)), FLOOR[1])
 
 
-def _shares(ratio: float, floor: float) -> np.ndarray:
-    """Return where the stations stand, as shares of N1N2; at them the ratio ϑ − 1 of both curves is even."""
-    t = np.linspace(-1.0, 1.0, STATIONS) * math.log(1.0 + floor)
-    return np.asarray(1.0 / (1.0 + ratio * np.exp(-t)))
+def _shares(ratio: float, floor: float) -> Reals:
+    """Return the shares of N1N2 from a wheel's limit point, the first where ϑ is −``floor``, the last 1.
+
+    ``ratio``: of the wheel's teeth to those of the other.
+    """
+    least = ratio / (ratio + 1.0 + floor)
+    return np.asarray(least ** np.linspace(1.0, 0.0, STATIONS))

@@ -7,13 +7,14 @@ from dataclasses import replace
 import mpmath
 import numpy as np
 import pytest
-from teeth import Pair, pair
+from teeth import Pair, dense, pair
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.values import Length, undefined
 from graphic_tmm.mechanism.gear_orders import GearOrder
 from graphic_tmm.plans.gear_results import gear_results
+from graphic_tmm.plans.gear_rows import STATIONS
 
 WINDROWER = GearOrder(
     15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=(23.5, 47.0, 94.0, 141.0, 164.5)
@@ -152,8 +153,6 @@ def test_flanks_turned_to_the_ends_touch_there(k: int) -> None:
         knots = of.reading[mark].knots[0]
         assert np.abs(knots - of.one(end)).min() < 40.0
         spots = of.reading[mark]
-        from teeth import dense
-
         assert np.abs(dense(spots) - of.one(end)).min() < 0.2  # chords of the sampled curve
     low, centre = of.one(engaged.lowest), of.one(of.gear.wheels[k].circles.centre)
     assert abs(low - centre) == pytest.approx(abs(of.one(line.ends[k]) - centre), rel=1e-13)
@@ -178,33 +177,31 @@ def test_the_windrowers_specific_sliding() -> None:
 def test_sliding_is_the_ratio_of_speeds_along_the_flanks() -> None:
     of = pair(WINDROWER)
     sliding, length = of.gear.sliding, of.real(of.gear.line.length)
-    x = of.row(sliding.row.x, 13)
-    # a contact x from N1 runs along flank 1 with ω1·x and along flank 2 with ω2·(N1N2 − x)
-    own, other = 25.0 * x, 15.0 * (length - x)
-    first, second = (of.row(mark, 13) for mark in sliding.row.sliding)
-    np.testing.assert_allclose(first, (own - other) / own, atol=1e-13)
-    np.testing.assert_allclose(second, (other - own) / other, atol=1e-13)
-    assert x[0] > 0.0
-    assert x[-1] < length
-    assert first[6] == pytest.approx(
-        0.0, abs=1e-14
-    )  # in the middle of the row stands the pitch point
-    assert x[6] == pytest.approx(of.real(of.gear.line.to_pole), abs=1e-10)
-    assert first[0] == pytest.approx(-sliding.floor)
-    assert second[-1] == pytest.approx(-sliding.floor)
+    for k, branch in enumerate(sliding.branches):
+        x = of.row(branch.x, STATIONS)
+        # a contact x from N1 runs along flank 1 with ω1·x and along flank 2 with ω2·(N1N2 − x)
+        speeds = 25.0 * x, 15.0 * (length - x)
+        own, other = speeds[k], speeds[1 - k]
+        found = of.row(branch.sliding, STATIONS)
+        np.testing.assert_allclose(found, (own - other) / own, atol=1e-13)
+        assert found[0] == pytest.approx(-sliding.floor)
+        assert found[-1] == 1.0
+        near = of.row(branch.near, STATIONS)
+        np.testing.assert_allclose(near[1:] / near[:-1], near[1] / near[0])
+        assert near[-1] == length
+    assert [of.real(m) for m in sliding.pole.sliding] == pytest.approx([0.0, 0.0], abs=1e-14)
 
 
 def test_the_curves_of_sliding_stand_over_their_stations() -> None:
     of = pair(WINDROWER)
     sliding, mu = of.gear.sliding, of.real(of.gear.sliding.chart.mu)
     length = of.real(of.gear.line.length)
-    for k, curve in enumerate(sliding.curves):
-        from teeth import dense
-
-        spots = dense(of.reading[curve])
-        x, rest = spots.real, length - spots.real
-        due = 1 - 0.6 * rest / x if k == 0 else 1 - x / rest / 0.6
-        assert np.abs(spots.imag * mu - due).max() < 1e-3
+    for k, branch in enumerate(sliding.branches):
+        spots = dense(of.reading[branch.curve])
+        near = spots.real if k == 0 else length - spots.real
+        due = 1 - (0.6, 1 / 0.6)[k] * (length - near) / near
+        # a tenth of a millimetre: both coordinates are exponentials, 12 arcs, and a cubic spline follows them
+        assert np.abs(spots.imag * mu - due).max() < 0.1 * mu
     ends = [[of.real(m) for m in end.sliding] for end in sliding.ends]
     np.testing.assert_allclose(ends, [[-0.788, 0.441], [0.615, -1.594]], atol=5e-4)
 
