@@ -27,8 +27,8 @@ DOT, TICK = 0.6, 2.0
 """Radius of a point of the construction; half of a stroke across the line of action, mm."""
 BAND, PITCH = 2.0, 1.6
 """Breadth of the hatched band along the working part of a flank, and the pitch of its strokes, mm."""
-REACH = 300.0
-"""A centre farther than this from the pitch point is left outside the drawing, mm."""
+WHOLE, REACH = 450.0, 200.0
+"""Where the centres are farther apart, one farther than the second from the pitch point is left out, mm."""
 TURN = 16.0
 """Radius of the arrow of an angular velocity, mm."""
 ANGLE = 0.4
@@ -61,7 +61,8 @@ class _Ink:
 
     def shown(self, k: int) -> bool:
         """Whether the centre of a wheel stands on the drawing."""
-        return abs(self.centres[k] - self.pole) <= REACH
+        whole = abs(self.centres[1] - self.centres[0]) <= WHOLE
+        return whole or abs(self.centres[k] - self.pole) <= REACH
 
 
 def draw_gear_ink(
@@ -96,7 +97,8 @@ def _frame(ink: _Ink) -> Iterator[Stroke]:
     """The centre line, the common tangent, the line of action, radii to its limits, the angle α_w."""
     ends = []
     for k, outward in ((0, -1j), (1, 1j)):
-        reach = min(abs(ink.centres[k] - ink.pole) + OVER, REACH)
+        own = abs(ink.centres[k] - ink.pole) + OVER
+        reach = own if ink.shown(k) else min(own, REACH)
         ends.append(ink.pole + reach * outward)
         if ink.shown(k):
             yield from turning_pair(ink.centres[k])

@@ -119,7 +119,9 @@ def _letters(ink: _Ink, language: str) -> Iterator[Wanted]:
         yield Wanted(f"ϑ_{{{k + 1}}}", steep, SIZE, 1.0, 1 - 2 * k + 0j)
     for name, stations in (("a", ink.sliding.ends[0]), ("b", ink.sliding.ends[1])):
         foot = ink.at(stations.feet)
-        if cmath.isfinite(foot):
+        if (
+            -1e-6 <= foot.real <= ink.end.real + 1e-6
+        ):  # else it interferes: no sliding is known there
             yield Wanted(name, foot, SIZE, 1.0, 1 - 1j)
     yield Wanted("P", ink.at(ink.sliding.pole.feet), SIZE, 1.0, -1j)
     for value in _figures(ink):

@@ -20,6 +20,8 @@ from graphic_tmm.plans.gear_teeth import Wheel, draw_wheel
 
 ROOM = 430.0
 """Room for the centre distance, mm."""
+TOOTH, ACTION = 25.0, 400.0
+"""Room for the height of a tooth where the centres have none, and for the line of action, mm."""
 
 
 @dataclass(frozen=True)
@@ -65,11 +67,16 @@ def draw_gear(draft: Draft, order: GearOrder) -> Gear:
 
 
 def gear_scales(draft: Draft, gear: Gear) -> dict[Mark, float]:
-    """Return μ_l (m/mm) and the scale of the sliding (1/mm): what the order fixes, else standard ones."""
-    mu, mu_sliding = gear.line.mu, gear.sliding.chart.mu
-    exact = execute(draft.board.construction(), draft.given, [gear.sizes.a_w])
-    a_w = float(exact[gear.sizes.a_w][0, 0])
-    return {
-        mu: gear.order.mu or standard_length(a_w, ROOM),
-        mu_sliding: gear.order.mu_sliding or standard(gear.sliding.floor, gear.sliding.chart.room),
-    }
+    """Return μ_l (m/mm) and the scale of the sliding (1/mm): what the order fixes, else standard ones.
+
+    Both centres shall stand on the drawing; where the teeth would be too small for that, a larger scale is
+    taken, as far as the line of action has room.
+    """
+    sizes, free = gear.sizes, {gear.line.mu: 1.0}
+    wanted = (sizes.a_w, sizes.h, gear.line.length)
+    exact = execute(draft.board.construction(), {**draft.given, **free}, wanted)
+    distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
+    larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
+    mu = gear.order.mu or min(standard_length(distance, ROOM), larger)
+    chart, floor = gear.sliding.chart, gear.sliding.floor
+    return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, chart.room)}

@@ -47,7 +47,7 @@ class Stations:
 class Branch:
     """The curve of one wheel: ϑ (Number) at a row of places, their points, the curve through them.
 
-    ``x``: of the places from N1 (Length). ``near``: how far the places are from the wheel's own limit point (Length).
+    ``x``: of the places from N1, ``near``: from the limit point of the wheel itself (Length).
     """
 
     near: Mark
