@@ -39,15 +39,18 @@ def angle_with(value: Reals) -> Reals:
     return angle
 
 
-def _sin(angle: Angle) -> Reals:
+def sin_of(angle: Angle) -> Reals:
+    """Return the sine of an angle in degrees."""
     return np.asarray(np.sin(np.radians(angle)))
 
 
-def _cos(angle: Angle) -> Reals:
+def cos_of(angle: Angle) -> Reals:
+    """Return the cosine of an angle in degrees."""
     return np.asarray(np.cos(np.radians(angle)))
 
 
-def _tan(angle: Angle) -> Reals:
+def tan_of(angle: Angle) -> Reals:
+    """Return the tangent of an angle in degrees."""
     return np.asarray(np.tan(np.radians(angle)))
 
 
@@ -60,7 +63,7 @@ def involute(alpha: Angle) -> Number:
 @operation(formula=True)
 def working_involute(x1: Number, x2: Number, alpha: Angle, z1: Number, z2: Number) -> Number:
     """2·({x1} + {x2})·tan {alpha}/({z1} + {z2}) + inv {alpha}"""
-    return Number(2.0 * (x1 + x2) * _tan(alpha) / (z1 + z2) + involute_of(np.radians(alpha)))
+    return Number(2.0 * (x1 + x2) * tan_of(alpha) / (z1 + z2) + involute_of(np.radians(alpha)))
 
 
 @operation(formula=True, fails=_NO_ANGLE)
@@ -78,7 +81,7 @@ def pitch_radius(m: Number, z: Number) -> Number:
 @operation(formula=True)
 def working_distance(a: Number, alpha: Angle, alpha_w: Angle) -> Number:
     """{a}·cos {alpha}/cos {alpha_w}"""
-    return Number(a * _cos(alpha) / _cos(alpha_w))
+    return Number(a * cos_of(alpha) / cos_of(alpha_w))
 
 
 @operation(formula=True)
@@ -96,13 +99,13 @@ def equalising_shift(x1: Number, x2: Number, y: Number) -> Number:
 @operation(formula=True)
 def times_cosine(length: Number, alpha: Angle) -> Number:
     """{length}·cos {alpha}"""
-    return Number(length * _cos(alpha))
+    return Number(length * cos_of(alpha))
 
 
 @operation(formula=True)
 def over_cosine(length: Number, alpha: Angle) -> Number:
     """{length}/cos {alpha}"""
-    return Number(length / _cos(alpha))
+    return Number(length / cos_of(alpha))
 
 
 @operation(formula=True)
@@ -138,7 +141,7 @@ def pitch_of(m: Number) -> Number:
 @operation(formula=True)
 def tooth_thickness(m: Number, x: Number, alpha: Angle) -> Number:
     """{m}·(π/2 + 2·{x}·tan {alpha})"""
-    return Number(m * (np.pi / 2.0 + 2.0 * x * _tan(alpha)))
+    return Number(m * (np.pi / 2.0 + 2.0 * x * tan_of(alpha)))
 
 
 @operation(
@@ -166,7 +169,7 @@ def pointed_involute(s: Number, r: Number, alpha: Angle) -> Number:
 @operation(formula=True)
 def contact_ratio(z1: Number, a1: Angle, z2: Number, a2: Angle, alpha_w: Angle) -> Number:
     """({z1}·(tan {a1} − tan {alpha_w}) + {z2}·(tan {a2} − tan {alpha_w}))/(2·π)"""
-    own, other = _tan(a1) - _tan(alpha_w), _tan(a2) - _tan(alpha_w)
+    own, other = tan_of(a1) - tan_of(alpha_w), tan_of(a2) - tan_of(alpha_w)
     return Number((z1 * own + z2 * other) / (2.0 * np.pi))
 
 

@@ -9,20 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from graphic_tmm.board.gearing import cos_of, sin_of, tan_of
 from graphic_tmm.board.grammar import operation
-from graphic_tmm.board.values import Angle, Length, Number, Reals
-
-
-def _sin(angle: Angle) -> Reals:
-    return np.asarray(np.sin(np.radians(angle)))
-
-
-def _cos(angle: Angle) -> Reals:
-    return np.asarray(np.cos(np.radians(angle)))
-
-
-def _tan(angle: Angle) -> Reals:
-    return np.asarray(np.tan(np.radians(angle)))
+from graphic_tmm.board.values import Angle, Length, Number
 
 
 @operation(formula=True)
@@ -31,14 +20,14 @@ def rounding(m: Number, ha: Number, c: Number, alpha: Angle) -> Number:
 
     The rounding of the rack's tooth begins where the teeth cut need no straight flank, or it is full.
     """
-    full = (np.pi / 4.0 - (ha + c) * _tan(alpha)) * _cos(alpha)
-    return Number(m * np.minimum(c, full) / (1.0 - _sin(alpha)))
+    full = (np.pi / 4.0 - (ha + c) * tan_of(alpha)) * cos_of(alpha)
+    return Number(m * np.minimum(c, full) / (1.0 - sin_of(alpha)))
 
 
 @operation(formula=True)
 def straight_depth(ha: Number, c: Number, m: Number, rho: Number, alpha: Angle) -> Number:
     """({ha} + {c})·{m} − {rho}·(1 − sin {alpha})"""
-    return Number((ha + c) * m - rho * (1.0 - _sin(alpha)))
+    return Number((ha + c) * m - rho * (1.0 - sin_of(alpha)))
 
 
 @operation(formula=True)
@@ -51,25 +40,25 @@ def rounding_depth(ha: Number, c: Number, x: Number, m: Number, rho: Number) -> 
 def rounding_offset(m: Number, ha: Number, c: Number, rho: Number, alpha: Angle) -> Number:
     """π·{m}/4 − (({ha} + {c})·{m} − {rho})·tan {alpha} − {rho}/cos {alpha}"""
     depth = (ha + c) * m - rho
-    return Number(np.pi * m / 4.0 - depth * _tan(alpha) - rho / _cos(alpha))
+    return Number(np.pi * m / 4.0 - depth * tan_of(alpha) - rho / cos_of(alpha))
 
 
 @operation(formula=True)
 def least_shift(h: Number, m: Number, z: Number, alpha: Angle) -> Number:
     """{h}/{m} − {z}·sin² {alpha}/2"""
-    return Number(h / m - z * _sin(alpha) ** 2 / 2.0)
+    return Number(h / m - z * sin_of(alpha) ** 2 / 2.0)
 
 
 @operation(formula=True)
 def limit_curvature(r: Number, alpha: Angle, h: Number, x: Number, m: Number) -> Number:
     """{r}·sin {alpha} − ({h} − {x}·{m})/sin {alpha}"""
-    return Number(r * _sin(alpha) - (h - x * m) / _sin(alpha))
+    return Number(r * sin_of(alpha) - (h - x * m) / sin_of(alpha))
 
 
 @operation(formula=True)
 def lowest_curvature(a_w: Number, alpha_w: Angle, r_b: Number, alpha_a: Angle) -> Number:
     """{a_w}·sin {alpha_w} − {r_b}·tan {alpha_a}"""
-    return Number(a_w * _sin(alpha_w) - r_b * _tan(alpha_a))
+    return Number(a_w * sin_of(alpha_w) - r_b * tan_of(alpha_a))
 
 
 @operation(formula=True)
@@ -84,16 +73,16 @@ def ray_of_rounding(alpha: Angle, n: Number, parts: Number) -> Angle:
 
     From α to 90°, the closer together the flatter the ray: its foot on the pitch line moves fast there.
     """
-    return Angle(2.0 * np.degrees(np.arctan(_tan(Angle(alpha / 2.0)) ** (1.0 - n / parts))))
+    return Angle(2.0 * np.degrees(np.arctan(tan_of(Angle(alpha / 2.0)) ** (1.0 - n / parts))))
 
 
 @operation(formula=True)
 def rolled_of_ray(offset: Length, depth: Length, phi: Angle) -> Length:
     """{offset} − {depth}·cos {phi}/sin {phi}"""
-    return Length(offset - depth * _cos(phi) / _sin(phi))
+    return Length(offset - depth * cos_of(phi) / sin_of(phi))
 
 
 @operation(formula=True)
 def reach_of_ray(depth: Length, phi: Angle, rho: Length) -> Length:
     """{depth}/sin {phi} + {rho}"""
-    return Length(depth / _sin(phi) + rho)
+    return Length(depth / sin_of(phi) + rho)

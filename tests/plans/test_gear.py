@@ -9,10 +9,13 @@ import numpy as np
 import pytest
 from teeth import Pair, dense, pair
 
+from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.values import Length, undefined
+from graphic_tmm.board.values import Length, arrays, undefined
 from graphic_tmm.mechanism.gear_orders import GearOrder
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.gear import draw_gear, gear_scales
 from graphic_tmm.plans.gear_results import gear_results
 from graphic_tmm.plans.gear_rows import STATIONS
 
@@ -273,3 +276,16 @@ def test_a_scale_changes_the_drawing_only() -> None:
         strict=True,
     ):
         assert one.real(mark) == pytest.approx(other.real(same), rel=1e-11)
+
+
+def test_trials_run_together_as_alone() -> None:
+    draft = Draft()
+    gear = draw_gear(draft, replace(WINDROWER, stations=()))
+    given, log = {**draft.given, **gear_scales(draft, gear)}, draft.board.construction()
+    scales = np.array([[0.0004], [0.0005]])
+    both = execute(log, {**given, gear.line.mu: scales})
+    for trial, mu in enumerate(scales):
+        alone = execute(log, {**given, gear.line.mu: mu[0]})
+        for step in log.steps:
+            for own, due in zip(arrays(both[step.it]), arrays(alone[step.it]), strict=True):
+                np.testing.assert_array_equal(own[min(trial, own.shape[0] - 1)], due[0])
