@@ -66,7 +66,7 @@ def within(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
     """Return whether the ratio is the one wanted, within its tolerance; any that moves if none is wanted."""
     found = ratio(order, scheme, z)
     if order.ratio is None:
-        return np.isfinite(found) & (found != 0.0)
+        return np.asarray(np.isfinite(found) & (found != 0.0))
     allowed = (order.tolerance + SLACK) * abs(order.ratio)
     return np.asarray(np.abs(found - order.ratio) <= allowed)
 

@@ -193,7 +193,8 @@ def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
         )
 
 
-def _whole(value: object) -> bool:
+def whole(value: object) -> bool:
+    """Whether a value is a whole number, and not a truth."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
@@ -204,17 +205,17 @@ def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
             f"not {len(order.teeth)}: give a tooth number for each, or none"
         )
     for wheel, z in zip(scheme.wheels, order.teeth, strict=False):
-        if z is not None and (not _whole(z) or z < 1):
+        if z is not None and (not whole(z) or z < 1):
             raise _refuse(f"z{wheel} = {z} is not a whole number of teeth")
     if not order.satellites:
         raise _refuse("no number of satellites is allowed: give one, such as 3")
     for k in order.satellites:
-        if not _whole(k) or k < 1:
+        if not whole(k) or k < 1:
             raise _refuse(f"{k} is not a number of satellites")
     limits = order.limits
     for name in ("least", "most", "ring_most", "difference"):
         z = getattr(limits, name)
-        if not _whole(z) or not 1 <= z <= MOST:
+        if not whole(z) or not 1 <= z <= MOST:
             raise _refuse(f"limit {name} = {z} is not a number of teeth from 1 to {MOST}")
     if limits.least > limits.most:
         raise _refuse(f"from {limits.least} to {limits.most} there is no tooth number")
