@@ -90,4 +90,4 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
         if not whole(z) or z < 1:
             raise StructureError(f"planetary: {z} is not a whole number of teeth")
         letters.append(draft.take(Number, letter, float(z)))
-    return board.draw(overall_ratio, "U", made.sizes.ratio, letters[1], letters[0])
+    return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])
