@@ -30,7 +30,7 @@ class Picture:
 
     ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it; ``ends``:
     those of the velocities of A and B; ``lines``: of wheel "1", the satellites "2", the carrier "H";
-    ``readings``: the velocities as measured (Length), by point; ``speeds`` the same in m/s.
+    ``readings``: the velocities by point, one laid off, one measured (Length); ``speeds`` the same in m/s.
     """
 
     mu: Mark
@@ -93,11 +93,11 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
         "2": satellite,
         "H": board.draw(join, "(Ob)", origin, ends[1]),
     }
-    readings, speeds = {}, {}
-    for foot, tip in zip((a, b), ends, strict=True):
-        name = foot.letter
-        readings[name] = board.draw(measure_along, f"{name}{tip.letter}", foot, tip, end.axis)
-        speeds[name] = board.draw(in_si, f"v_{name}", readings[name], mu, unit="m/s")
+    other, tip = (b, ends[1]) if order.driving == "1" else (a, ends[0])
+    read = board.draw(measure_along, f"{other.letter}{tip.letter}", other, tip, end.axis)
+    readings = {foot.letter: length, other.letter: read}
+    speeds = {foot.letter: speed}
+    speeds[other.letter] = board.draw(in_si, f"v_{other.letter}", read, mu, unit="m/s")
     return Picture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
 
 
@@ -127,11 +127,11 @@ def draw_rates(
     for body, drawn in picture.lines.items():
         way = board.draw(parallel, f"(P{body})", pole, drawn, sense=1)
         ends[body] = board.draw(meet, body, line, way)
-        segments[body] = board.draw(measure_along, f"{fixed}{body}", foot, ends[body], line)
+        segments[body] = board.draw(measure_along, f"s_{body}", foot, ends[body], line)
         values[body] = board.draw(in_si, f"ω_{body}", segments[body], mu, unit="1/s")
     driving, driven = ("1", "H") if order.driving == "1" else ("H", "1")
     ratio = board.draw(
-        ratio_of_segments, f"U_{{{driving}{driven}}}", segments[driving], segments[driven]
+        ratio_of_segments, f"U′_{{{driving}{driven}}}", segments[driving], segments[driven]
     )
     difference = board.draw(miss_of_ratio, "ΔU", ratio, sizes.ratio, unit="%")
     return Rates(mu, depth, distance, pole, foot, ends, segments, values, ratio, difference)
