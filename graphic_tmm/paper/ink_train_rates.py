@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from graphic_tmm.board.record import Mark
 from graphic_tmm.paper.drawing import Stroke, circle, line
 from graphic_tmm.paper.ink_train import BESIDE, LEAST, NUMBER, OVER, TrainInk
@@ -22,15 +24,14 @@ def draw_picture(ink: TrainInk) -> list[Stroke]:
     strokes = [line("thin", o, high + 1j * OVER)]
     for foot, tip, key in ((a, ink.tips[0], "A"), (b, ink.tips[1], "B")):
         strokes += _vector(ink, foot, tip, key)
-    return strokes + [line("main", *ends) for _, *ends in _bodies(ink)]
+    return strokes + [line("main", spots[0], spots[-1]) for _, spots in _bodies(ink)]
 
 
-def _bodies(ink: TrainInk) -> list[tuple[str, complex, complex]]:
-    """The straight lines by the numbers of their bodies; that of the satellites goes through a, b and C."""
+def _bodies(ink: TrainInk) -> list[tuple[str, tuple[complex, ...]]]:
+    """The straight lines by the numbers of their bodies, each by its points from below."""
     origin, (a, b), c = ink.zeros[0], ink.tips, ink.zeros[3]
-    spots = sorted((a, b, c), key=lambda z: z.imag)
-    found = [("1", origin, a), ("H", origin, b), (_block(ink), spots[0], spots[-1])]
-    return [one for one in found if abs(one[2] - one[1]) > LEAST]
+    block = tuple(sorted((a, b, c), key=lambda z: z.imag))
+    return [("1", (origin, a)), ("H", (origin, b)), (_block(ink), block)]
 
 
 def _vector(ink: TrainInk, foot: complex, tip: complex, key: str) -> list[Stroke]:
@@ -74,14 +75,17 @@ def draw_rates(ink: TrainInk) -> list[Stroke]:
 def picture_letters(ink: TrainInk) -> list[Wanted]:
     """The letters of the zero line and of the ends of velocities, the bodies of the lines."""
     o, a, b, c = ink.zeros
-    named = [("O", o, -1 - 1j), ("A", a, -1 + 1j), ("B", b, -1 + 1j), ("C", c, -1 + 1j)]
-    wanted = [Wanted(text, at, NUMBER, BESIDE, way) for text, at, way in named]
+    away = -1.0 if sum((tip - o).real for tip in ink.tips) > 0.0 else 1.0
+    wanted = [Wanted("O", o, NUMBER, BESIDE, away - 1j)]
+    for name, at in zip("ABC", (a, b, c), strict=True):
+        wanted.append(Wanted(name, at, NUMBER, BESIDE, away + 1j))
     for text, at, foot in (("a", ink.tips[0], a), ("b", ink.tips[1], b)):
         if abs(at - foot) >= LEAST:
             wanted.append(Wanted(text, at, NUMBER, 0.8, at - foot))
-    for text, begin, far in _bodies(ink):
-        if abs(far - begin) > LETTERED:
-            wanted.append(Wanted(text, begin + 0.55 * (far - begin), NUMBER, 0.8, far - begin))
+    for text, spots in _bodies(ink):
+        low, high = max(pairwise(spots), key=lambda part: round(abs(part[1] - part[0]), 6))
+        if abs(high - low) > LETTERED:
+            wanted.append(Wanted(text, (low + high) / 2, NUMBER, 0.8, -away + 0j))
     return wanted
 
 

@@ -73,31 +73,26 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
     origin = board.draw(lay_off, "O", end.axis, place)
     zero = board.draw(square, "(0)", origin, end.axis, sense=1)
     a, b, c = (board.draw(meet, level.letter[1], zero, level) for level in end.levels)
+    feet, levels = {"A": a, "B": b}, {"A": end.levels.A, "B": end.levels.B}
+    known, sought = ("A", "B") if order.driving == "1" else ("B", "A")
+    tip, other = known.lower(), sought.lower()
     omega = draft.take(Number, f"ω_{order.driving}", order.speed, "1/s")
-    driven = (a, "a", sizes.radii["1"]) if order.driving == "1" else (b, "b", sizes.axes)
-    foot, letter, arm = driven
-    speed = board.draw(product, f"v_{foot.letter}", omega, arm, unit="m/s")
-    length = board.draw(to_board, f"{foot.letter}{letter}", speed, mu)
-    level = end.levels.A if order.driving == "1" else end.levels.B
-    along = board.draw(parallel, f"({foot.letter}{letter})", foot, level, sense=1)
-    given = board.draw(lay_off, letter, along, length)
-    satellite = board.draw(join, f"(C{letter})", c, given)
-    if order.driving == "1":
-        found = board.draw(meet, "b", satellite, end.levels.B)
-        ends = (given, found)
-    else:
-        found = board.draw(meet, "a", satellite, end.levels.A)
-        ends = (found, given)
+    arm = sizes.radii["1"] if known == "A" else sizes.axes
+    speed = board.draw(product, f"v_{known}", omega, arm, unit="m/s")
+    length = board.draw(to_board, f"{known}{tip}", speed, mu)
+    along = board.draw(parallel, f"({known}{tip})", feet[known], levels[known], sense=1)
+    tips = {known: board.draw(lay_off, tip, along, length)}
+    satellite = board.draw(join, f"(C{tip})", c, tips[known])
+    tips[sought] = board.draw(meet, other, satellite, levels[sought])
     lines = {
-        "1": board.draw(join, "(Oa)", origin, ends[0]),
+        "1": board.draw(join, "(Oa)", origin, tips["A"]),
         "2": satellite,
-        "H": board.draw(join, "(Ob)", origin, ends[1]),
+        "H": board.draw(join, "(Ob)", origin, tips["B"]),
     }
-    other, tip = (b, ends[1]) if order.driving == "1" else (a, ends[0])
-    read = board.draw(measure_along, f"{other.letter}{tip.letter}", other, tip, end.axis)
-    readings = {foot.letter: length, other.letter: read}
-    speeds = {foot.letter: speed}
-    speeds[other.letter] = board.draw(in_si, f"v_{other.letter}", read, mu, unit="m/s")
+    read = board.draw(measure_along, f"{sought}{other}", feet[sought], tips[sought], end.axis)
+    found = board.draw(in_si, f"v_{sought}", read, mu, unit="m/s")
+    readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
+    ends = (tips["A"], tips["B"])
     return Picture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
 
 
