@@ -124,13 +124,16 @@ def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
     stations = {name: board.take(Length, f"x_{{{name}}}", "mm") for name in names}
     feet = {name: board.draw(lay_off, f"O_{{{name}}}", end.axis, stations[name]) for name in names}
     lines = {name: board.draw(square, f"({name})", feet[name], end.axis, sense=1) for name in names}
+    downs = {
+        name: board.draw(square, f"(−{name})", feet[name], end.axis, sense=-1)
+        for name in names[:-1]
+    }
     last = names[-2]
     fixed, rim = scheme.wheels[-1], "2" if scheme.rows == 1 else "3"
     discs = {}
     for wheel, row, level in (("1", "I", end.levels.A), (fixed, last, end.levels.C)):
         near = board.draw(meet, f"{level.letter[1]}_{{{row}}}", lines[row], level)
-        down = board.draw(square, f"(−{row})", feet[row], end.axis, sense=-1)
-        far = board.draw(lay_off, f"{near.letter}′", down, end.lengths[wheel])
+        far = board.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel])
         discs[wheel] = Disc(near, far, feet[row])
     axes = {name: board.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B) for name in names}
     for wheel, row, sense, near in (
