@@ -14,7 +14,7 @@ import click
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.records import Scene
-    from graphic_tmm.work import Work
+    from graphic_tmm.studio import Made
 
 F = TypeVar("F", bound=Callable[..., Any])
 PLANS = (
@@ -26,6 +26,8 @@ PLANS = (
     "engine",
     "diagrams",
     "flywheel",
+    "gears",
+    "planetary",
 )
 
 
@@ -78,11 +80,13 @@ def _read(name: str | None, *, lettered: bool = False) -> Scene:
     return read(path, missing=missing)
 
 
-def _warn(work: Work) -> None:
-    from graphic_tmm.studio import warnings
+def _warn(made: Made) -> None:
+    from graphic_tmm.studio import part_warnings, warnings
 
-    for text in warnings(work):
-        _say(f"graphic-tmm: {work.scene.source}: warning: {text}")
+    told = list(warnings(made.work)) if made.work is not None else []
+    told += [text for part in made.parts for text in part_warnings(part)]
+    for text in told:
+        _say(f"graphic-tmm: {made.scene.source}: warning: {text}")
 
 
 @main.command()
@@ -108,11 +112,10 @@ def draw(scene: str | None, output: str, forms: str) -> None:
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in FORMATS]:
         raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
-    work, texts = sheet_files(_read(scene, lettered=True), wanted)
+    made, texts = sheet_files(_read(scene, lettered=True), wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
-    if work is not None:
-        _warn(work)
+    _warn(made)
 
 
 @main.command()
@@ -129,11 +132,11 @@ def draw(scene: str | None, output: str, forms: str) -> None:
 @_people
 def table(scene: str | None, form: str, exact: bool) -> None:
     """Print what the plans of SCENE give: segments in mm, quantities in SI."""
-    from graphic_tmm.studio import fitted
-    from graphic_tmm.studio import table as made
+    from graphic_tmm.studio import make
+    from graphic_tmm.studio import table as told
 
-    drawn = fitted(_read(scene), exact=exact)
-    text = made(drawn, form)
+    drawn = make(_read(scene), exact=exact)
+    text = told(drawn, form)
     if isinstance(text, str):
         click.echo(text, nl=False)
     else:
@@ -162,12 +165,14 @@ def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.narration import protocol
-    from graphic_tmm.studio import fitted
+    from graphic_tmm.narration import part_protocol, protocol
+    from graphic_tmm.studio import make
 
-    drawn = fitted(_read(scene), exact=exact)
+    drawn = make(_read(scene), exact=exact)
     chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
-    for line in protocol(drawn, chosen, position, language or drawn.scene.language):
+    spoken = language or drawn.scene.language
+    lines = list(protocol(drawn.work, chosen, position, spoken)) if drawn.work is not None else []
+    for line in [*lines, *part_protocol(drawn.parts, chosen, spoken)]:
         click.echo(line)
     _warn(drawn)
 

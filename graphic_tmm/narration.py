@@ -8,8 +8,9 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.words import plain
+from graphic_tmm.words import Line, plain
 from graphic_tmm.words import protocol as narrate
 from graphic_tmm.work import Work
 
@@ -34,6 +35,26 @@ def protocol(
             yield from _plan_lines(work, view, place, language)
         if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
             raise _refused(work, plan, project.names[place])
+
+
+def part_protocol(parts: Sequence[Part], plans: Sequence[str], language: str) -> Iterator[str]:
+    """Yield the lines of the protocol of parts, view by view."""
+    words = CAPTIONS[language]
+    for part in parts:
+        if part.kind not in plans:
+            continue
+        log = part.construction
+        for view in dict.fromkeys(step.it.view for step in log.steps):
+            yield words[view]
+            for line in narrate(log, view, part.reading, 0, language):
+                yield from _printed(line)
+            yield ""
+
+
+def _printed(line: Line) -> Iterator[str]:
+    yield f"{line.number:4}. {line.text}" if line.number else f"      [{line.text}]"
+    if line.calculation:
+        yield f"      {line.calculation}"
 
 
 def _views_of(work: Work, plan: str) -> list[str]:
@@ -77,9 +98,7 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
     yield f"{_title(plan, language).format(point=point)}{at}"
     yield from _polygon(work, plan)
     for line in lines:
-        yield f"{line.number:4}. {line.text}" if line.number else f"      [{line.text}]"
-        if line.calculation:
-            yield f"      {line.calculation}"
+        yield from _printed(line)
     yield ""
 
 

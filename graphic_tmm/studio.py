@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.scene.records import Scene
+from graphic_tmm.parts import Part, draw_parts
+from graphic_tmm.scene.records import FREE_PLACES, Scene
 from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
 from graphic_tmm.tables.columns import Column, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
-from graphic_tmm.tables.writing import as_csv, as_json, rich_tables
+from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
 from graphic_tmm.words import finding
 from graphic_tmm.work import Work, executed, ranges, record
 
@@ -26,12 +27,41 @@ VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
 """Room for the longest vector of a plan, mm: as much as the sheets hold."""
 
 
-def sheets(scene: Scene) -> tuple[Work | None, tuple[Sheet, ...]]:
+def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
     """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
     from graphic_tmm.paper.compose import compose
 
-    made = fitted(scene) if scene.mechanism is not None else None
-    return made, compose(scene, made)
+    made = make(scene)
+    return made, compose(scene, made.work, made.parts)
+
+
+def make(scene: Scene, *, exact: bool = False) -> Made:
+    """Draw a scene: its mechanism, if it has one, and its parts.
+
+    Raises
+    ------
+    SceneError
+        If it has neither.
+    """
+    parts = draw_parts(scene, exact=exact)
+    places = {place for sheet in scene.sheets for place in sheet.place}
+    if scene.mechanism is None and (parts or places <= set(FREE_PLACES)):
+        return Made(scene, None, parts)
+    return Made(scene, fitted(scene, parts=parts, exact=exact), parts)
+
+
+class Made(NamedTuple):
+    """A scene as drawn: its mechanism, None if it has none, and its parts."""
+
+    scene: Scene
+    work: Work | None
+    parts: tuple[Part, ...]
+
+    @property
+    def exact(self) -> bool:
+        """Whether lengths are read without rounding."""
+        hands = [part.hand for part in self.parts] + ([self.work.hand] if self.work else [])
+        return all(hand.ruler is None for hand in hands)
 
 
 SCALE_KEYS = {
@@ -45,6 +75,11 @@ SCALE_KEYS = {
     "lever": "mu_lever",
     "engine": "mu_F_engine",
     "harmonics": "mu_F_harmonics",
+    "gear": "mu_l_gears",
+    "sliding": "mu_theta",
+    "planetary": "mu_l_planetary",
+    "planetary-velocities": "mu_v_planetary",
+    "planetary-rates": "mu_omega_planetary",
     **{f"engine {symbol}": f"mu_{symbol}_engine" for symbol in "PNQTKM"},
     "indicator": "mu_p",
     "moment": "mu_M",
@@ -59,7 +94,7 @@ FORMATS = ("svg", "pdf", "png", "dxf")
 
 def sheet_files(
     scene: Scene, formats: Sequence[str] = ("svg",)
-) -> tuple[Work | None, dict[str, str | bytes]]:
+) -> tuple[Made, dict[str, str | bytes]]:
     """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
     from graphic_tmm.paper.dxf import dxf
     from graphic_tmm.paper.export import pdf, png
@@ -79,10 +114,11 @@ def sheet_files(
     return made, files
 
 
-def fitted(scene: Scene, *, exact: bool = False) -> Work:
+def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> Work:
     """Draw a scene with its plans as large as fit on the sheets ordered, or on as few more as they need.
 
-    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn.
+    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
+    the sheets too.
     """
     from graphic_tmm.paper.compose import compose
 
@@ -95,7 +131,7 @@ def fitted(scene: Scene, *, exact: bool = False) -> Work:
         factors = tuple(scale.value for scale in made.scales.values())
         if factors not in tried:
             try:
-                tried[factors] = len(compose(scene, made, lettered=False))
+                tried[factors] = len(compose(scene, made, parts, lettered=False))
             except SheetError:
                 tried[factors] = math.inf
         return tried[factors]
@@ -108,6 +144,13 @@ def fitted(scene: Scene, *, exact: bool = False) -> Work:
     for larger in reversed([r for r in VECTORS if r > rooms[0]]):
         rooms = (larger, rooms[1]) if count((larger, rooms[1])) <= most else rooms
     return executed(scene, project, exact=exact, vectors=rooms)
+
+
+def part_warnings(part: Part) -> tuple[str, ...]:
+    """Return, for people, what of a part could not be drawn and why."""
+    count = part.reading.positions
+    names = tuple(str(k + 1) for k in range(count))
+    return tuple(finding(f, names, "en") for f in part.findings() if f.kind == "undrawn")
 
 
 def warnings(work: Work) -> tuple[str, ...]:
@@ -162,28 +205,45 @@ def table_columns(work: Work) -> list[Column]:
     return [column.without(work.undrawn) for column in found]
 
 
-def table(work: Work, form: str) -> str | list[Any]:
+def table(made: Made | Work, form: str) -> str | list[Any]:
     """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text"."""
-    project = work.project
-    positions = list(zip(project.names, project.angles, strict=True))
-    found = table_columns(work)
+    if isinstance(made, Work):
+        made = Made(made.scene, made, ())
+    work, scene = made.work, made.scene
+    names = work.project.names if work is not None else ()
+    angles = work.project.angles if work is not None else ()
+    positions = list(zip(names, angles, strict=True))
+    found = table_columns(work) if work is not None else []
+    results = _results(made)
     if form == "csv":
         return as_csv(positions, found)
     if form == "text":
-        decimals = 1 if work.hand.ruler is not None else 3
-        return rich_tables(found, project.names, work.scene.language, work.scene.title, decimals)
-    scales = {
-        _scale_key(plan): {"value": scale.value, "unit": scale.unit}
-        for plan, scale in work.scales.items()
+        decimals = 3 if made.exact else 1
+        tables = rich_tables(found, names, scene.language, scene.title, decimals)
+        return [*tables, *result_tables(_part_results(made), scene.language, scene.title)]
+    scales = {k: s for k, s in work.scales.items()} if work is not None else {}
+    scales |= {view: s for part in made.parts for view, s in part.scales().items()}
+    told = {_scale_key(plan): {"value": s.value, "unit": s.unit} for plan, s in scales.items()}
+    return as_json(scene_name(scene.source), told, positions, found, results)
+
+
+def _part_results(made: Made) -> dict[str, tuple[float, str]]:
+    return {name: found for part in made.parts for name, found in part.results().items()}
+
+
+def _results(made: Made) -> dict[str, Any]:
+    """Return the results by name as machines read them."""
+    results: dict[str, Any] = {}
+    found = _part_results(made)
+    if made.work is not None:
+        project, reading = made.work.project, made.work.reading
+        results = {"W": project.structure.mobility, "formula": project.structure.formula}
+        found = flywheel_results(project, reading) | engine_results(project, reading) | found
+    return results | {
+        name: {"value": value, "unit": of}
+        for name, (value, of) in found.items()
+        if math.isfinite(value)
     }
-    results: dict[str, Any] = {
-        "W": project.structure.mobility,
-        "formula": project.structure.formula,
-    }
-    found_results = flywheel_results(project, work.reading) | engine_results(project, work.reading)
-    for name, (value, of) in found_results.items():
-        results[name] = {"value": value, "unit": of}
-    return as_json(scene_name(work.scene.source), scales, positions, found, results)
 
 
 def _scale_key(plan: str) -> str:

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack
-from graphic_tmm.paper.views import FREE_VIEWS, VIEWS
+from graphic_tmm.paper.views import FREE_VIEWS, PART_VIEWS, VIEWS
+from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.words import number
 from graphic_tmm.work import Work
 
 
-def compose(scene: Scene, drawn: Work | None, *, lettered: bool = True) -> tuple[Sheet, ...]:
+def compose(
+    scene: Scene, drawn: Work | None, parts: Sequence[Part] = (), *, lettered: bool = True
+) -> tuple[Sheet, ...]:
     """Return the sheets of a scene, each order followed by the sheets it spills onto.
 
-    ``drawn``: its mechanism as drawn, if it has one. Unlettered plans only take the room that they will need:
+    ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it. Unlettered plans only take the room that they will need:
     layout is tried with them.
     """
     laid: list[tuple[str, list[Drawing]]] = []
     for order in scene.sheets:
-        views = [view for plan in order.place for view in _views(plan, scene, drawn, lettered)]
+        views = [
+            view for plan in order.place for view in _views(plan, scene, drawn, parts, lettered)
+        ]
         rooms = (_room(order, scene, not laid), _room(order, scene, False))
         laid += [(order.format, placed) for placed in pack(views, rooms, order.format)]
     count = len(laid)
@@ -31,7 +38,7 @@ def compose(scene: Scene, drawn: Work | None, *, lettered: bool = True) -> tuple
             first=index == 0,
             number=index + 1,
             count=count,
-            fields=_fields(scene, drawn),
+            fields=_fields(scene, drawn, parts),
         )
         name = f"sheet-{index + 1}" if count > 1 else "sheet"
         width, height = SIZES[format]
@@ -39,9 +46,13 @@ def compose(scene: Scene, drawn: Work | None, *, lettered: bool = True) -> tuple
     return tuple(sheets)
 
 
-def _views(plan: str, scene: Scene, drawn: Work | None, lettered: bool) -> list[Drawing]:
+def _views(
+    plan: str, scene: Scene, drawn: Work | None, parts: Sequence[Part], lettered: bool
+) -> list[Drawing]:
     if plan in FREE_VIEWS:
         return FREE_VIEWS[plan](scene)
+    if plan in PART_VIEWS:
+        return [view for p in parts if p.kind == plan for view in PART_VIEWS[plan](p, lettered)]
     assert drawn is not None
     return VIEWS[plan](drawn, lettered)
 
@@ -51,11 +62,13 @@ def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
     return Room(area.inner, area.occupied)
 
 
-def _fields(scene: Scene, drawn: Work | None) -> dict[str, str]:
+def _fields(scene: Scene, drawn: Work | None, parts: Sequence[Part]) -> dict[str, str]:
     fields = dict(scene.title_block)
     fields.setdefault("name", scene.title)
-    if drawn is not None:
-        reduction = drawn.scales["positions"].value * 1000.0
+    scales = [drawn.scales["positions"]] if drawn is not None else []
+    scales += [s for part in parts for s in part.scales().values() if s.symbol == "μ_l"]
+    if scales:
+        reduction = scales[0].value * 1000.0
         fields.setdefault("scale", _ratio(reduction, scene.language))
     return fields
 

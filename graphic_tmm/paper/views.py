@@ -20,6 +20,8 @@ from graphic_tmm.paper.specimen_symbols import specimen_symbols
 from graphic_tmm.paper.views_engine import engine_diagram_views, engine_views
 from graphic_tmm.paper.views_flywheel import flywheel_views, pole_texts
 from graphic_tmm.paper.views_forces import force_table, force_views, lever_views
+from graphic_tmm.paper.views_wheels import gear_views, planetary_views
+from graphic_tmm.parts import Part
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.charts import chart_columns
@@ -189,6 +191,12 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
     "acceleration table": _acceleration_table,
 }
 """What can be placed on a sheet of a mechanism: work, lettered? -> its drawings."""
+
+PART_VIEWS: Mapping[str, Callable[[Part, bool], list[Drawing]]] = {
+    "gears": gear_views,
+    "planetary": planetary_views,
+}
+"""What can be placed of a part that is drawn by itself: part, lettered? -> its drawings."""
 
 FREE_VIEWS: Mapping[str, Callable[[Scene], list[Drawing]]] = {
     "lettering": lambda scene: specimen(scene.language),

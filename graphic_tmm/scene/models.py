@@ -23,6 +23,7 @@ from graphic_tmm.scene.order_tables import (
     TracedTable,
 )
 from graphic_tmm.scene.table import Table, key
+from graphic_tmm.scene.wheel_tables import GearsTable, PlanetaryTable
 
 
 def _place(value: object) -> str:
@@ -228,6 +229,8 @@ class SceneFile(Head):
     forces: ForcesTable | None = key("kinetostatics and the lever", None, None)
     friction: FrictionTable | None = key("friction of the pairs", None, None)
     engine: EngineTable | None = key("the forces of an engine's crank mechanism", None, None)
+    gears: GearsTable | None = key("a pair of gears", None, None)
+    planetary: PlanetaryTable | None = key("a planetary train", None, None)
     scales: ScalesTable = Field(default_factory=ScalesTable)
     hand: HandTable = Field(default_factory=HandTable)
     sheet: list[SheetTable] = Field(default_factory=list, description="the sheets")
@@ -254,6 +257,8 @@ _TABLES: dict[str, type[BaseModel]] = {
     "forces": ForcesTable,
     "friction": FrictionTable,
     "engine": EngineTable,
+    "gears": GearsTable,
+    "planetary": PlanetaryTable,
     "scales": ScalesTable,
     "hand": HandTable,
     "sheet": SheetTable,

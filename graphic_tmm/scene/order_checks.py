@@ -12,6 +12,13 @@ from graphic_tmm.scene.sections import Document, Parts, raw_links, table
 
 LEAST = 4
 """Positions that a diagram needs."""
+ASKED = {
+    "diagrams": 'point = "D"',
+    "flywheel": "delta = 0.04",
+    "gears": 'z1 = 15, z2 = 25, m = "8 mm"',
+    "planetary": 'ratio = 4.55, module = "8 mm"',
+}
+"""Sections that a sheet can place, and what they begin with."""
 
 
 def check(doc: Document, parts: Parts) -> Iterator[Found]:
@@ -28,6 +35,13 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
         if "indicator" not in doc and "forces" not in doc:
             says = "nothing drives or resists; write a section [indicator], or loads and [forces]"
             yield Found(("flywheel",), says)
+    if parts.planetary is not None:
+        if len(parts.planetary.behind) not in (0, 2):
+            says = "the pair behind the train has two wheels; write [15, 25]"
+            yield Found(("planetary", "behind"), says)
+        if parts.planetary.ratio is None and not parts.planetary.teeth:
+            says = "neither a ratio nor tooth numbers are given; write ratio = 4.55"
+            yield Found(("planetary", "ratio"), says)
     yield from _placed(doc)
 
 
@@ -123,7 +137,7 @@ def _placed(doc: Document) -> Iterator[Found]:
     sheets = doc.get("sheet")
     for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
         places = table(sheet).get("place")
-        for section, what in (("diagrams", 'point = "D"'), ("flywheel", "delta = 0.04")):
+        for section, what in ASKED.items():
             if isinstance(places, list) and section in places and section not in doc:
                 says = f"nothing says what it is; write a section [{section}] with {what}"
                 yield Found(("sheet", i, "place"), f'"{section}": {says}')

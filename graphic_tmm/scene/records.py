@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from graphic_tmm.mechanism.gear_orders import GearOrder
 from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
+from graphic_tmm.mechanism.trains import PlanetaryOrder
 
 FORCE_PLACES = ("forces", "lever", "force table")
 """What a sheet can show of forces."""
 ENGINE_PLACES = ("engine", "engine diagrams")
 """What a sheet can show of an engine's forces."""
+FREE_PLACES = ("lettering", "symbols")
+"""What a sheet can show without a mechanism or a part."""
+PART_PLACES = ("gears", "planetary")
+"""What a sheet can show of parts that need no mechanism."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +60,7 @@ class Scene:
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
-    drawn in heavy lines.
+    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train.
     """
 
     source: str
@@ -68,6 +74,9 @@ class Scene:
     flywheel: FlywheelOrder | None = None
     forces: ForcesOrder | None = None
     engine: EngineOrder | None = None
+    gears: GearOrder | None = None
+    planetary: PlanetaryOrder | None = None
+    behind: tuple[int, ...] = ()
     main: str | None = None
     trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)

@@ -29,6 +29,8 @@ from graphic_tmm.scene.force_tables import (
 )
 from graphic_tmm.scene.lines import Path
 from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
+from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES
+from graphic_tmm.scene.wheel_tables import GearsTable, PlanetaryTable
 
 M = TypeVar("M", bound=BaseModel)
 Document = dict[str, Any]
@@ -59,6 +61,8 @@ class Parts:
     forces: ForcesTable | None
     friction: FrictionTable | None
     engine: EngineTable | None
+    gears: GearsTable | None
+    planetary: PlanetaryTable | None
     scales: m.ScalesTable | None
     hand: m.HandTable | None
     sheets: list[m.SheetTable | None]
@@ -108,6 +112,8 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
         forces=optional(ForcesTable, "forces"),
         friction=optional(FrictionTable, "friction"),
         engine=optional(EngineTable, "engine"),
+        gears=optional(GearsTable, "gears"),
+        planetary=optional(PlanetaryTable, "planetary"),
         scales=section(m.ScalesTable, "scales"),
         hand=section(m.HandTable, "hand"),
         sheets=sections(m.SheetTable, "sheet"),
@@ -130,7 +136,8 @@ def needs_mechanism(doc: Document) -> bool:
     raw = doc.get("sheet")
     sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
     places = [place for s in sheets for place in _listed(s.get("place", v.USUAL_PLACES))]
-    return any(place not in v.FREE_PLACES for place in places) or "drive" in doc
+    free = (*FREE_PLACES, *PART_PLACES)
+    return any(place not in free for place in places) or "drive" in doc
 
 
 def _listed(value: object) -> list[object]:

@@ -11,7 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from graphic_tmm.scene import lengths, letters, quantities
 from graphic_tmm.scene.quantities import Dimension, kind_of
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, FREE_PLACES, PART_PLACES
 
 Names = Mapping[str, float]
 Schema = dict[str, Any]
@@ -282,8 +282,6 @@ def _letters(value: object, names: Names) -> tuple[str, ...]:
     return tuple(value)
 
 
-FREE_PLACES = ("lettering", "symbols")
-"""What a sheet can show without a mechanism."""
 USUAL_PLACES = (
     "positions", "velocities", "accelerations", "equations", "diagrams", "flywheel", "structure", "results",
 )  # fmt: skip
@@ -294,6 +292,7 @@ PLACES = (
     *ENGINE_PLACES,
     "velocity table",
     "acceleration table",
+    *PART_PLACES,
     *FREE_PLACES,
 )
 _MM: Schema = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from graphic_tmm.captions import CAPTIONS
@@ -79,6 +79,23 @@ def rich_tables(
             out.add_row(letter, unit(column.unit, language), *cells)
         made.append(out)
     return made
+
+
+def result_tables(results: Mapping[str, tuple[float, str]], language: str, title: str) -> list[Any]:
+    """Return the table of results by name for a terminal; none if there are none."""
+    from rich.markup import escape
+    from rich.table import Table
+    from rich.text import Text
+
+    if not results:
+        return []
+    words = CAPTIONS[language]
+    out = Table(title=escape(f"{title}. {words['results']}"), title_justify="left")
+    for head in ("results", "value", "unit"):
+        out.add_column(words[head], no_wrap=True)
+    for name, (value, of) in results.items():
+        out.add_row(Text(name), number(value, language, 6), unit(of, language))
+    return [out]
 
 
 def _figure(value: float | None, language: str) -> str:

@@ -1,0 +1,114 @@
+"""Parts that are drawn on a board of their own: a pair of gears, a planetary train.
+
+Their logs have positions of their own (the steps of a rolling flank, the satellites), so each part is a draft, a
+construction and a reading by itself; a scene may have them beside a mechanism or without one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.findings import Finding, examine
+from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.errors import StructureError
+from graphic_tmm.plans.draft import Draft
+from graphic_tmm.plans.gear import Gear, draw_gear, gear_scales
+from graphic_tmm.plans.gear_results import gear_results
+from graphic_tmm.plans.planetary import Planetary, draw_overall, draw_planetary
+from graphic_tmm.scene.records import PART_PLACES, Scene
+
+Results = dict[str, tuple[float, str]]
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part as drawn: its kind (a place of sheets), its marks, its log, what was given, its numbers."""
+
+    kind: str
+    scene: Scene
+    made: Gear | Planetary
+    construction: Construction
+    given: Mapping[Mark, object]
+    reading: Reading
+    hand: Hand
+    extra: Mapping[str, Mark]
+
+    def results(self) -> Results:
+        """Return the results by name: value and unit."""
+        found: Results = {}
+        if isinstance(self.made, Gear):
+            found = gear_results(self.made, self.reading)
+        marks = dict(self.extra)
+        if isinstance(self.made, Planetary):
+            marks = {**self.made.results, **marks}
+        more = {k: (float(self.reading[m].ravel()[0]), m.unit) for k, m in marks.items()}
+        return found | more
+
+    def scales(self) -> dict[str, Scale]:
+        """Return the scale factors of the views, by view."""
+        found = {}
+        for view in self.construction.views:
+            if view.scale is not None:
+                value = float(self.reading[view.scale].ravel()[0])
+                found[view.name] = Scale(view.scale.letter, value, view.scale.unit)
+        return found
+
+    def findings(self) -> tuple[Finding, ...]:
+        """Return what could not be drawn."""
+        wanted = [step.it for step in self.construction.steps if not step.op.across]
+        return examine(self.construction, self.given, wanted, hand=self.hand)
+
+
+def draw_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
+    """Draw the parts that the scene's sheets show.
+
+    Raises
+    ------
+    StructureError
+        If a part cannot be made; the message names the scene.
+    """
+    wanted = {place for sheet in scene.sheets for place in sheet.place}
+    hand = EXACT if exact else Hand(scene.ruler)
+    try:
+        return tuple(_DRAW[kind](scene, hand) for kind in PART_PLACES if kind in wanted)
+    except StructureError as error:
+        raise StructureError(f"{scene.source}: {error}") from error
+
+
+def _gears(scene: Scene, hand: Hand) -> Part:
+    assert scene.gears is not None
+    draft = Draft()
+    made = draw_gear(draft, scene.gears)
+    given = {**draft.given, **gear_scales(draft, made)}
+    return _part("gears", scene, made, draft, given, hand, {})
+
+
+def _planetary(scene: Scene, hand: Hand) -> Part:
+    assert scene.planetary is not None
+    draft = Draft()
+    made = draw_planetary(draft, scene.planetary)
+    extra = {}
+    if len(scene.behind) == 2:
+        extra["overall_ratio"] = draw_overall(draft, made, *scene.behind)
+    return _part("planetary", scene, made, draft, dict(draft.given), hand, extra)
+
+
+def _part(
+    kind: str,
+    scene: Scene,
+    made: Gear | Planetary,
+    draft: Draft,
+    given: Mapping[Mark, object],
+    hand: Hand,
+    extra: Mapping[str, Mark],
+) -> Part:
+    log = draft.board.construction()
+    reading = execute(log, given, hand=hand)
+    return Part(kind, scene, made, log, given, reading, hand, extra)
+
+
+_DRAW: Mapping[str, Callable[[Scene, Hand], Part]] = {"gears": _gears, "planetary": _planetary}
