@@ -153,7 +153,7 @@ def on_chord(share: Number, start: Number, end: Number, first: Length, last: Len
 
 
 @operation(formula=True)
-def remainder(whole: Length, part: Length) -> Length:
+def rest_of_stroke(whole: Length, part: Length) -> Length:
     """{whole} − {part}"""
     return Length(whole - part)
 
@@ -177,13 +177,13 @@ def along_path(part: Length, distance: Length, lever: Length) -> Length:
 
 
 @operation(formula=True, fails=("the pole stands in the point", "полюс совпадает с точкой"))
-def turning(p: Length, q: Length, v: Length, a: Length) -> Number:
+def turning_of_normal(p: Length, q: Length, v: Length, a: Length) -> Number:
     """1 − ({a}·{p} − {q}·{v})/({p}² + {q}²)"""
     return Number(1.0 - (a * p - q * v) / (p**2 + q**2))
 
 
 @operation(formula=True)
-def curvature(turning: Number, pace: Length, mu: Number) -> Number:
+def curvature_of_profile(turning: Number, pace: Length, mu: Number) -> Number:
     """{turning}/({pace}·{mu})"""
     return Number(turning / (pace * mu))
 
@@ -214,13 +214,13 @@ def convex(radius: Length) -> Length:
 
 
 @operation(formula=True)
-def part_of(share: Number, whole: Number) -> Number:
+def allowed_share(share: Number, whole: Number) -> Number:
     """{share}·{whole}"""
     return Number(share * whole)
 
 
 @operation(formula=True)
-def lesser(first: Number, second: Number) -> Number:
+def lesser_radius(first: Number, second: Number) -> Number:
     """min({first}, {second})"""
     return Number(np.minimum(first, second))
 
@@ -253,3 +253,9 @@ def on_protractor(angle: Angle, mu: Number) -> Length:
 def off_protractor(length: Length, mu: Number) -> Angle:
     """{length}·{mu}"""
     return Angle(length * mu)
+
+
+@operation(formula=True)
+def mean_of_strip(first: Length, middle: Length, last: Length) -> Length:
+    """({first} + 4·{middle} + {last})/6"""
+    return Length((first + 4.0 * middle + last) / 6.0)

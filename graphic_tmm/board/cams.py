@@ -1,7 +1,8 @@
 """Operations for cams: smooth stretches of a curve, lines that touch them, profiles swept by a follower.
 
-A moving phase is a stretch of the row of positions, evenly divided; ``first`` and ``last`` are its indices. A law
-whose acceleration jumps has a stretch on either side of the jump, so that no curve is drawn smooth across it.
+A moving phase is a stretch of the row of positions, evenly divided; ``first`` and ``last`` are its indices. A
+law whose acceleration jumps has a stretch on either side of the jump, so that no curve is drawn smooth across
+it.
 """
 
 from __future__ import annotations
@@ -81,7 +82,7 @@ def phase_end(of: Point, *, at: int) -> Point:
 @operation(
     "Через точки {through} от края до края участка провести плавную кривую {it}.", across=True
 )
-def stretch(through: Point, *, first: int, last: int) -> Curve:
+def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
     """Through the points {through}, from one end of the stretch to the other, draw the smooth curve {it}.
 
     Where points are missing, each run of those that are there gets a natural spline of its own.
@@ -98,7 +99,7 @@ def stretch(through: Point, *, first: int, last: int) -> Curve:
 
 
 def _smooth(row: Complexes) -> Complexes:
-    """Return the tangents through evenly spaced points: of a chord, a parabola, a spline without end conditions."""
+    """Return the tangents through evenly spaced points: of a chord, a parabola, a free spline."""
     if row.size == 2:
         return np.full_like(row, row[1] - row[0])
     if row.size == 3:
@@ -111,13 +112,14 @@ def _smooth(row: Complexes) -> Complexes:
     "По точкам {points} с нормалями {normals} провести плавный профиль {it}.",
     across=True,
 )
-def profile(
+def swept_profile(
     points: Point, normals: Line, pace: Length, step: Angle, *, first: int, last: int, sense: int
 ) -> Curve:
     """Through the points {points} draw the smooth profile {it}, square to the normals {normals}.
 
-    ``pace``: how far the point runs along the profile while the cam turns by a radian; ``step``: the cam's angle
-    between two points. ``sense``: 1 where the profile runs to the left of its inward normals, −1 to the right.
+    ``pace``: how far the point runs along the profile while the cam turns by a radian; ``step``: the cam's
+    angle between two points. ``sense``: 1 where the profile runs to the left of its inward normals, −1 to the
+    right.
     """
     part = slice(first, last + 1)
     reach = pace[:, part] * np.radians(step[:, part])
@@ -141,7 +143,7 @@ def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> 
 
 
 @operation("Из параллельных {first} и {second} оставить крайнюю {it}.")
-def outer(first: Line, second: Line, *, left: int) -> Line:
+def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     """Of the parallels {first} and {second} keep the outer one, {it}.
 
     ``left``: 1 for the one farther to the left of their direction, −1 to the right.
@@ -155,7 +157,7 @@ def outer(first: Line, second: Line, *, left: int) -> Line:
 @operation(
     "На кривой {curve} отметить высшую (или низшую) точку {it}.", across=True, fails=WHOLE_ROW
 )
-def crest(curve: Curve, *, above: int) -> Point:
+def crest_of_curve(curve: Curve, *, above: int) -> Point:
     """On the curve {curve} mark the highest (or lowest) point {it}.
 
     ``above``: 1 for the highest, −1 for the lowest.
@@ -164,7 +166,7 @@ def crest(curve: Curve, *, above: int) -> Point:
 
 
 @operation("Из точек {first} и {second} оставить высшую (или низшую) {it}.")
-def beyond(first: Point, second: Point, *, above: int) -> Point:
+def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
     """Of the points {first} and {second} keep the higher (or lower) one, {it}.
 
     ``above``: 1 for the higher, −1 for the lower.

@@ -58,15 +58,16 @@ Follower = RollerFollower | RockerFollower | FlatFollower
 class CamOrder:
     """A cam and its drawing. Angles in degrees; other quantities in SI, drawn lengths in mm.
 
-    ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°. ``pressure``: the largest pressure
-    angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the same if None);
-    90° less the least transmission angle. ``r0``: the least radius of the theoretical profile (m), ``roller``: the
-    radius of the roller (m); None: the least, and the largest, allowed in whole millimetres. ``share_of_r0`` and
-    ``share_of_curvature`` bound the radius of the roller. A moving phase is divided into ``divisions`` parts, or
-    the turn into about ``per_turn``. ``base`` and ``height``: the diagrams' length of a turn, and of the stroke
-    unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is that of S, ``mu_A`` of d²S/dφ² a standard one,
-    ``mu_l`` of centres and profile (m/mm) that of S (a standard one with a rocking roller), if not given.
-    ``poles``: H of the two integrations of an acceleration diagram.
+    ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°. ``pressure``: the largest
+    pressure angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the
+    same if None); 90° less the least transmission angle. ``r0``: the least radius of the theoretical profile
+    (m), ``roller``: the radius of the roller (m); None: the least, and the largest, allowed in whole
+    millimetres. ``share_of_r0`` and ``share_of_curvature`` bound the radius of the roller. A moving phase is
+    divided into ``divisions`` parts, or the turn into about ``per_turn``. ``base`` and ``height``: the
+    diagrams' length of a turn, and of the stroke unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is
+    that of S, ``mu_A`` of d²S/dφ² a standard one, ``mu_l`` of centres and profile (m/mm) that of S (a
+    standard one with a rocking roller), if not given. ``poles``: H of the two integrations of an acceleration
+    diagram.
     """
 
     stroke: float

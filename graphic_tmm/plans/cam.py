@@ -1,4 +1,4 @@
-"""A cam from its law of motion to its profile: diagrams, centre, profiles, pressure angle, curvature, limits."""
+"""A cam from its law of motion to its profile: diagrams, centre, pressure angle, curvature, profiles."""
 
 from __future__ import annotations
 
@@ -34,8 +34,9 @@ class RollerSize:
 class Cam:
     """A cam as drawn. ``sense``: 1 if it turns counter-clockwise, −1 clockwise.
 
-    A flat face has a `Convexity` for its `Centre`, and neither pressure angle nor roller. ``charts``: the diagrams
-    whose scales stand on the sheet; that of the scales marked as chosen is found as with other graphs.
+    A flat face has a `Convexity` for its `Centre`, and neither pressure angle nor roller. ``charts``: the
+    diagrams whose scales stand on the sheet; that of the scales marked as chosen is found as with other
+    graphs.
     """
 
     order: CamOrder
@@ -124,10 +125,10 @@ def _roller(draft: Draft, order: CamOrder, centre: Centre, curvature: TurnDiagra
         "rρ", shares, (centre.r0, curvature.extremes[0].value), strict=True
     ):
         k = draft.take(Number, f"k_{name}", share)
-        limits.append(board.draw(f.part_of, f"[r]_{name}", k, whole, unit="m"))
+        limits.append(board.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
     if order.roller is not None:
         chosen = draft.take(Number, "r", order.roller, "m")
     else:
-        lesser = board.draw(f.lesser, "[r]", *limits, unit="m")
+        lesser = board.draw(f.lesser_radius, "[r]", *limits, unit="m")
         chosen = board.draw(f.whole_mm_below, "r", lesser, unit="m")
     return RollerSize(limits[0], limits[1], chosen)

@@ -1,8 +1,9 @@
 """Where the centre of a cam with a translating roller may stand: the S–dS/dφ diagram and its tangents.
 
-dS/dφ is laid off square to the displacement, to the side to which the velocity comes when it is turned by 90° as
-the cam turns. The ray from the centre of the cam to a point Q of the curve is then parallel to the normal of the
-profile: its angle with the path is the pressure angle, its length the pace of the roller along the profile.
+dS/dφ is laid off square to the displacement, to the side to which the velocity comes when it is turned by 90°
+as the cam turns. The ray from the centre of the cam to a point Q of the curve is then parallel to the normal
+of the profile: its angle with the path is the pressure angle, its length the pace of the roller along the
+profile.
 """
 
 from __future__ import annotations
@@ -12,7 +13,13 @@ from dataclasses import dataclass
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, rescaled, to_board
-from graphic_tmm.board.cams import beyond, outer, slant, stretch, touch_curve
+from graphic_tmm.board.cams import (
+    extreme_of_two,
+    outer_parallel,
+    slant,
+    smooth_stretch,
+    touch_curve,
+)
 from graphic_tmm.board.operations import (
     cut,
     lay_off,
@@ -25,7 +32,7 @@ from graphic_tmm.board.operations import (
     strike,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number, Point, Side
+from graphic_tmm.board.values import Angle, Number, Point, Side
 from graphic_tmm.mechanism.cam_orders import CamOrder
 from graphic_tmm.plans.cam_diagrams import Diagrams
 from graphic_tmm.plans.draft import Draft
@@ -46,11 +53,12 @@ class Motion:
 class Centre:
     """The region of allowed centres as drawn, and the centre chosen.
 
-    ``roller``: the roller's centre in its positions; ``points`` Q; ``curves`` through them; ``limits``: lines that
-    bound the region, towards the rise and the return; ``lowest``: the roller's lowest place; ``centre`` O.
-    ``least`` and ``r0``: the least radius allowed and the chosen one (Number, m), ``radius`` the chosen one on the
-    drawing (Length); ``apex`` and ``apex_radius``: where both limits meet. ``displacement`` (Length), ``pressure`` (Angle), ``pace`` (Length) and,
-    for every stretch, ``turning`` of the normal for a radian of the cam (Number).
+    ``roller``: the roller's centre in its positions; ``points`` Q; ``curves`` through them; ``limits``: lines
+    that bound the region, towards the rise and the return; ``lowest``: the roller's lowest place; ``centre``
+    O. ``least`` and ``r0``: the least radius allowed and the chosen one (Number, m), ``radius`` the chosen
+    one on the drawing (Length); ``apex`` and ``apex_radius``: where both limits meet. ``displacement``
+    (Length), ``pressure`` (Angle), ``pace`` (Length) and, for every stretch, ``turning`` of the normal for a
+    radian of the cam (Number).
     """
 
     view: str
@@ -121,13 +129,13 @@ def draw_centre(
     outward = board.draw(square, "(B)", roller, up, sense=sense)
     points = board.draw(lay_off, "Q", outward, motion.V)
     curves = tuple(
-        board.draw(stretch, "(Q–Q)", points, first=first, last=last)
+        board.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
         for _, first, last in diagrams.stretches
     )
     limits = _limits(draft, order, diagrams, up, curves, sense)
     down, e = _path(draft, mu, lowest, up, offset, sense)
     ends = [board.draw(meet, f"O_{k}", down, limit) for k, limit in enumerate(limits, 1)]
-    least_centre = board.draw(beyond, "O_{min}", *ends, above=-1)
+    least_centre = board.draw(extreme_of_two, "O_{min}", *ends, above=-1)
     least = board.draw(
         in_si, "r_{min}", board.draw(measure, "OB", least_centre, lowest), mu, unit="m"
     )
@@ -142,7 +150,9 @@ def draw_centre(
     p = board.draw(measure_along, "p", centre, points, up)
     out = board.draw(square, "(out)", lowest, up, sense=sense)
     q = board.draw(measure_along, "q", centre, points, out)
-    turning = [board.draw(f.turning, board.free("τ"), p, q, motion.V, a) for a in motion.A]
+    turning = [
+        board.draw(f.turning_of_normal, board.free("τ"), p, q, motion.V, a) for a in motion.A
+    ]
     made = Centre(
         VIEW, mu, roller, points, curves, limits, lowest, least_centre, centre, least, r0, radius,
         apex, small, motion.S, pressure, pace, tuple(turning),
@@ -186,7 +196,7 @@ def _limits(
         ]
         line = own[0]
         for other in own[1:]:
-            line = board.draw(outer, "(τ)", line, other, left=left)
+            line = board.draw(outer_parallel, "(τ)", line, other, left=left)
         found.append(line)
     return found[0], found[1]
 
@@ -194,7 +204,7 @@ def _limits(
 def _path(
     draft: Draft, mu: Mark, lowest: Mark, up: Mark, offset: float, sense: int
 ) -> tuple[Mark, Mark | None]:
-    """Draw the line on which the centre stands, downward; return it and e as drawn (Length), if there is one."""
+    """Draw the line of the centres downward; return it and e as drawn (Length), if there is one."""
     board = draft.board
     if offset == 0.0:
         return board.draw(parallel, "(O)", lowest, up, sense=-1), None

@@ -11,7 +11,7 @@ import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import to_board, turn_per_mm
-from graphic_tmm.board.cams import in_turn, phase_end, stretch
+from graphic_tmm.board.cams import in_turn, phase_end, smooth_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
@@ -50,8 +50,8 @@ class Diagram:
 class Diagrams:
     """The three diagrams, and what they share.
 
-    ``angle``: the cam's angle of every position (Angle), ``step``: that between two positions of a phase (Angle),
-    for the positions of the rise and of the return.
+    ``angle``: the cam's angle of every position (Angle), ``step``: that between two positions of a phase
+    (Angle), for the positions of the rise and of the return.
     """
 
     turn: Turn
@@ -85,8 +85,8 @@ class _Common(NamedTuple):
 def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
     """Draw the diagrams of the follower's motion.
 
-    Its scales: that of S follows from the stroke's height, that of dS/dφ is the same unless the order says, that
-    of d²S/dφ² is free unless the order says.
+    Its scales: that of S follows from the stroke's height, that of dS/dφ is the same unless the order says,
+    that of d²S/dφ² is free unless the order says.
     """
     board = draft.board
     board.open(VIEWS["S"])
@@ -164,8 +164,8 @@ def _diagram(
     board.open(VIEWS[which])
     axes = graphs.draw_axes(draft, VIEWS[which], common.base, mu)
     points: list[Mark] = []
-    for k, phase in enumerate(common.turn.phases):
-        ground, integral = _ground(draft, common, k, axes), common.integrals[k]
+    for k, integral in enumerate(common.integrals):
+        ground = _ground(draft, common, k, axes)
         if integral is None:
             points += draw_law(draft, ground, which, height)
         else:
@@ -176,7 +176,9 @@ def _diagram(
     readings: list[Mark] = []
     for spots, (first, last) in zip(points, stretches, strict=True):
         curves.append(
-            board.draw(stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last)
+            board.draw(
+                smooth_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
+            )
         )
         readings.append(
             board.draw(measure_along, f"{letter}_{len(readings) + 1}", axes.feet, spots, axes.up)

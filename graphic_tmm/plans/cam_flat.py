@@ -1,7 +1,8 @@
 """The least radius of a cam with a flat face: its profile is convex everywhere.
 
-The radius of curvature is r0 + S + d²S/dφ². In the diagram of S over d²S/dφ² the sum is constant on lines that fall
-at 45°; the one that touches the curve from below cuts off on the axis of S how much r0 has to make up for.
+The radius of curvature is r0 + S + d²S/dφ². In the diagram of S over d²S/dφ² the sum is constant on lines
+that fall at 45°; the one that touches the curve from below cuts off on the axis of S how much r0 has to make
+up for.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, to_board, total
-from graphic_tmm.board.cams import outer, phase_end, stretch, touch_curve
+from graphic_tmm.board.cams import outer_parallel, phase_end, smooth_stretch, touch_curve
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, ray, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number, Point
@@ -31,8 +32,8 @@ class Convexity:
     """The diagram of S over d²S/dφ² as drawn, the least r0 and the chosen one.
 
     ``points`` and ``curves`` by stretch; ``limit``: the line at 45°; ``cut``: where it cuts the axis of S;
-    ``least`` and ``r0`` (Number, m), ``radius`` the chosen one drawn (Length); ``radii``: of curvature, by stretch
-    (Length); ``face``: how far the contact runs to either side of the axis (Length, with its sign).
+    ``least`` and ``r0`` (Number, m), ``radius`` the chosen one drawn (Length); ``radii``: of curvature, by
+    stretch (Length); ``face``: how far the contact runs to either side of the axis (Length, with its sign).
     """
 
     view: str
@@ -68,12 +69,12 @@ def draw_convexity(
     for second, (_, first, last) in zip(motion.A, diagrams.stretches, strict=True):
         own = board.draw(lay_off, board.free("E"), lines, second)
         points.append(own)
-        curves.append(board.draw(stretch, "(E–E)", own, first=first, last=last))
+        curves.append(board.draw(smooth_stretch, "(E–E)", own, first=first, last=last))
     half = draft.take(Angle, "45°", 45.0, "°")
     limit = None
     for curve in curves:
         line = board.draw(touch_curve, "(τ)", curve, across, half, sense=-1, left=-1)
-        limit = line if limit is None else board.draw(outer, "(τ)", limit, line, left=-1)
+        limit = line if limit is None else board.draw(outer_parallel, "(τ)", limit, line, left=-1)
     assert limit is not None
     cut = board.draw(meet, "M", up, limit)
     need = board.draw(measure_along, "MO", cut, origin, up)

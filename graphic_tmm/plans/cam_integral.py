@@ -14,7 +14,7 @@ import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import rescaled, scale_of_derivative
-from graphic_tmm.board.cams import in_turn, stretch
+from graphic_tmm.board.cams import in_turn, smooth_stretch
 from graphic_tmm.board.graphs import arrival, erect, following, halve, succession
 from graphic_tmm.board.operations import (
     join,
@@ -76,16 +76,16 @@ def draw_integral(
     board.open(views["A"])
     first, corners, middles, accelerations = _accelerations(draft, row, views["A"])
     speeds = _axes(draft, row, views["V"])
-    points, _, pole_A = _succession(draft, row, (first, speeds), middles, poles[0])
+    points, last, pole_A = _succession(draft, row, (first, speeds), middles, poles[0])
     board.open(views["V"])
     velocity = board.draw(measure_along, "V", speeds.feet, points, speeds.up)
     ways = _axes(draft, row, views["S"])
-    middles = _on_curves(draft, row, speeds, points)
+    middles = _on_curves(draft, row, speeds, points, last)
     spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1])
     board.open(views["S"])
     displacement = board.draw(measure_along, "S", ways.feet, spots, ways.up)
-    for last in phase.stretches:
-        board.draw(stretch, "(s–s)", spots, first=last[0], last=last[1])
+    for ends in phase.stretches:
+        board.draw(smooth_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
     high = board.draw(measure_along, "h", ways.end, end, ways.up)
     unit = stroke.unit
     mu_S = board.draw(f.scale_of_stroke, "μ_S", stroke, high, unit=f"{unit}/mm")
@@ -113,7 +113,7 @@ def lay_integral(
         uses = (own[min(k, len(own) - 1)], integral.scales[which], ground.mu)
         long = board.draw(rescaled, f"y_{which}", *uses)
         if back and which == "S":
-            long = board.draw(f.remainder, f"y_{which}", height, long)
+            long = board.draw(f.rest_of_stroke, f"y_{which}", height, long)
         over = uprights(draft, ground, k, up=not back or which == "S")
         found.append(board.draw(lay_off, board.free(which.lower()), over, long))
     return tuple(found)
@@ -182,14 +182,17 @@ def _over_middles(
     return board.draw(lay_off, board.free("h"), over, whole)
 
 
-def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark) -> Mark:
-    """Draw the smooth curve of every stretch and mark the middle of each interval on it."""
+def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> Mark:
+    """Draw the smooth curve of every stretch and mark over the middles the mean ordinate of each interval."""
     board, heights = draft.board, []
+    after = board.draw(following, "v+1", points, end, row=row.base.intervals)
+    ends = [board.draw(measure_along, "v", axes.origin, z, axes.up) for z in (points, after)]
     for first, last in row.phase.stretches:
-        curve = board.draw(stretch, "(v–v)", points, first=first, last=last)
+        curve = board.draw(smooth_stretch, "(v–v)", points, first=first, last=last)
         spots = board.draw(erect, board.free("w"), curve, axes.middles)
-        height = board.draw(measure_along, "w", axes.middles, spots, axes.up)
-        heights.append((height, (first, last)))
+        middle = board.draw(measure_along, "w", axes.middles, spots, axes.up)
+        mean = board.draw(f.mean_of_strip, "w_m", ends[0], middle, ends[1])
+        heights.append((mean, (first, last)))
     return _over_middles(draft, row, axes, heights)
 
 

@@ -21,10 +21,11 @@ from graphic_tmm.plans.draft import Draft
 class Ground(NamedTuple):
     """One phase on the axes of one diagram.
 
-    ``shares`` and ``feet``: for each stretch, the share of the phase from its outer end (Number) and the foot on
-    the base, both missing at other positions. ``near`` and ``far``: the feet of the outer and of the inner end;
-    ``out``: the line from the outer end away from the phase; ``rise`` and ``drop``: the perpendicular there,
-    upward and downward. ``phase``: the angle of the phase (Number, rad); ``stroke`` and ``mu`` (Number).
+    ``shares`` and ``feet``: for each stretch, the share of the phase from its outer end (Number) and the foot
+    on the base, both missing at other positions. ``near`` and ``far``: the feet of the outer and of the inner
+    end; ``out``: the line from the outer end away from the phase; ``rise`` and ``drop``: the perpendicular
+    there, upward and downward. ``phase``: the angle of the phase (Number, rad); ``stroke`` and ``mu``
+    (Number).
     """
 
     of: Phase

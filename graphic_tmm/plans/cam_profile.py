@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import advance, to_board, total
-from graphic_tmm.board.cams import inward_normal, phase_end, profile, slew
+from graphic_tmm.board.cams import inward_normal, phase_end, slew, swept_profile
 from graphic_tmm.board.operations import lay_off, measure, parallel, ray, square, strike
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
@@ -29,8 +29,8 @@ VIEW = "cam profile"
 class Contour:
     """A closed profile: a curve for every stretch, the circles of the upper and of the lower dwell (Arc).
 
-    ``points``: through which it runs. Its stretches and dwells follow each other in the sense ``sense`` (1 counter-
-    clockwise about the centre), against that of the cam.
+    ``points``: through which it runs. Its stretches and dwells follow each other in the sense ``sense`` (1
+    counter- clockwise about the centre), against that of the cam.
     """
 
     points: Mark
@@ -44,9 +44,9 @@ class Contour:
 class Profile:
     """The profiles as drawn: centre O, the guides in their inverted places, both contours.
 
-    ``theoretical``: of a roller follower only; ``guides``: lines of the path or of the face; ``feet``: where the
-    guides touch the circle of the offset, or the pivots of the lever, or the middles of the face; ``normals``;
-    ``roller``: its radius (Length).
+    ``theoretical``: of a roller follower only; ``guides``: lines of the path or of the face; ``feet``: where
+    the guides touch the circle of the offset, or the pivots of the lever, or the middles of the face;
+    ``normals``; ``roller``: its radius (Length).
     """
 
     view: str
@@ -171,7 +171,7 @@ def _contour(
         step = diagrams.steps[0 if phase is turn.rise else 1]
         letter = f"({points.letter}–{points.letter})"
         uses = (points, normals, pace, step)
-        curves.append(board.draw(profile, letter, *uses, first=first, last=last, sense=sense))
+        curves.append(board.draw(swept_profile, letter, *uses, first=first, last=last, sense=sense))
     circles = []
     for at in (turn.rise.last, turn.fall.last):
         end = board.draw(phase_end, board.free(f"{points.letter}_e"), points, at=at)

@@ -71,6 +71,11 @@ def _refuse_sizes(order: CamOrder) -> None:
             f"cam: a lever that rocks by {math.degrees(order.stroke):g}° turns over: its stroke is an angle in "
             "radians, less than π"
         )
+    _refuse_choices(order)
+
+
+def _refuse_choices(order: CamOrder) -> None:
+    follower = order.follower
     if isinstance(follower, FlatFollower) and follower.least < 0.0:
         raise StructureError("cam: the least radius of curvature of a flat face's cam is negative")
     for angle in (order.pressure, order.pressure_return):
@@ -113,8 +118,8 @@ def _refuse_law(name: str, law: Law) -> None:
     size = sum((b[0] - a[0]) * (abs(a[1]) + abs(b[1])) / 2.0 for a, b in pairwise(points))
     if size == 0.0 or abs(sum(areas)) > BALANCE * size:
         raise StructureError(
-            f"cam, {name}: the areas of the acceleration diagram above and below the axis differ, so the follower "
-            "would not stop: make them equal"
+            f"cam, {name}: the areas of the acceleration diagram above and below the axis differ, so the "
+            "follower would not stop: make them equal"
         )
     speeds = np.cumsum(areas)
     lift = sum(

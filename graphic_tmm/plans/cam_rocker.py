@@ -1,8 +1,9 @@
 """Where the centre of a cam with a rocking roller may stand, the distance of the centres being given.
 
-Along the lever in each of its positions the path's dS/dφ is laid off; a line through its end Q, inclined by the
-allowed pressure angle to the path, cuts the circle of the centres where the cam's centre may begin to stand. The
-angle of that point from the lowest lever, drawn over the turn as a diagram, has its highest point on the curve.
+Along the lever in each of its positions the path's dS/dφ is laid off; a line through its end Q, inclined by
+the allowed pressure angle to the path, cuts the circle of the centres where the cam's centre may begin to
+stand. The angle of that point from the lowest lever, drawn over the turn as a diagram, has its highest point
+on the curve.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, to_board
-from graphic_tmm.board.cams import beyond, crest, slant, slew, stretch
+from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, slant, slew, smooth_stretch
 from graphic_tmm.board.operations import (
     cross,
     cut,
@@ -45,8 +46,8 @@ DEGREES = 1.0
 class Lever:
     """The rocker as drawn for the profile: line of centres from O1, their distance and the lever (Length).
 
-    ``start``: the angle of the lever from the line of centres in its lowest place, ``swing`` from there (Angle);
-    ``sense`` of its turning on the rise; ``chart``: the diagram of the limits.
+    ``start``: the angle of the lever from the line of centres in its lowest place, ``swing`` from there
+    (Angle); ``sense`` of its turning on the rise; ``chart``: the diagram of the limits.
     """
 
     line: Mark
@@ -85,7 +86,7 @@ def draw_rocker_centre(
     outward = board.draw(parallel, "(v)", roller, levers, sense=-alike)
     points = board.draw(lay_off, "Q", outward, velocity)
     curves = tuple(
-        board.draw(stretch, "(Q–Q)", points, first=first, last=last)
+        board.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
         for _, first, last in diagrams.stretches
     )
     paths = board.draw(square, "(t)", points, levers, sense=rocks)
@@ -112,7 +113,7 @@ def draw_rocker_centre(
     turning = []
     for reading in diagrams.A.readings:
         second = board.draw(f.on_lever, board.free("a"), reading, diagrams.A.chart.mu, lever)
-        turning.append(board.draw(f.turning, board.free("τ"), p, q, along, second))
+        turning.append(board.draw(f.turning_of_normal, board.free("τ"), p, q, along, second))
     made = Centre(
         VIEW, mu, roller, points, curves, limits, lowest, least_centre, centre, least, r0, radius,
         None, None, diagrams.S.reading, pressure, pace, tuple(turning),
@@ -126,9 +127,9 @@ def _limits(
 ) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark]]:
     """Draw the limit lines through every Q and measure where the centre may begin to stand (Angle).
 
-    ``on``: the points Q, the directions of the path, the circle of the centres, the pivot, the lowest lever. Of the
-    two points of a line on the circle it is the one at which, going from the lowest lever, one comes to its
-    allowed side.
+    ``on``: the points Q, the directions of the path, the circle of the centres, the pivot, the lowest lever.
+    Of the two points of a line on the circle it is the one at which, going from the lowest lever, one comes
+    to its allowed side.
     """
     board, (points, paths, circle, pivot, begin) = draft.board, on
     lines, angles = [], []
@@ -158,9 +159,13 @@ def _limit_diagram(
         high = board.draw(f.on_protractor, "y", angle, mu)
         spots = board.draw(lay_off, board.free("β"), lines, high)
         for first, last in phase.stretches:
-            curve = board.draw(stretch, "(β–β)", spots, first=first, last=last)
-            own = board.draw(crest, board.free("k"), curve, above=1)
-            top = own if top is None else board.draw(beyond, board.free("k"), top, own, above=1)
+            curve = board.draw(smooth_stretch, "(β–β)", spots, first=first, last=last)
+            own = board.draw(crest_of_curve, board.free("k"), curve, above=1)
+            top = (
+                own
+                if top is None
+                else board.draw(extreme_of_two, board.free("k"), top, own, above=1)
+            )
         readings.append(board.draw(measure_along, f"β_{len(readings)}", axes.feet, spots, axes.up))
     assert top is not None
     high = board.draw(measure_along, "y_{max}", axes.origin, top, axes.up)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, to_board
-from graphic_tmm.board.cams import beyond, crest, stretch
+from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, smooth_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
@@ -80,7 +80,7 @@ def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiag
     heights = []
     for turning in centre.turning:
         kappa = board.draw(
-            f.curvature, board.free("κ"), turning, centre.pace, centre.mu, unit="1/m"
+            f.curvature_of_profile, board.free("κ"), turning, centre.pace, centre.mu, unit="1/m"
         )
         heights.append(board.draw(to_board, "y_κ", kappa, mu))
     points, curves, readings = _raised(draft, diagrams, axes, heights, "κ")
@@ -118,7 +118,9 @@ def _raised(
 
 def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[Mark, ...]:
     return tuple(
-        draft.board.draw(stretch, f"({own.letter}–{own.letter})", own, first=first, last=last)
+        draft.board.draw(
+            smooth_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last
+        )
         for own, (_, first, last) in zip(points, diagrams.stretches, strict=True)
     )
 
@@ -128,10 +130,10 @@ def _extreme(
 ) -> tuple[Mark, Mark, Mark]:
     """Return the extreme point of some curves, its ordinate (Length) and the angle of the cam (Angle)."""
     board = draft.board
-    tops = [board.draw(crest, board.free("k"), curve, above=above) for curve in curves]
+    tops = [board.draw(crest_of_curve, board.free("k"), curve, above=above) for curve in curves]
     point = tops[0]
     for other in tops[1:]:
-        point = board.draw(beyond, board.free("k"), point, other, above=above)
+        point = board.draw(extreme_of_two, board.free("k"), point, other, above=above)
     y = board.draw(measure_along, board.free("y_k"), axes.origin, point, axes.up)
     x = board.draw(measure_along, board.free("x_k"), axes.origin, point, axes.along)
     angle = board.draw(f.angle_of_turn, board.free("φ_k"), x, axes.base.length, unit="°")
