@@ -52,7 +52,8 @@ def made(order: CamOrder) -> Made:
     given |= {chart.mu: 1.0 for chart in free}
     found = execute(log, given, [mark for chart in free for mark in chart.ordinates])
     for chart in free:
-        high = max(float(np.nanmax(np.abs(found[mark]))) for mark in chart.ordinates)
+        rows = [np.abs(found[mark]) for mark in chart.ordinates]
+        high = max(float(np.max(row, initial=0.0, where=np.isfinite(row))) for row in rows)
         given[chart.mu] = chart.wanted or standard(high, chart.room)
     return Made(cam, log, given, execute(log, given))
 
@@ -253,28 +254,36 @@ def pressure_angles(order: CamOrder, r0: float, degrees: np.ndarray) -> np.ndarr
 
 
 def least_radius(order: CamOrder, step: float = 0.02) -> float:
-    """Return the least r0 (m) at which no pressure angle passes its limit: by halving over a dense turn.
+    """Return the least r0 (m) at which no pressure angle passes its limit; NaN if there is none.
 
-    Only for cams whose pressure angles fall as r0 grows.
+    The first of 400 radii that fits on a coarse turn, then halving on a dense one.
     """
-    phi = np.arange(0.0, 360.0, step)
     limits = order.pressure, order.pressure_return or order.pressure
-    follower, low, high = order.follower, 1e-6, 1.0
+    follower, low, high = order.follower, 1e-6, 0.3
     if isinstance(follower, RollerFollower):
         low = abs(follower.offset) * (1 + 1e-12) + 1e-6
     if isinstance(follower, RockerFollower):
-        low = abs(follower.centres - follower.lever) * (1 + 1e-9)
-        high = np.hypot(follower.centres, follower.lever)
-    for _ in range(60):
+        low = abs(follower.centres - follower.lever) * (1 + 1e-9) + 1e-6
+        high = (follower.centres + follower.lever) * (1 - 1e-9)
+
+    def fits(r0: float, phi: np.ndarray) -> bool:
+        alpha = pressure_angles(order, r0, phi)
+        return bool(alpha.max() <= limits[0] and alpha.min() >= -limits[1])
+
+    tried = np.linspace(low, high, 400)
+    coarse, dense = np.arange(0.0, 360.0, 1.0), np.arange(0.0, 360.0, step)
+    first = next((k for k, r0 in enumerate(tried) if fits(r0, coarse)), None)
+    if first is None:
+        return float("nan")
+    low, high = tried[max(first - 1, 0)], tried[first]
+    for _ in range(50):
         middle = (low + high) / 2
-        alpha = pressure_angles(order, middle, phi)
-        fits = alpha.max() <= limits[0] and alpha.min() >= -limits[1]
-        low, high = (low, middle) if fits else (middle, high)
-    return high
+        low, high = (low, middle) if fits(middle, dense) else (middle, high)
+    return float(high)
 
 
 def curvatures(order: CamOrder, r0: float, degrees: np.ndarray) -> np.ndarray:
-    """Return the curvature (1/m) of the theoretical profile by differences of its points; positive if convex."""
+    """Return the curvature (1/m) of the theoretical profile by differences; positive if convex."""
     t = 1e-4
 
     def at(shift: float) -> np.ndarray:

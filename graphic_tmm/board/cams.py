@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.curve import natural, neighbours
-from graphic_tmm.board.geometry import along, cis, degrees
+from graphic_tmm.board.geometry import along, cis, degrees, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.graphs import not_a_knot
 from graphic_tmm.board.values import (
@@ -23,6 +23,7 @@ from graphic_tmm.board.values import (
     Number,
     Point,
     Reals,
+    Side,
 )
 
 
@@ -65,6 +66,19 @@ def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
     ``sense``: 1 if it counts counter-clockwise, −1 clockwise; −180 … 180°.
     """
     return Angle(sense * degrees((end - start) * np.conj(to.along)))
+
+
+@operation(
+    "На пересечении {line} с дугой {arc}, {side} от основания перпендикуляра, или, если дуга до неё не "
+    "достаёт, в самом основании отметить {it}.",
+    sides=(("along it", "back along it"), ("вперёд по направлению прямой", "назад")),
+)
+def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
+    """Where {arc} cuts {line}, {side} from the foot of its centre, or there if it does not, mark {it}."""
+    to_centre = arc.centre - line.at
+    height = wedge(line.along, to_centre)
+    half = np.sqrt(np.maximum((arc.radius - height) * (arc.radius + height), 0.0))
+    return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
 
 
 @operation("На первом участке взять {first}, на остальных {second}; это {it}.")

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
+
+import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.mechanism.cam_orders import FlatFollower
 from graphic_tmm.plans.cam import Cam
+from graphic_tmm.plans.cam_rocker import Lever
 
 PROTRACTOR = 0.05
 """Degrees: 0.1 mm on a ray of 100 mm. A pressure angle that is over by less cannot be told from the limit."""
@@ -28,6 +32,12 @@ _WORDS = {
     "path": (
         f"{_STEEP[0]}: no larger r0 helps, change the distance of the centres or the offset",
         f"{_STEEP[1]}: больший r0 не поможет, измените межосевое расстояние или эксцентриситет",
+    ),
+    "no centre": (
+        f"wherever the cam stands at this distance from the lever's pivot, the pressure angle {_AT[0]} passes "
+        "{limit:g}°: increase the distance of the centres, the phase or the pressure angle allowed",
+        f"при этом межосевом расстоянии угол давления {_AT[1]} всегда больше {{limit:g}}°: увеличьте межосевое "
+        "расстояние, фазовый угол или допускаемый угол давления",
     ),
     "roller by r0": (
         "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of r0",
@@ -81,24 +91,53 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
         return float(reading[mark][0, 0])
 
     sizes = (1000.0 * one(cam.r0), 1000.0 * one(cam.least))
-    found: list[CamFinding] = []
-    sharpest = cam.curvature.extremes[0]
-    angle, rho = one(sharpest.angle), 1000.0 * one(sharpest.value)
     if isinstance(cam.order.follower, FlatFollower):
-        least = 1000.0 * cam.order.follower.least
-        if rho < least - RULER * sizes[0]:
-            found.append(CamFinding("hollow", angle, rho, least, *sizes))
-        return tuple(found)
+        return _hollow(cam, one, sizes)
+    return (*_pressure(reading, cam, one, sizes), *_roller(cam, one, sizes))
+
+
+def _hollow(
+    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    assert isinstance(cam.order.follower, FlatFollower)
+    (flattest,) = cam.curvature.extremes
+    rho, least = 1000.0 * one(flattest.value), 1000.0 * cam.order.follower.least
+    if rho >= least - RULER * sizes[0]:
+        return ()
+    return (CamFinding("hollow", one(flattest.angle), rho, least, *sizes),)
+
+
+def _pressure(
+    reading: Reading, cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
     assert cam.pressure is not None
-    assert cam.roller is not None
     limits = (cam.order.pressure, cam.order.pressure_return or cam.order.pressure)
+    found = []
+    if isinstance(cam.path, Lever):
+        turn = cam.diagrams.turn
+        for mark, phase, limit in zip(cam.path.chart.ordinates, turn.phases, limits, strict=True):
+            own = reading[mark][0, phase.first : phase.last + 1]
+            gone = np.flatnonzero(~np.isfinite(own))
+            if gone.size:
+                place = turn.angles[phase.first + int(gone[gone.size // 2])]
+                found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))
     kind = "pressure" if sizes[0] < sizes[1] else "path"
     for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=True):
         if sign * one(extreme.value) > limit + PROTRACTOR:
             place = one(extreme.angle)
             found.append(CamFinding(kind, place, abs(one(extreme.value)), limit, *sizes))
+    return tuple(found)
+
+
+def _roller(
+    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    assert cam.roller is not None
+    (sharpest,) = cam.curvature.extremes
+    angle, rho = one(sharpest.angle), 1000.0 * one(sharpest.value)
     radius = 1000.0 * one(cam.roller.radius)
     by_r0, by_rho = 1000.0 * one(cam.roller.by_r0), 1000.0 * one(cam.roller.by_curvature)
+    found = []
     if radius > by_r0 * (1.0 + RULER):
         found.append(CamFinding("roller by r0", float("nan"), radius, by_r0, *sizes))
     if radius >= rho:

@@ -185,12 +185,18 @@ def _over_middles(
 def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> Mark:
     """Draw the smooth curve of every stretch and mark over the middles the mean ordinate of each interval."""
     board, heights = draft.board, []
+    board.open(axes.view)
     after = board.draw(following, "v+1", points, end, row=row.base.intervals)
     ends = [board.draw(measure_along, "v", axes.origin, z, axes.up) for z in (points, after)]
+    angles = np.array(row.turn.angles)
     for first, last in row.phase.stretches:
         curve = board.draw(smooth_stretch, "(v–v)", points, first=first, last=last)
-        spots = board.draw(erect, board.free("w"), curve, axes.middles)
-        middle = board.draw(measure_along, "w", axes.middles, spots, axes.up)
+        own = (angles[first:last] + angles[first + 1 : last + 1]) / 2.0
+        at = draft.take(Angle, board.free("φ_m"), row.turn.over((first, last - 1), own), "°")
+        x = board.draw(f.along_turn, "x_m", at, row.base.length)
+        foot = board.draw(lay_off, board.free("m"), axes.along, x)
+        spots = board.draw(erect, board.free("w"), curve, foot)
+        middle = board.draw(measure_along, "w", foot, spots, axes.up)
         mean = board.draw(f.mean_of_strip, "w_m", ends[0], middle, ends[1])
         heights.append((mean, (first, last)))
     return _over_middles(draft, row, axes, heights)

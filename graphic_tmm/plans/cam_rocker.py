@@ -12,7 +12,14 @@ from dataclasses import dataclass
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, to_board
-from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, slant, slew, smooth_stretch
+from graphic_tmm.board.cams import (
+    crest_of_curve,
+    cut_or_foot,
+    extreme_of_two,
+    slant,
+    slew,
+    smooth_stretch,
+)
 from graphic_tmm.board.operations import (
     cross,
     cut,
@@ -136,7 +143,9 @@ def _limits(
     for name, angle, towards in zip("rf", limit_angles(draft, order), (1, -1), strict=True):
         line = board.draw(slew, f"(α_{name})", points, paths, angle, sense=sense * towards)
         enter = draft.take(Side, f"±_{name}", float(-alike * towards))
-        spot = board.draw(cut, f"O_{name}", line, circle, enter)
+        # a line that misses the circle leaves the side of the pivot allowed, or nothing of the circle
+        op = cut_or_foot if towards == alike else cut
+        spot = board.draw(op, f"O_{name}", line, circle, enter)
         lines.append(line)
         angles.append(
             board.draw(slant, f"β_{name}", pivot, spot, begin, sense=-alike * sense, unit="°")
