@@ -7,13 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
-from graphic_tmm.board.calculations import in_si, to_board
-from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, smooth_stretch
-from graphic_tmm.board.operations import lay_off, measure_along, square
+from graphic_tmm.board.calculations import in_si, to_board, total
+from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, phase_end, smooth_stretch
+from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
+from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.plans import graphs
 from graphic_tmm.plans.cam_centre import Centre
 from graphic_tmm.plans.cam_diagrams import Diagrams
@@ -59,6 +62,7 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
     lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
     spots = board.draw(lay_off, "p", lines, high)
     curves = _curves(draft, diagrams, [spots] * len(diagrams.stretches))
+    _outline(draft, diagrams, axes, [spots] * len(curves), spots)
     extremes = []
     for phase in diagrams.turn.phases:
         own = [c for c, row in zip(curves, diagrams.stretches, strict=True) if row[0] is phase]
@@ -84,6 +88,16 @@ def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiag
         )
         heights.append(board.draw(to_board, "y_κ", kappa, mu))
     points, curves, readings = _raised(draft, diagrams, axes, heights, "κ")
+    circle = board.draw(
+        f.curvature_of_profile,
+        "κ",
+        draft.take(Number, "1", 1.0),
+        centre.pace,
+        centre.mu,
+        unit="1/m",
+    )
+    high = board.draw(to_board, "y_κ", circle, mu)
+    _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, 1)
     value = board.draw(f.least_radius, "ρ_{min}", y, mu, unit="m")
     chart = Chart(CURVATURE, "κ", "1/m", mu, readings, True, None, ROOM)
@@ -96,6 +110,8 @@ def draw_radii(draft: Draft, diagrams: Diagrams, of: Convexity) -> TurnDiagram:
     board.open(CURVATURE)
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, of.mu)
     points, curves, readings = _raised(draft, diagrams, axes, of.radii, "ρ")
+    circle = board.draw(total, "ρ", of.radius, of.motion.S)
+    _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, circle))
     point, y, angle = _extreme(draft, axes, curves, -1)
     value = board.draw(in_si, "ρ_{min}", y, of.mu, unit="m")
     chart = Chart(CURVATURE, "ρ", "m", of.mu, readings, False, None, ROOM)
@@ -114,6 +130,40 @@ def _raised(
         for k, spots in enumerate(points, 1)
     ]
     return tuple(points), _curves(draft, diagrams, points), tuple(readings)
+
+
+def _level(draft: Draft, diagrams: Diagrams, axes: Axes, high: Mark) -> Mark:
+    """Lay off the ordinates of the dwells over their ends; ``high``: of all positions (Length)."""
+    board, turn = draft.board, diagrams.turn
+    ends = np.full((1, turn.positions), np.nan)
+    for at in (0, turn.rise.last, turn.fall.first, turn.fall.last):
+        ends[0, at] = turn.angles[at]
+    angles = draft.take(Angle, board.free("φ_d"), ends, "°")
+    x = board.draw(f.along_turn, "x_d", angles, axes.base.length)
+    foot = board.draw(lay_off, board.free("n"), axes.along, x)
+    line = board.draw(square, "(n)", foot, axes.along, sense=1)
+    return board.draw(lay_off, board.free("d"), line, high)
+
+
+def _outline(
+    draft: Draft, diagrams: Diagrams, axes: Axes, points: Sequence[Mark], level: Mark
+) -> None:
+    """Tell what is drawn besides the curves: the dwells at their level, the jumps between stretches."""
+    board, turn = draft.board, diagrams.turn
+    rows = diagrams.stretches
+
+    def end(spots: Mark, at: int) -> Mark:
+        return board.draw(phase_end, board.free(f"{spots.letter}_e"), spots, at=at)
+
+    for (spots, (_, _, last)), (after, (_, first, _)) in pairwise(zip(points, rows, strict=True)):
+        dwell = [end(level, at) for at in (last, first)] if first > last else []
+        board.figure("outline", "between", end(spots, last), *dwell, end(after, first))
+    low = end(level, turn.fall.last)
+    across = board.draw(parallel, "(d)", low, axes.along)
+    over = board.draw(square, "(d)", axes.end, axes.along, sense=1)
+    far = board.draw(meet, board.free("d_N"), over, across)
+    board.figure("outline", "lower dwell", end(points[-1], turn.fall.last), low, far)
+    board.figure("outline", "start", end(level, 0), end(points[0], 0))
 
 
 def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[Mark, ...]:
