@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board import cam_formulas as f
+from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board import graphs as g
 from graphic_tmm.board.cams import divide_semicircle, smooth_stretch
 from graphic_tmm.board.curve import bezier
@@ -146,10 +146,10 @@ class _Ink:
         radius, sense = float(struck.radius[0, 0]), step.choice["sense"]
         by = self.by_mark[step.uses[2]].op
         start = math.degrees(math.atan2(way.imag, way.real))
-        if by is f.half_around_outer:
+        if by is law.half_around_outer:
             yield arc("thin", centre, radius, start, 90.0 * sense)
         else:
-            start -= 90.0 * sense if by is f.around_outer else 0.0
+            start -= 90.0 * sense if by is law.around_outer else 0.0
             yield arc("thin", centre, radius, start, 180.0 * sense)
             end = centre + cmath.rect(radius, math.radians(start))
             yield line("thin", end, 2 * centre - end)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
+from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.calculations import to_board, turn_per_mm
 from graphic_tmm.board.cams import in_turn, phase_end, smooth_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, parallel, square
@@ -139,7 +140,7 @@ def _divided(
             k = np.arange(ends[0], ends[1] + 1)
             far = k - phase.first if phase.sign > 0 else phase.last - k
             number = draft.take(Number, f"n_{name}", turn.over(ends, far.astype(float)))
-            shares.append(board.draw(f.share_of_parts, f"u_{name}", number, parts))
+            shares.append(board.draw(law.share_of_parts, f"u_{name}", number, parts))
         rows.append((extent, step, radians, tuple(shares)))
     (a, b) = rows
     return (a[0], b[0]), (a[1], b[1]), (a[2], b[2]), (a[3], b[3])
@@ -218,7 +219,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
     whole = board.draw(f.along_turn, "l", common.extents[k], length)
     divisions = []
     for share in common.shares[k]:
-        x = board.draw(f.even_height, "x", share, whole)
+        x = board.draw(law.even_height, "x", share, whole)
         divisions.append(board.draw(lay_off, board.free("n"), inward, x))
     rise = board.draw(square, "(y)", near, axes.along, sense=1)
     drop = board.draw(square, "(y)", near, axes.along, sense=-1)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
+from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.calculations import rescaled, scale_of_derivative
 from graphic_tmm.board.cams import in_turn, smooth_stretch
 from graphic_tmm.board.graphs import arrival, erect, following, halve, succession
@@ -113,7 +114,7 @@ def lay_integral(
         uses = (own[min(k, len(own) - 1)], integral.scales[which], ground.mu)
         long = board.draw(rescaled, f"y_{which}", *uses)
         if back and which == "S":
-            long = board.draw(f.rest_of_stroke, f"y_{which}", height, long)
+            long = board.draw(law.rest_of_stroke, f"y_{which}", height, long)
         over = uprights(draft, ground, k, up=not back or which == "S")
         found.append(board.draw(lay_off, board.free(which.lower()), over, long))
     return tuple(found)
@@ -197,7 +198,7 @@ def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> 
         foot = board.draw(lay_off, board.free("m"), axes.along, x)
         spots = board.draw(erect, board.free("w"), curve, foot)
         middle = board.draw(measure_along, "w", foot, spots, axes.up)
-        mean = board.draw(f.mean_of_strip, "w_m", ends[0], middle, ends[1])
+        mean = board.draw(law.mean_of_strip, "w_m", ends[0], middle, ends[1])
         heights.append((mean, (first, last)))
     return _over_middles(draft, row, axes, heights)
 
@@ -242,7 +243,7 @@ def _ordinates(
         fits = [s for s in segments if s[0] - SLACK <= u <= s[1] + SLACK]
         rows[:, i] = min(fits, key=lambda s: abs((s[0] + s[1]) / 2.0 - middle))
     number = draft.take(Number, board.free("n"), numbers)
-    share = board.draw(f.share_of_parts, "u", number, parts)
+    share = board.draw(law.share_of_parts, "u", number, parts)
     start, end = (
         draft.take(Number, board.free(x), rows[k : k + 1]) for k, x in ((0, "u_a"), (1, "u_b"))
     )
@@ -250,4 +251,4 @@ def _ordinates(
         draft.take(Length, board.free(x), rows[k : k + 1], "mm")
         for k, x in ((2, "y_a"), (3, "y_b"))
     )
-    return board.draw(f.on_chord, "y", share, start, end, low, high)
+    return board.draw(law.on_chord, "y", share, start, end, low, high)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board import cam_formulas as f
+from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.cams import divide_semicircle
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.graphs import halve
@@ -63,12 +63,12 @@ class Semicircle(NamedTuple):
 
 
 SEMICIRCLES = {
-    ("sine", "S"): Semicircle(f.sine_radius, 0, "out", f.around_outer, 1),
-    ("sine", "V"): Semicircle(f.sine_radius_V, 1, "drop", f.around_lowest, -1, True),
-    ("sine", "A"): Semicircle(f.sine_radius_A, 0, "out", f.around_outer, -1),
-    ("cosine", "S"): Semicircle(f.cosine_radius, 1, "drop", f.half_around, -1),
-    ("cosine", "V"): Semicircle(f.cosine_radius_V, 0, "out", f.half_around_outer, -1, True),
-    ("cosine", "A"): Semicircle(f.cosine_radius_A, 0, "rise", f.half_around, 1),
+    ("sine", "S"): Semicircle(law.sine_radius, 0, "out", law.around_outer, 1),
+    ("sine", "V"): Semicircle(law.sine_radius_V, 1, "drop", law.around_lowest, -1, True),
+    ("sine", "A"): Semicircle(law.sine_radius_A, 0, "out", law.around_outer, -1),
+    ("cosine", "S"): Semicircle(law.cosine_radius, 1, "drop", law.half_around, -1),
+    ("cosine", "V"): Semicircle(law.cosine_radius_V, 0, "out", law.half_around_outer, -1, True),
+    ("cosine", "A"): Semicircle(law.cosine_radius_A, 0, "rise", law.half_around, 1),
 }
 """By law and diagram; the displacement of the sine law is then carried along the chord of the phase."""
 
@@ -131,7 +131,7 @@ def _parabola(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     line = board.draw(square, "(m)", middle, ground.along, sense=1)
     found = []
     for k, share in enumerate(ground.shares):
-        even = board.draw(f.even_height, "x_h", share, height)
+        even = board.draw(law.even_height, "x_h", share, height)
         spots = board.draw(lay_off, board.free("d"), line, even)
         rays = board.draw(join, "(d)", ground.near if ground.outer(k) else top, spots)
         found.append(board.draw(meet, board.free("s"), uprights(draft, ground, k), rays))
@@ -141,7 +141,7 @@ def _parabola(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
 def _triangle(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw two straight lines from the ends of the phase to the peak over its middle."""
     board = draft.board
-    most = board.draw(f.parabola_V, "h_V", ground.stroke, ground.phase, ground.mu)
+    most = board.draw(law.parabola_V, "h_V", ground.stroke, ground.phase, ground.mu)
     middle = board.draw(halve, board.free("m"), ground.near, ground.far)
     line = board.draw(parallel, "(m)", middle, ground.rise, sense=ground.of.sign)
     peak = board.draw(lay_off, board.free("k"), line, most)
@@ -155,7 +155,7 @@ def _triangle(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
 def _steps(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Lay off the constant accelerations: upward over the outer half, downward over the inner one."""
     board = draft.board
-    much = board.draw(f.parabola_A, "h_A", ground.stroke, ground.phase, ground.mu)
+    much = board.draw(law.parabola_A, "h_A", ground.stroke, ground.phase, ground.mu)
     lines = [uprights(draft, ground, k, up=ground.outer(k)) for k in range(len(ground.shares))]
     return tuple(board.draw(lay_off, board.free("a"), over, much) for over in lines)
 
@@ -167,9 +167,9 @@ def _polynomial(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple
     """Lay off calculated ordinates."""
     board, (share,) = draft.board, ground.shares
     if which == "S":
-        long = board.draw(f.polynomial_S, "h_S", share, height)
+        long = board.draw(law.polynomial_S, "h_S", share, height)
     else:
-        op = f.polynomial_V if which == "V" else f.polynomial_A
+        op = law.polynomial_V if which == "V" else law.polynomial_A
         long = board.draw(op, f"h_{which}", share, ground.stroke, ground.phase, ground.mu)
     over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
     return (board.draw(lay_off, board.free(which.lower()), over, long),)

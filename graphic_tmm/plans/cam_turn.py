@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
-from graphic_tmm.board.calculations import in_si, to_board, total
+from graphic_tmm.board.calculations import in_si, rescaled, to_board, total
 from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, phase_end, smooth_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
@@ -29,7 +29,7 @@ PRESSURE, CURVATURE = "cam pressure", "cam curvature"
 DEGREES = 1.0
 """Degrees of the pressure angle per mm of its diagram."""
 ROOM = 40.0
-"""Room for the largest curvature, mm."""
+"""Room for the largest curvature, or radius of curvature, mm."""
 
 
 @dataclass(frozen=True)
@@ -108,13 +108,16 @@ def draw_radii(draft: Draft, diagrams: Diagrams, of: Convexity) -> TurnDiagram:
     """Draw the radius of curvature of a cam with a flat face; its extreme is the least one (m)."""
     board = draft.board
     board.open(CURVATURE)
-    axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, of.mu)
-    points, curves, readings = _raised(draft, diagrams, axes, of.radii, "ρ")
-    circle = board.draw(total, "ρ", of.radius, of.motion.S)
-    _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, circle))
+    mu = board.take(Number, "μ_ρ", "m/mm")
+    axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
+    heights = [board.draw(rescaled, board.free("y_ρ"), radius, of.mu, mu) for radius in of.radii]
+    points, curves, readings = _raised(draft, diagrams, axes, heights, "ρ")
+    circle = board.draw(total, "ρ_d", of.radius, of.motion.S)
+    high = board.draw(rescaled, "y_d", circle, of.mu, mu)
+    _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, -1)
-    value = board.draw(in_si, "ρ_{min}", y, of.mu, unit="m")
-    chart = Chart(CURVATURE, "ρ", "m", of.mu, readings, False, None, ROOM)
+    value = board.draw(in_si, "ρ_{min}", y, mu, unit="m")
+    chart = Chart(CURVATURE, "ρ", "m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 
 

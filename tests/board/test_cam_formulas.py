@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.board import cam_formulas as f
+from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.grammar import OPERATIONS, Operation
 
 EPS = np.finfo(float).eps
@@ -89,7 +90,7 @@ SIZES: dict[str, Callable[..., float]] = {
     "equidistant_pace": lambda p, r, t: p,
 }
 """What a result is rounded by where its terms cancel."""
-MADE = [op for op in OPERATIONS.values() if op.run.__module__ == f.__name__]
+MADE = [op for op in OPERATIONS.values() if op.run.__module__ in (f.__name__, law.__name__)]
 
 
 def test_every_formula_has_a_reference() -> None:
