@@ -18,6 +18,7 @@ from graphic_tmm.paper.ink_cam_numbers import (
     SMALL,
     Ink,
     Numbers,
+    directions,
     finished,
     numbered,
     segments,
@@ -104,9 +105,8 @@ def _inverted(ink: Numbers, cam: Cam, points: Complexes) -> Iterator[Ink]:
             if np.isfinite(z):
                 yield circle("thin", complex(z), 0.8)
     elif isinstance(cam.path, Path):
-        ways = points - feet
         reach = BEYOND + (ink.length(made.roller) if made.roller is not None else 0.0)
-        yield from segments(feet, points + reach * ways / np.abs(ways))
+        yield from segments(feet, points + reach * directions(points - feet))
         if cam.path.offset is not None:
             yield circle("thin", 0j, abs(ink.length(cam.path.offset)))
     else:
@@ -115,7 +115,9 @@ def _inverted(ink: Numbers, cam: Cam, points: Complexes) -> Iterator[Ink]:
         half = np.abs(points - feet) + 8.0
         yield from segments(feet - half * along, feet + half * along)
     lower = made.theoretical or made.working
-    yield circle("thin", 0j, float(ink.reading[lower.lower].radius[0, 0]))
+    radius = float(ink.reading[lower.lower].radius[0, 0])
+    if math.isfinite(radius):
+        yield circle("thin", 0j, radius)
 
 
 def _follower(ink: Numbers, cam: Cam, points: Complexes) -> Iterator[Ink]:
@@ -162,10 +164,10 @@ def _ends(ink: Numbers, cam: Cam, points: Complexes) -> tuple[Complexes, Complex
     """Where the numbers of the positions stand, and in which direction from there."""
     feet = ink.all(cam.profile.feet) if cam.profile.feet is not None else 0j * points
     if isinstance(cam.path, Lever):
-        return feet, feet / np.abs(feet)
+        return feet, directions(feet)
     if cam.profile.roller is None:
-        return feet, feet / np.abs(feet)
-    ways = (points - feet) / np.abs(points - feet)
+        return feet, directions(feet)
+    ways = directions(points - feet)
     return points + (ink.length(cam.profile.roller) + BEYOND) * ways, ways
 
 

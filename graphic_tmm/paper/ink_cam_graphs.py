@@ -20,20 +20,16 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.paper.dimensions import dimension
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
+from graphic_tmm.paper.ink_cam_numbers import DOT, LEAST, NUMBER, OVER, SIZE, finished
 from graphic_tmm.paper.ink_graphs import axes_of
 from graphic_tmm.paper.letters import letter
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders
-from graphic_tmm.paper.placing import place as find_places
+from graphic_tmm.paper.placing import Wanted
 from graphic_tmm.paper.symbols import arrowhead, pole
 
-OVER = 9.0
-"""How far an axis goes on behind what stands on it, mm."""
-TICK, DOT, LEAST = 1.0, 0.4, 0.3
-"""Half a tick on the base, radius of a point, the shortest line that is drawn, mm."""
-SIZE, NUMBER = 5.0, 2.5
+TICK = 1.0
+"""Half a tick on the base, mm."""
 PHASES = 9.0
 """From the lowest point of a diagram to the dimension line of its phases, mm."""
-ROOM = 8.0
 
 
 class CamNames(NamedTuple):
@@ -78,15 +74,8 @@ def draw_cam_graph(
     found = [made for made in ink.phases(names, low)]
     strokes += [stroke for lines, _ in found for stroke in lines]
     figures = tuple(label for _, label in found)
-    if not lettered:
-        left = min([0.0, *(z.real for z in ink.dots()), *(z.real for z in ink.poles())])
-        bottom = low - (2 * PHASES + 4.0 if names.phases else 0.0) - ROOM
-        cell = (left - 3 * ROOM, bottom, ink.length + OVER + ROOM, high + OVER + ROOM)
-        return Drawing(view, title, tuple(strokes), cell=cell)
-    wanted = list(ink.letters(names, high))
-    labels = find_places(wanted, strokes, figures)
-    ready = interrupt([*strokes, *leaders(wanted, labels)], labels)
-    return Drawing(view, title, ready, (*labels, *figures))
+    wanted = list(ink.letters(names, high)) if lettered else []
+    return finished(view, title, strokes, wanted, figures, lettered)
 
 
 class _Ink:

@@ -54,6 +54,13 @@ class Numbers:
         return [circle("main", complex(z), DOT, filled=True) for z in spots if np.isfinite(z)]
 
 
+def directions(spots: Complexes) -> Complexes:
+    """Return the directions of complex numbers; NaN where there is none."""
+    size = np.abs(spots)
+    there = size > 0.0
+    return np.asarray(np.where(there, spots / np.where(there, size, 1.0), np.nan))
+
+
 def segments(starts: Complexes, ends: Complexes, pen: str = "thin") -> list[Ink]:
     """Return the lines between points that are both there, and apart."""
     rows = np.broadcast_arrays(starts, ends)
