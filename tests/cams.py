@@ -271,7 +271,9 @@ def least_radius(order: CamOrder, step: float = 0.02) -> float:
         return bool(alpha.max() <= limits[0] and alpha.min() >= -limits[1])
 
     tried = np.linspace(low, high, 400)
-    coarse, dense = np.arange(0.0, 360.0, 1.0), np.arange(0.0, 360.0, step)
+    # a constant acceleration has its corner in the middle of a phase
+    middles = [order.rise / 2, order.rise + order.upper_dwell + order.fall / 2]
+    coarse, dense = (np.append(np.arange(0.0, 360.0, t), middles) for t in (1.0, step))
     first = next((k for k, r0 in enumerate(tried) if fits(r0, coarse)), None)
     if first is None:
         return float("nan")

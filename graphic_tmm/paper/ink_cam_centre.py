@@ -86,7 +86,7 @@ def draw_centre_ink(
     centre, least = ink.one(made.centre), ink.one(made.least_centre)
     low = _region(ink, cam, made, strokes)
     figures = _radii(strokes, wanted, (centre, least), names, out, (near, far))
-    foot = min(low, centre.imag - 8.0) if np.isfinite(centre) else low
+    foot = min(centre.imag, least.imag) - 3.0 if np.isfinite(centre) else low
     aside = centre.real if np.isfinite(centre) else 0.0
     strokes.append(line("centre", complex(aside, 8.0), complex(aside, foot)))
     _angles(construction, ink, cam, made, strokes, wanted, names.limits)
