@@ -56,7 +56,8 @@ class Centre:
     ``roller``: the roller's centre in its positions; ``points`` Q; ``curves`` through them; ``limits``: lines
     that bound the region, towards the rise and the return; ``lowest``: the roller's lowest place; ``centre``
     O. ``least`` and ``r0``: the least radius allowed and the chosen one (Number, m), ``radius`` the chosen
-    one on the drawing (Length); ``apex`` and ``apex_radius``: where both limits meet. ``displacement``
+    one on the drawing (Length); ``least_centre``: where the cam's centre stands with the least
+    one; ``apex`` and ``apex_radius``: where both limits meet (not with a rocker). ``displacement``
     (Length), ``pressure`` (Angle), ``pace`` (Length) and, for every stretch, ``turning`` of the normal for a
     radian of the cam (Number).
     """

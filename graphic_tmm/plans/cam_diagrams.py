@@ -51,8 +51,9 @@ class Diagram:
 class Diagrams:
     """The three diagrams, and what they share.
 
-    ``angle``: the cam's angle of every position (Angle), ``step``: that between two positions of a phase
-    (Angle), for the positions of the rise and of the return.
+    ``angle``: the cam's angle of every position (Angle); ``steps``: that between two positions
+    (Angle), and ``phases`` the whole phase (Number, rad), for the rise and for the return; ``stroke``
+    (Number); ``integrals``: of the phases that are given by their acceleration diagram.
     """
 
     turn: Turn

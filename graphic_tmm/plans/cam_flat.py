@@ -33,7 +33,7 @@ class Convexity:
 
     ``points`` and ``curves`` by stretch; ``limit``: the line at 45°; ``cut``: where it cuts the axis of S;
     ``least`` and ``r0`` (Number, m), ``radius`` the chosen one drawn (Length); ``radii``: of curvature, by
-    stretch (Length); ``face``: how far the contact runs to either side of the axis (Length, with its sign).
+    stretch (Length); ``outline``: both ends of every curve; ``lowest``: where S is 0.
     """
 
     view: str
