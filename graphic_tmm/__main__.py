@@ -26,6 +26,7 @@ PLANS = (
     "engine",
     "diagrams",
     "flywheel",
+    "cam",
     "gears",
     "planetary",
 )

@@ -1,6 +1,6 @@
-"""Parts that are drawn on a board of their own: a pair of gears, a planetary train.
+"""Parts that are drawn on a board of their own: a cam, a pair of gears, a planetary train.
 
-Their logs have positions of their own (the steps of a rolling flank, the satellites), so each part is a draft, a
+Their logs have positions of their own (angles of the cam, steps of a rolling flank, satellites), so each is a
 construction and a reading by itself; a scene may have them beside a mechanism or without one.
 """
 
@@ -14,12 +14,17 @@ from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import StructureError
+from graphic_tmm.plans.cam import Cam, draw_cam
+from graphic_tmm.plans.cam_findings import cam_findings
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.gear import Gear, draw_gear, gear_scales
 from graphic_tmm.plans.gear_results import gear_results
 from graphic_tmm.plans.planetary import Planetary, draw_overall, draw_planetary
+from graphic_tmm.scaling import free_scales
 from graphic_tmm.scene.records import PART_PLACES, Scene
+from graphic_tmm.tables.cam import cam_marks
 
 Results = dict[str, tuple[float, str]]
 
@@ -30,7 +35,7 @@ class Part:
 
     kind: str
     scene: Scene
-    made: Gear | Planetary
+    made: Cam | Gear | Planetary
     construction: Construction
     given: Mapping[Mark, object]
     reading: Reading
@@ -43,9 +48,11 @@ class Part:
         if isinstance(self.made, Gear):
             found = gear_results(self.made, self.reading)
         marks = dict(self.extra)
+        if isinstance(self.made, Cam):
+            marks = {**cam_marks(self.made), **marks}
         if isinstance(self.made, Planetary):
             marks = {**self.made.results, **marks}
-        more = {k: (float(self.reading[m].ravel()[0]), m.unit) for k, m in marks.items()}
+        more = {k: (float(self.reading[m].ravel()[0]), _unit(m)) for k, m in marks.items()}
         return found | more
 
     def scales(self) -> dict[str, Scale]:
@@ -57,10 +64,20 @@ class Part:
                 found[view.name] = Scale(view.scale.letter, value, view.scale.unit)
         return found
 
+    def limits(self, language: str) -> tuple[str, ...]:
+        """Return, as sentences, the limits that a part passes."""
+        if not isinstance(self.made, Cam):
+            return ()
+        return tuple(f.says(language) for f in cam_findings(self.reading, self.made))
+
     def findings(self) -> tuple[Finding, ...]:
         """Return what could not be drawn."""
         wanted = [step.it for step in self.construction.steps if not step.op.across]
         return examine(self.construction, self.given, wanted, hand=self.hand)
+
+
+def _unit(mark: Mark) -> str:
+    return "°" if mark.kind is Angle else mark.unit
 
 
 def draw_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
@@ -100,7 +117,7 @@ def _planetary(scene: Scene, hand: Hand) -> Part:
 def _part(
     kind: str,
     scene: Scene,
-    made: Gear | Planetary,
+    made: Cam | Gear | Planetary,
     draft: Draft,
     given: Mapping[Mark, object],
     hand: Hand,
@@ -111,4 +128,16 @@ def _part(
     return Part(kind, scene, made, log, given, reading, hand, extra)
 
 
-_DRAW: Mapping[str, Callable[[Scene, Hand], Part]] = {"gears": _gears, "planetary": _planetary}
+def _cam(scene: Scene, hand: Hand) -> Part:
+    assert scene.cam is not None
+    draft = Draft()
+    made = draw_cam(draft, scene.cam)
+    given = {**draft.given, **free_scales(made.charts, draft.board.construction(), draft.given)}
+    return _part("cam", scene, made, draft, given, hand, {})
+
+
+_DRAW: Mapping[str, Callable[[Scene, Hand], Part]] = {
+    "cam": _cam,
+    "gears": _gears,
+    "planetary": _planetary,
+}

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
+from graphic_tmm.plans.charts import Chart
 from graphic_tmm.plans.forces import VIEW
 from graphic_tmm.plans.project import Project
 from graphic_tmm.scene.records import Scales
@@ -146,11 +147,18 @@ def chart_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, f
 
     With every scale that may be chosen at 1, an ordinate times its μ is what it stands for.
     """
-    free = _free(project)
-    wanted = [mark for chart in project.charts for mark in (*chart.ordinates, chart.mu)]
-    reading = execute(project.construction, {**given, **free}, wanted)
+    return free_scales(project.charts, project.construction, given)
+
+
+def free_scales(
+    charts: Sequence[Chart], construction: Construction, given: Mapping[Mark, object]
+) -> dict[Mark, float]:
+    """Return the values of the scale marks of graphs that may be chosen, all else ``given``."""
+    free = {chart.mu: 1.0 for chart in charts if chart.chosen}
+    wanted = [mark for chart in charts for mark in (*chart.ordinates, chart.mu)]
+    reading = execute(construction, {**given, **free}, wanted)
     found = {}
-    for chart in project.charts:
+    for chart in charts:
         if not chart.chosen:
             continue
         heights = np.abs(

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.parts import Part, draw_parts
+from graphic_tmm.plans.cam import Cam
 from graphic_tmm.scene.records import FREE_PLACES, Scene
+from graphic_tmm.tables.cam import cam_angles, cam_columns, cam_names
 from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
 from graphic_tmm.tables.columns import Column, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
@@ -150,7 +152,8 @@ def part_warnings(part: Part) -> tuple[str, ...]:
     """Return, for people, what of a part could not be drawn and why."""
     count = part.reading.positions
     names = tuple(str(k + 1) for k in range(count))
-    return tuple(finding(f, names, "en") for f in part.findings() if f.kind == "undrawn")
+    told = [finding(f, names, "en") for f in part.findings() if f.kind == "undrawn"]
+    return (*told, *part.limits("en"))
 
 
 def warnings(work: Work) -> tuple[str, ...]:
@@ -214,6 +217,12 @@ def table(made: Made | Work, form: str) -> str | list[Any]:
     angles = work.project.angles if work is not None else ()
     positions = list(zip(names, angles, strict=True))
     found = table_columns(work) if work is not None else []
+    cams = [part for part in made.parts if isinstance(part.made, Cam)] if work is None else []
+    for part in cams[:1]:
+        assert isinstance(part.made, Cam)
+        names, angles = tuple(cam_names(part.made)), tuple(cam_angles(part.made))
+        positions = list(zip(names, angles, strict=True))
+        found = list(cam_columns(part))
     results = _results(made)
     if form == "csv":
         return as_csv(positions, found)
@@ -250,4 +259,4 @@ def _scale_key(plan: str) -> str:
     """Return what the scale factor of a view is called where machines read it; forces 4-5 -> mu_F_4_5."""
     if plan.startswith("forces "):
         return "mu_F_" + plan.removeprefix("forces ").replace("-", "_").replace(" ", "_pass_")
-    return SCALE_KEYS[plan]
+    return SCALE_KEYS.get(plan, "mu_" + plan.replace(" ", "_").replace("-", "_"))

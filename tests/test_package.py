@@ -13,13 +13,20 @@ import pytest
 import graphic_tmm
 from graphic_tmm.board import (
     calculations,
+    cam_formulas,
+    cam_law_formulas,
+    cams,
     curve,
     energetics,
     engines,
+    gearing,
     graphs,
     operations,
+    rack,
+    rolling,
     statics,
     supports,
+    trains,
 )
 from graphic_tmm.board.grammar import OPERATIONS
 
@@ -76,14 +83,21 @@ def test_an_operation_speaks_both_languages(op) -> None:
 
 def test_every_operation_is_in_the_table() -> None:
     rooms = (
-        operations,
         calculations,
+        cam_formulas,
+        cam_law_formulas,
+        cams,
         curve,
-        graphs,
         energetics,
         engines,
+        gearing,
+        graphs,
+        operations,
+        rack,
+        rolling,
         statics,
         supports,
+        trains,
     )
     made = {
         v.name for room in rooms for v in vars(room).values() if type(v).__name__ == "Operation"

@@ -38,7 +38,9 @@ ROUNDING = 1e-6
 
 @cache
 def drawn(name: str) -> tuple[Work, tuple[Sheet, ...]]:
-    return sheets(read(SHEETS / name))
+    made, paper = sheets(read(SHEETS / name))
+    assert made.work is not None
+    return made.work, paper
 
 
 def views(name: str) -> Iterator[tuple[Sheet, bool, tuple[Drawing, ...]]]:
@@ -287,7 +289,9 @@ def test_a_whole_turn_gives_no_warning() -> None:
 
 def test_positions_that_cannot_be_drawn_are_named_and_the_others_are_drawn() -> None:
     rocking = four_bar(r=0.3, d=0.5)  # d + r > AB + BC: no whole turn
-    made, paper = sheets(scene(mechanism=rocking, row=Row(8, accelerations=("0",))))
+    whole, paper = sheets(scene(mechanism=rocking, row=Row(8, accelerations=("0",))))
+    made = whole.work
+    assert made is not None
     reach = math.degrees(math.acos((0.3**2 + 0.5**2 - 0.7**2) / (2 * 0.3 * 0.5)))
     gone = [str(k) for k in range(8) if reach < 45 * k < 360 - reach]
     assert 0 < len(gone) < 8

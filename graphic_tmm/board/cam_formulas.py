@@ -56,7 +56,7 @@ def swing_of(length: Length, mu: Number) -> Angle:
 
 
 @operation(formula=True)
-def on_lever(length: Length, mu: Number, lever: Length) -> Length:
+def travel_on_lever(length: Length, mu: Number, lever: Length) -> Length:
     """{length}·{mu}·{lever}"""
     return Length(length * mu * lever)
 

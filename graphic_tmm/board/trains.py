@@ -18,12 +18,6 @@ def _divisor(value: Reals) -> Reals:
 
 
 @operation(formula=True)
-def pitch_radius(m: Number, z: Number) -> Number:
-    """{m}·{z}/2"""
-    return Number(m * z / 2.0)
-
-
-@operation(formula=True)
 def axes_outside(m: Number, first: Number, second: Number) -> Number:
     """{m}·({first} + {second})/2"""
     return Number(m * (first + second) / 2.0)

@@ -19,8 +19,8 @@ def compose(
 ) -> tuple[Sheet, ...]:
     """Return the sheets of a scene, each order followed by the sheets it spills onto.
 
-    ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it. Unlettered plans only take the room that they will need:
-    layout is tried with them.
+    ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it. Unlettered plans only
+    take the room that they will need: layout is tried with them.
     """
     laid: list[tuple[str, list[Drawing]]] = []
     for order in scene.sheets:

@@ -17,6 +17,7 @@ from graphic_tmm.paper.ink_tables import link_table, pair_table, result_table, s
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.specimen import specimen
 from graphic_tmm.paper.specimen_symbols import specimen_symbols
+from graphic_tmm.paper.views_cam import cam_views
 from graphic_tmm.paper.views_engine import engine_diagram_views, engine_views
 from graphic_tmm.paper.views_flywheel import flywheel_views, pole_texts
 from graphic_tmm.paper.views_forces import force_table, force_views, lever_views
@@ -193,6 +194,7 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
 """What can be placed on a sheet of a mechanism: work, lettered? -> its drawings."""
 
 PART_VIEWS: Mapping[str, Callable[[Part, bool], list[Drawing]]] = {
+    "cam": cam_views,
     "gears": gear_views,
     "planetary": planetary_views,
 }

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.mechanism.tooth_search import search
-from graphic_tmm.paper.arranging import captioned, mu_text, stacked
+from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.gear_tables import dimension_table, sliding_table
 from graphic_tmm.paper.ink_gear import draw_gear_ink
@@ -31,13 +34,8 @@ def gear_views(part: Part, lettered: bool) -> list[Drawing]:
     sliding = draw_sliding_ink(reading, made, language, words["sliding"], lettered=lettered)
     mu_theta = mu_text(scales["sliding"], language)
     found = [
-        stacked(
-            "gears",
-            [
-                captioned(mesh, words["gear"], ", ".join([mu_l, *_ratios(part)])),
-                captioned(sliding, words["sliding"], mu_theta),
-            ],
-        )
+        captioned(mesh, words["gear"], ", ".join([mu_l, *_ratios(part)])),
+        captioned(sliding, words["sliding"], mu_theta),
     ]
     for k in (0, 1):
         title = words["gear-rolling"].format(number=k + 1)
@@ -95,7 +93,8 @@ def planetary_views(part: Part, lettered: bool) -> list[Drawing]:
     found = [view, condition_table(log, reading, made, language)]
     found.append(rate_table(log, reading, made, language))
     if made.order.ratio is not None:
-        found.append(train_table(search(made.order), language))
+        wanted = replace(made.order, teeth=())
+        found.append(train_table(search(wanted), language))
     return found
 
 
@@ -107,10 +106,10 @@ def _overall(part: Part) -> list[str]:
     language = part.scene.language
     ratio = float(part.reading[mark].ravel()[0])
     first, last = part.scene.behind
-    rpm = abs(part.made.order.speed) * 30.0 / 3.141592653589793
-    words = CAPTIONS[language]
+    rpm = abs(part.made.order.speed) * 30.0 / math.pi
+    speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
     text = f"{number(float(part.results()['planetary_ratio'][0]), language)}·{last}/{first}"
     return [
         f"U_{{0}} = {text} = {number(ratio, language)}",
-        f"n = {number(rpm, language)}/{number(ratio, language)} = {number(rpm / ratio, language)} {words['rpm']}",
+        f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {CAPTIONS[language]['rpm']}",
     ]

@@ -89,7 +89,7 @@ def draw_rocker_centre(
     swing = board.draw(f.swing_of, "ψ", diagrams.S.reading, diagrams.S.chart.mu, unit="°")
     levers = board.draw(slew, "(l)", pivot, begin, swing, sense=rocks)
     roller = board.draw(lay_off, "B", levers, lever)
-    velocity = board.draw(f.on_lever, "v", diagrams.V.reading, diagrams.V.chart.mu, lever)
+    velocity = board.draw(f.travel_on_lever, "v", diagrams.V.reading, diagrams.V.chart.mu, lever)
     outward = board.draw(parallel, "(v)", roller, levers, sense=-alike)
     points = board.draw(lay_off, "Q", outward, velocity)
     curves = tuple(
@@ -119,7 +119,7 @@ def draw_rocker_centre(
     along = board.draw(f.along_path, "w", velocity, reach, lever)
     turning = []
     for reading in diagrams.A.readings:
-        second = board.draw(f.on_lever, board.free("a"), reading, diagrams.A.chart.mu, lever)
+        second = board.draw(f.travel_on_lever, board.free("a"), reading, diagrams.A.chart.mu, lever)
         turning.append(board.draw(f.turning_of_normal, board.free("τ"), p, q, along, second))
     made = Centre(
         VIEW, mu, roller, points, curves, limits, lowest, least_centre, centre, least, r0, radius,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board import trains as t
+from graphic_tmm.board.gearing import pitch_radius
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.mechanism.trains import PlanetaryOrder, Scheme, Train
@@ -56,7 +57,7 @@ def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimens
     k = draft.take(Number, "k", float(train.satellites))
     radii = {
         wheel: board.draw(
-            t.pitch_radius, f"r_{wheel}", first if wheel in "12" else second, z[wheel], unit="m"
+            pitch_radius, f"r_{wheel}", first if wheel in "12" else second, z[wheel], unit="m"
         )
         for wheel in scheme.wheels
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
-from graphic_tmm.scene import build_forces, build_orders, build_wheels, geometry
+from graphic_tmm.scene import build_cam, build_forces, build_orders, build_wheels, geometry
 from graphic_tmm.scene import models as m
 from graphic_tmm.scene.force_tables import EffectsTable
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
@@ -46,6 +46,7 @@ def scene(parts: Parts, source: str) -> Scene:
         flywheel=build_orders.flywheel(parts.flywheel, parts.indicator) if parts.flywheel else None,
         forces=_forces(parts, mechanism) if mechanism is not None else None,
         engine=_engine(parts),
+        cam=build_cam.cam(parts.cam) if parts.cam else None,
         gears=build_wheels.gears(parts.gears) if parts.gears else None,
         planetary=build_wheels.planetary(parts.planetary) if parts.planetary else None,
         behind=parts.planetary.behind if parts.planetary else (),

@@ -8,6 +8,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 from pydantic.fields import FieldInfo
 
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.cam_tables import CamTable
 from graphic_tmm.scene.force_tables import (
     EffectsTable,
     EngineTable,
@@ -229,6 +230,7 @@ class SceneFile(Head):
     forces: ForcesTable | None = key("kinetostatics and the lever", None, None)
     friction: FrictionTable | None = key("friction of the pairs", None, None)
     engine: EngineTable | None = key("the forces of an engine's crank mechanism", None, None)
+    cam: CamTable | None = key("a cam", None, None)
     gears: GearsTable | None = key("a pair of gears", None, None)
     planetary: PlanetaryTable | None = key("a planetary train", None, None)
     scales: ScalesTable = Field(default_factory=ScalesTable)
@@ -257,6 +259,7 @@ _TABLES: dict[str, type[BaseModel]] = {
     "forces": ForcesTable,
     "friction": FrictionTable,
     "engine": EngineTable,
+    "cam": CamTable,
     "gears": GearsTable,
     "planetary": PlanetaryTable,
     "scales": ScalesTable,

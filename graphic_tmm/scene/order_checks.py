@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from graphic_tmm.scene import letters
+from graphic_tmm.scene import build_cam, letters
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.order_tables import DiagramsTable, IndicatorTable
 from graphic_tmm.scene.sections import Document, Parts, raw_links, table
@@ -15,6 +15,7 @@ LEAST = 4
 ASKED = {
     "diagrams": 'point = "D"',
     "flywheel": "delta = 0.04",
+    "cam": 'stroke = "28 mm", rise = "100 deg", fall = "90 deg"',
     "gears": 'z1 = 15, z2 = 25, m = "8 mm"',
     "planetary": 'ratio = 4.55, module = "8 mm"',
 }
@@ -35,6 +36,8 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
         if "indicator" not in doc and "forces" not in doc:
             says = "nothing drives or resists; write a section [indicator], or loads and [forces]"
             yield Found(("flywheel",), says)
+    if parts.cam is not None:
+        yield from build_cam.check(parts.cam)
     if parts.planetary is not None:
         if len(parts.planetary.behind) not in (0, 2):
             says = "the pair behind the train has two wheels; write [15, 25]"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from graphic_tmm.mechanism.cam_orders import CamOrder
 from graphic_tmm.mechanism.gear_orders import GearOrder
 from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
@@ -17,7 +18,7 @@ ENGINE_PLACES = ("engine", "engine diagrams")
 """What a sheet can show of an engine's forces."""
 FREE_PLACES = ("lettering", "symbols")
 """What a sheet can show without a mechanism or a part."""
-PART_PLACES = ("gears", "planetary")
+PART_PLACES = ("cam", "gears", "planetary")
 """What a sheet can show of parts that need no mechanism."""
 
 
@@ -74,6 +75,7 @@ class Scene:
     flywheel: FlywheelOrder | None = None
     forces: ForcesOrder | None = None
     engine: EngineOrder | None = None
+    cam: CamOrder | None = None
     gears: GearOrder | None = None
     planetary: PlanetaryOrder | None = None
     behind: tuple[int, ...] = ()

@@ -19,6 +19,7 @@ from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.cam_tables import CamTable
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.force_tables import (
     EffectsTable,
@@ -61,6 +62,7 @@ class Parts:
     forces: ForcesTable | None
     friction: FrictionTable | None
     engine: EngineTable | None
+    cam: CamTable | None
     gears: GearsTable | None
     planetary: PlanetaryTable | None
     scales: m.ScalesTable | None
@@ -112,6 +114,7 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
         forces=optional(ForcesTable, "forces"),
         friction=optional(FrictionTable, "friction"),
         engine=optional(EngineTable, "engine"),
+        cam=optional(CamTable, "cam"),
         gears=optional(GearsTable, "gears"),
         planetary=optional(PlanetaryTable, "planetary"),
         scales=section(m.ScalesTable, "scales"),

@@ -42,14 +42,25 @@ def _tolerance(value: object, names: Names) -> float:
     return float(number)
 
 
-def _teeth(value: object, names: Names) -> tuple[int, ...]:
-    if not isinstance(value, list) or not all(
-        isinstance(z, int) and not isinstance(z, bool) and z > 0 for z in value
-    ):
+def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
+    """Return tooth numbers; None for one that is to be found, written "?"."""
+
+    def fine(z: object) -> bool:
+        return z == "?" or (isinstance(z, int) and not isinstance(z, bool) and z > 0)
+
+    if not isinstance(value, list) or not all(fine(z) for z in value):
         raise ValueError(
-            f"{kind_of(value)} stands here; a list of tooth numbers is wanted, [25, 32, 89]"
+            f"{kind_of(value)} stands here; a list of tooth numbers is wanted, "
+            '[25, "?", "?"], "?" for one to be found'
         )
-    return tuple(value)
+    return tuple(None if z == "?" else z for z in value)
+
+
+def _pair(value: object, names: Names) -> tuple[int, ...]:
+    found = _teeth(value, names)
+    if None in found:
+        raise ValueError("tooth numbers of a pair that stands already are wanted, [15, 25]")
+    return tuple(z for z in found if z is not None)
 
 
 def _satellites(value: object, names: Names) -> tuple[int, ...]:
@@ -77,7 +88,11 @@ Stations = Annotated[tuple[float, ...], Rule(_stations, {"type": "array"})]
 MuSliding = Annotated[float, _number(1e-6, 1e3, "a scale, 1/mm,")]
 Ratio = Annotated[float, Rule(_ratio, {"type": "number"})]
 Tolerance = Annotated[float, Rule(_tolerance, SCALE)]
-TeethList = Annotated[tuple[int, ...], Rule(_teeth, _NUMBERS)]
+TeethList = Annotated[
+    tuple[int | None, ...],
+    Rule(_teeth, {"type": "array", "items": {"type": ["integer", "string"]}}),
+]
+PairTeeth = Annotated[tuple[int, ...], Rule(_pair, _NUMBERS)]
 Satellites = Annotated[tuple[int, ...], Rule(_satellites, {"type": ["integer", "array"]})]
 SchemeName = Annotated[str, choice(*SCHEMES)]
 Driving = Annotated[str, choice("1", "H")]
@@ -112,7 +127,7 @@ class PlanetaryTable(Table):
     driving: Driving = key("which drives, wheel 1 or the carrier H", "1", "1")
     ratio: Ratio | None = key("wanted ratio, driving over driven", 4.55, None)
     tolerance: Tolerance = key("how far it may be off", "1 %", 0.01)
-    teeth: TeethList = key("tooth numbers, if they are given", [25, 32, 89], ())
+    teeth: TeethList = key('tooth numbers, "?" for one to be found', [25, "?", "?"], ())
     satellites: Satellites = key("number of satellites, or several to choose from", 3, (3,))
     alpha: v.Angle = key("pressure angle", "20 deg", 20.0)
     ha: Coefficient = key("addendum coefficient", 1, 1.0)
@@ -120,7 +135,7 @@ class PlanetaryTable(Table):
     least: Teeth = key("fewest teeth", 17, 17)
     most: Teeth = key("most teeth of a wheel", 150, 150)
     ring_most: Teeth = key("most teeth of a ring", 300, 300)
-    behind: TeethList = key("teeth of the pair of gears behind the train", [15, 25], ())
+    behind: PairTeeth = key("teeth of the pair of gears behind the train", [15, 25], ())
     mu_l: v.MuL | None = key('m/mm, or "1:5"', "1:5", None)
     mu_v: MuVelocity | None = key("(m/s)/mm", "0.5 (m/s)/mm", None)
     pole: v.Drawn | None = key("pole distance of the plan of angular velocities", "40 mm", None)

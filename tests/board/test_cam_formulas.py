@@ -49,7 +49,7 @@ REFERENCES: dict[str, Callable[..., Any]] = {
     "on_chord": lambda u, a, b, y, z: y + (z - y) * (u - a) / (b - a),
     "rest_of_stroke": lambda a, b: a - b,
     "swing_of": lambda y, mu: mp.degrees(y * mu),
-    "on_lever": lambda y, mu, lever: y * mu * lever,
+    "travel_on_lever": lambda y, mu, lever: y * mu * lever,
     "along_path": lambda v, d, lever: v * d / lever,
     "turning_of_normal": lambda p, q, v, a: 1 - (a * p - q * v) / (p**2 + q**2),
     "curvature_of_profile": lambda t, p, mu: t / (p * mu),

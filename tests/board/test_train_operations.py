@@ -17,7 +17,6 @@ from graphic_tmm.board.grammar import OPERATIONS, Operation
 
 EPS = np.finfo(float).eps
 REFERENCES: dict[str, Callable[..., Any]] = {
-    "pitch_radius": lambda m, z: m * z / 2,
     "axes_outside": lambda m, a, b: m * (a + b) / 2,
     "axes_inside": lambda m, a, b: m * (a - b) / 2,
     "tip_diameter": lambda m, z, h: m * (z + 2 * h),

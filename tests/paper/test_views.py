@@ -12,9 +12,9 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.frame import drawing_area
 from graphic_tmm.paper.placing import box, shape
-from graphic_tmm.paper.views import FREE_VIEWS, VIEWS
+from graphic_tmm.paper.views import FREE_VIEWS, PART_VIEWS, VIEWS
 from graphic_tmm.scene.read import read
-from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.scene.records import PART_PLACES, Scene, SheetOrder
 from graphic_tmm.scene.values import FREE_PLACES, PLACES
 from graphic_tmm.studio import fitted, sheets
 
@@ -24,14 +24,16 @@ def views(scene: Scene) -> dict[str, Drawing]:
 
 
 def test_every_place_of_a_scene_has_its_view() -> None:
-    assert set(PLACES) == set(VIEWS) | set(FREE_VIEWS)
+    assert set(PLACES) == set(VIEWS) | set(FREE_VIEWS) | set(PART_VIEWS)
+    assert set(PART_PLACES) == set(PART_VIEWS)
     assert set(FREE_PLACES) == set(FREE_VIEWS)
 
 
 def test_the_main_position_is_the_one_asked_for() -> None:
     scene = replace(read(SHEETS / "engine"), sheets=(SheetOrder("A1", ("positions",)),))
     for name in ("3", "11"):
-        work, paper = sheets(replace(scene, main=name))
+        made, paper = sheets(replace(scene, main=name))
+        work = made.work
         assert work is not None
         pin = work.project.positions.bodies[1].marks["A"]
         due = complex(work.reading[pin][0, work.project.names.index(name)])
@@ -78,7 +80,8 @@ def test_tables_can_be_placed_one_by_one() -> None:
 
 def test_a_scene_without_a_mechanism_draws_but_has_no_tables() -> None:
     scene = read(SHEETS / "lettering")
-    work, paper = sheets(scene)
+    made, paper = sheets(scene)
+    work = made.work
     assert work is None
     assert len(paper) == 1
     with pytest.raises(SceneError, match=r"no mechanism.*\[frame\]"):

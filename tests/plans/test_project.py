@@ -58,7 +58,9 @@ def test_the_drawable_positions_are_drawn_and_the_others_named() -> None:
 
 
 def test_the_sheet_of_a_mechanism_that_assembles_in_part_is_inked() -> None:
-    made, paper = sheets(scene(four_bar(0.3, 0.22, 0.25, 0.35)))
+    whole, paper = sheets(scene(four_bar(0.3, 0.22, 0.25, 0.35)))
+    made = whole.work
+    assert made is not None
     assert made.undrawn
     assert paper
 
