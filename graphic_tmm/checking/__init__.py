@@ -1,0 +1,1 @@
+"""Checking hand-made drawings: readings against the log, verdicts, likely mistakes, reports."""

@@ -1,0 +1,78 @@
+"""What checking speaks of: readings of a hand-made drawing, what is judged of them, likely mistakes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+FINE, DOUBTFUL, WRONG = "fine", "doubtful", "wrong"
+VERDICTS = (FINE, DOUBTFUL, WRONG)
+
+
+class Taken(NamedTuple):
+    """A reading as somebody took it: of a segment (mm on paper, or a quantity with its unit) or of a point.
+
+    ``position`` is "" for a result of the whole project. ``mm``; ``value`` with ``unit``; ``x``, ``y`` (mm on the
+    plan, from its pole): None where not given. ``line`` of the file it stands in.
+    """
+
+    plan: str
+    position: str
+    segment: str
+    mm: float | None = None
+    value: float | None = None
+    unit: str = ""
+    x: float | None = None
+    y: float | None = None
+    line: int = 0
+
+
+class Judged(NamedTuple):
+    """A reading with its due: both in mm (or in the unit of ``value`` where nothing is drawn of it).
+
+    ``percent``: of the longest vector of the plan; ``quantile``: how many of the hand's own drawings are
+    farther off (0 … 1, small for a reading that the hand would hardly make); ``step``: which step of its plan
+    is blamed, "" for none; ``own``: the error that this step made itself, mm.
+    """
+
+    taken: Taken
+    found: float
+    due: float
+    deviation: float
+    percent: float
+    quantile: float
+    verdict: str
+    unit: str = "mm"
+    step: str = ""
+    own: float | None = None
+
+
+class Likely(NamedTuple):
+    """A mistake that explains readings: its name, a sentence, the lines of the readings that it explains.
+
+    ``like``: names of mistakes with the same effect on every reading given. ``wrong``: how many readings were
+    wrong; ``rest``: what of their deviations it leaves, as a share (0 explains all).
+    """
+
+    name: str
+    says: str
+    lines: tuple[int, ...]
+    wrong: int
+    rest: float
+    like: tuple[str, ...] = ()
+
+
+class Report(NamedTuple):
+    """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones."""
+
+    scene: str
+    title: str
+    language: str
+    hand: str
+    readings: tuple[Judged, ...]
+    mistakes: tuple[Likely, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def wrong(self) -> int:
+        """How many readings are wrong."""
+        return sum(one.verdict == WRONG for one in self.readings)
