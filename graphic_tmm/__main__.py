@@ -81,6 +81,31 @@ def _read(name: str | None, *, lettered: bool = False) -> Scene:
     return read(path, missing=missing)
 
 
+def _hands(command: F) -> F:
+    """Give a command the options of the hand that draws."""
+    for option in (
+        click.option("--seed", type=click.IntRange(0, 2**31), help="Which of the hand's drawings."),
+        click.option(
+            "--hand",
+            type=click.Choice(["exact", "cad", "careful", "student"]),
+            help="Who draws; default: the scene's.",
+        ),
+    ):
+        command = option(command)
+    return command
+
+
+def _by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
+    """Return the scene drawn by another hand, with that hand's own ruler."""
+    from dataclasses import replace
+
+    from graphic_tmm.scene.build import DIVISIONS
+
+    if hand is not None:
+        scene = replace(scene, hand=hand, ruler=DIVISIONS[hand])
+    return scene if seed is None else replace(scene, seed=seed)
+
+
 def _warn(made: Made) -> None:
     from graphic_tmm.studio import part_warnings, warnings
 
@@ -101,8 +126,9 @@ def _warn(made: Made) -> None:
     show_default=True,
     help="svg, pdf, png, dxf; several with commas.",
 )
+@_hands
 @_people
-def draw(scene: str | None, output: str, forms: str) -> None:
+def draw(scene: str | None, output: str, forms: str, hand: str | None, seed: int | None) -> None:
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from pathlib import Path
 
@@ -113,7 +139,7 @@ def draw(scene: str | None, output: str, forms: str) -> None:
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in FORMATS]:
         raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
-    made, texts = sheet_files(_read(scene, lettered=True), wanted)
+    made, texts = sheet_files(_by(_read(scene, lettered=True), hand, seed), wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
     _warn(made)
@@ -130,14 +156,20 @@ def draw(scene: str | None, output: str, forms: str) -> None:
     show_default=True,
 )
 @click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
+@_hands
+@click.option(
+    "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
+)
 @_people
-def table(scene: str | None, form: str, exact: bool) -> None:
+def table(
+    scene: str | None, form: str, exact: bool, hand: str | None, seed: int | None, trials: int
+) -> None:
     """Print what the plans of SCENE give: segments in mm, quantities in SI."""
     from graphic_tmm.studio import make
     from graphic_tmm.studio import table as told
 
-    drawn = make(_read(scene), exact=exact)
-    text = told(drawn, form)
+    drawn = make(_by(_read(scene), hand, seed), exact=exact)
+    text = told(drawn, form, trials)
     if isinstance(text, str):
         click.echo(text, nl=False)
     else:

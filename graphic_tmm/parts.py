@@ -7,7 +7,7 @@ construction and a reading by itself; a scene may have them beside a mechanism o
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
@@ -25,6 +25,7 @@ from graphic_tmm.plans.planetary import Planetary, draw_overall, draw_planetary
 from graphic_tmm.scaling import free_scales
 from graphic_tmm.scene.records import PART_PLACES, Scene
 from graphic_tmm.tables.cam import cam_marks
+from graphic_tmm.work import hand_of
 
 Results = dict[str, tuple[float, str]]
 
@@ -54,6 +55,14 @@ class Part:
             marks = {**self.made.results, **marks}
         more = {k: (float(self.reading[m].ravel()[0]), _unit(m)) for k, m in marks.items()}
         return found | more
+
+    def drawn_by(self, hand: Hand) -> Part:
+        """Return the same drawing by another hand."""
+        return replace(self, reading=execute(self.construction, self.given, hand=hand), hand=hand)
+
+    def trial(self, k: int) -> Part:
+        """Return one of the drawings of a hand that drew several times."""
+        return replace(self, reading=self.reading.trial(k))
 
     def scales(self) -> dict[str, Scale]:
         """Return the scale factors of the views, by view."""
@@ -89,7 +98,7 @@ def draw_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
         If a part cannot be made; the message names the scene.
     """
     wanted = {place for sheet in scene.sheets for place in sheet.place}
-    hand = EXACT if exact else Hand(scene.ruler)
+    hand = EXACT if exact else hand_of(scene)
     try:
         return tuple(_DRAW[kind](scene, hand) for kind in PART_PLACES if kind in wanted)
     except StructureError as error:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,9 +16,10 @@ from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_
 from graphic_tmm.tables.columns import Column, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
+from graphic_tmm.tables.spread import spread_columns, spread_results
 from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
 from graphic_tmm.words import finding
-from graphic_tmm.work import Work, executed, ranges, record
+from graphic_tmm.work import Work, executed, hand_of, ranges, record
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
@@ -208,28 +209,41 @@ def table_columns(work: Work) -> list[Column]:
     return [column.without(work.undrawn) for column in found]
 
 
-def table(made: Made | Work, form: str) -> str | list[Any]:
-    """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text"."""
+def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
+    """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
+
+    ``trials``: how often the scene's hand draws everything; more than once, each figure is followed by the
+    median and the 5th and 95th hundredths of them.
+    """
     if isinstance(made, Work):
         made = Made(made.scene, made, ())
     work, scene = made.work, made.scene
     names = work.project.names if work is not None else ()
     angles = work.project.angles if work is not None else ()
     positions = list(zip(names, angles, strict=True))
-    found = table_columns(work) if work is not None else []
-    cams = [part for part in made.parts if isinstance(part.made, Cam)] if work is None else []
-    for part in cams[:1]:
-        assert isinstance(part.made, Cam)
-        names, angles = tuple(cam_names(part.made)), tuple(cam_angles(part.made))
+    found = _columns(made)
+    if work is None and (cam := _cam(made)) is not None:
+        assert isinstance(cam.made, Cam)
+        names, angles = tuple(cam_names(cam.made)), tuple(cam_angles(cam.made))
         positions = list(zip(names, angles, strict=True))
-        found = list(cam_columns(part))
-    results = _results(made)
+    results, numbers = _structure(made), _numbers(made)
+    if trials > 1:
+        drawn = list(_drawings(made, trials))
+        rows = [_columns(one) for one in drawn]
+        found = spread_columns(found, rows)
+        numbers = spread_results(numbers, [_numbers(one) for one in drawn])
+    results |= {
+        name: {"value": value, "unit": of}
+        for name, (value, of) in numbers.items()
+        if math.isfinite(value)
+    }
     if form == "csv":
         return as_csv(positions, found)
     if form == "text":
         decimals = 3 if made.exact else 1
         tables = rich_tables(found, names, scene.language, scene.title, decimals)
-        return [*tables, *result_tables(_part_results(made), scene.language, scene.title)]
+        shown = numbers if trials > 1 else _part_results(made)
+        return [*tables, *result_tables(shown, scene.language, scene.title)]
     scales = {k: s for k, s in work.scales.items()} if work is not None else {}
     scales |= {view: s for part in made.parts for view, s in part.scales().items()}
     told = {_scale_key(plan): {"value": s.value, "unit": s.unit} for plan, s in scales.items()}
@@ -240,19 +254,42 @@ def _part_results(made: Made) -> dict[str, tuple[float, str]]:
     return {name: found for part in made.parts for name, found in part.results().items()}
 
 
-def _results(made: Made) -> dict[str, Any]:
-    """Return the results by name as machines read them."""
-    results: dict[str, Any] = {}
+def _cam(made: Made) -> Part | None:
+    return next((part for part in made.parts if isinstance(part.made, Cam)), None)
+
+
+def _columns(made: Made) -> list[Column]:
+    """Return the columns of a scene: of its mechanism, else of its cam."""
+    if made.work is not None:
+        return table_columns(made.work)
+    cam = _cam(made)
+    return list(cam_columns(cam)) if cam is not None else []
+
+
+def _drawings(made: Made, trials: int) -> Iterator[Made]:
+    """Yield the drawings that a scene's hand makes, one a trial."""
+    hand = hand_of(made.scene, trials)
+    work = made.work.drawn_by(hand) if made.work is not None else None
+    parts = [part.drawn_by(hand) for part in made.parts]
+    for k in range(trials):
+        own = work.trial(k) if work is not None else None
+        yield Made(made.scene, own, tuple(part.trial(k) for part in parts))
+
+
+def _structure(made: Made) -> dict[str, Any]:
+    if made.work is None:
+        return {}
+    structure = made.work.project.structure
+    return {"W": structure.mobility, "formula": structure.formula}
+
+
+def _numbers(made: Made) -> dict[str, tuple[float, str]]:
+    """Return the results of a scene by name."""
     found = _part_results(made)
     if made.work is not None:
         project, reading = made.work.project, made.work.reading
-        results = {"W": project.structure.mobility, "formula": project.structure.formula}
         found = flywheel_results(project, reading) | engine_results(project, reading) | found
-    return results | {
-        name: {"value": value, "unit": of}
-        for name, (value, of) in found.items()
-        if math.isfinite(value)
-    }
+    return found
 
 
 def _scale_key(plan: str) -> str:

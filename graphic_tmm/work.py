@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
-from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.hand import EXACT, HANDS, Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
@@ -40,6 +40,16 @@ class Work:
     accelerated: Reading | None
     hand: Hand
     undrawn: tuple[int, ...]
+
+    def drawn_by(self, hand: Hand) -> Work:
+        """Return the same drawing, to the same scales, by another hand."""
+        reading, accelerated = _read(self.project, self.given, hand)
+        return replace(self, reading=reading, accelerated=accelerated, hand=hand)
+
+    def trial(self, k: int) -> Work:
+        """Return one of the drawings of a hand that drew several times."""
+        accelerated = self.accelerated.trial(k) if self.accelerated is not None else None
+        return replace(self, reading=self.reading.trial(k), accelerated=accelerated)
 
     def findings(self) -> tuple[Finding, ...]:
         """Return what could not be drawn, or was drawn at the edge of its possibility."""
@@ -102,7 +112,18 @@ def _needing_forces(scene: Scene) -> set[str]:
     return {*FORCE_PLACES, "flywheel"} if by_loads else set(FORCE_PLACES)
 
 
-def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[float, float]) -> Work:
+def hand_of(scene: Scene, trials: int = 1) -> Hand:
+    """Return the hand that a scene names, with its ruler and its seed."""
+    return HANDS[scene.hand]._replace(ruler=scene.ruler, seed=scene.seed, trials=trials)
+
+
+def executed(
+    scene: Scene,
+    project: Project,
+    *,
+    exact: bool,
+    vectors: tuple[float, float],
+) -> Work:
     """Choose the scale factors of a recorded project and execute it; see `work`."""
     formats = [sheet.format for sheet in scene.sheets]
     scales = choose_scales(
@@ -114,16 +135,8 @@ def executed(scene: Scene, project: Project, *, exact: bool, vectors: tuple[floa
     given |= force_scales(project, given)
     given |= engine_scales(project, given)
     given |= chart_scales(project, given)
-    hand = EXACT if exact else Hand(scene.ruler)
-    log = project.construction
-    still = {m for m in log.given if m.view != "accelerations"}
-    still |= {m for s in log.steps if s.it.view != "accelerations" for m in (s.it, *s.uses)}
-    reading = execute(log, given, still, hand=hand)
-    accelerated = None
-    if project.accelerations is not None and project.accelerated:
-        steps = [step for step in log.steps if step.it.view == "accelerations"]
-        whole = {mark for step in steps for mark in (step.it, *step.uses)}
-        accelerated = execute(log, given, whole, hand=hand, positions=project.accelerated)
+    hand = EXACT if exact else hand_of(scene)
+    reading, accelerated = _read(project, given, hand)
     scales |= chart_scale_values(project, reading)
     if project.engine is not None:
         mu = project.engine.mu
@@ -153,6 +166,21 @@ def _of_forces(found: tuple[Finding, ...], project: Project) -> Iterator[Finding
         places = tuple(k for k in one.positions if k in project.forced)
         if places:
             yield one._replace(positions=places)
+
+
+def _read(
+    project: Project, given: Mapping[Mark, object], hand: Hand
+) -> tuple[Reading, Reading | None]:
+    """Execute the log: everything but the plans of accelerations, and these at their positions."""
+    log = project.construction
+    still = {m for m in log.given if m.view != "accelerations"}
+    still |= {m for s in log.steps if s.it.view != "accelerations" for m in (s.it, *s.uses)}
+    reading = execute(log, given, still, hand=hand)
+    if project.accelerations is None or not project.accelerated:
+        return reading, None
+    steps = [step for step in log.steps if step.it.view == "accelerations"]
+    whole = {mark for step in steps for mark in (step.it, *step.uses)}
+    return reading, execute(log, given, whole, hand=hand, positions=project.accelerated)
 
 
 def ranges(project: Project) -> str:

@@ -6,14 +6,14 @@ that works across positions (a French curve) runs on whole arrays, between two s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.hand import EXACT, TRIALS, Hand, Slip, Slipping, slip_of
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.board.values import given as as_value
@@ -36,9 +36,37 @@ class Reading:
         """Return the value of ``mark``, axes (trial, position), size 1 where it does not vary."""
         return self.values[mark.slot]
 
+    def trial(self, k: int) -> Reading:
+        """Return the numbers of one trial."""
+        return Reading(_Trial(self.values, k), self.positions)
+
     def __contains__(self, mark: object) -> bool:
         """Whether the value of ``mark`` was asked for."""
         return isinstance(mark, Mark) and mark.slot in self.values
+
+
+class _Trial(Mapping[int, Any]):
+    """The values of one trial, cut out when they are asked for."""
+
+    def __init__(self, values: Mapping[int, Any], k: int) -> None:
+        self.values_, self.k = values, k
+
+    def __getitem__(self, slot: int) -> Any:
+        value = self.values_[slot]
+        if isinstance(value, Curve):
+            return Curve(self._cut(value.knots), self._cut(value.tangents), value.closed)
+        if isinstance(value, tuple):
+            return type(value)(*map(self._cut, value))
+        return self._cut(value)
+
+    def _cut(self, array: Any) -> Any:
+        return array if array.shape[0] == 1 else array[self.k : self.k + 1]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self.values_)
+
+    def __len__(self) -> int:
+        return len(self.values_)
 
 
 def needed(construction: Construction, wanted: Iterable[Mark]) -> tuple[Step, ...]:
@@ -59,6 +87,7 @@ class Call(NamedTuple):
     takes: tuple[int, ...]
     fills: int
     reads: bool
+    slip: Slip | None = None
 
 
 Calls = tuple[Call, ...]
@@ -72,9 +101,18 @@ class Program(NamedTuple):
     given: tuple[Mark, ...]
 
     def run(
-        self, given: Mapping[Mark, object], *, hand: Hand = EXACT, block: int = BLOCK
+        self,
+        given: Mapping[Mark, object],
+        *,
+        hand: Hand = EXACT,
+        block: int = BLOCK,
+        places: Any = None,
+        whole: int | None = None,
     ) -> Reading:
-        """Run at all positions of ``given``; see `execute`."""
+        """Run at all positions of ``given``; see `execute`.
+
+        ``places``: where these stand among the ``whole`` positions, for the random streams of a hand.
+        """
         values: Values = {}
         for mark in self.given:
             value = given.get(mark)
@@ -82,12 +120,30 @@ class Program(NamedTuple):
                 raise ConstructionError(f"{mark.view}: '{mark.letter}' was not given")
             values[mark.slot] = as_value(value, mark.kind)
         count = max((v.shape[1] for v in values.values()), default=1)
+        if not hand.slips and hand.digits is None:
+            self._run(values, count, block, hand, None)
+            return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
+        at = np.arange(count) if places is None else places
+        found: list[Values] = []
+        for number, start in enumerate(range(0, hand.trials, TRIALS)):
+            trials = min(TRIALS, hand.trials - start)
+            slipping = Slipping(hand, number, trials, whole or count, at)
+            local = dict(values)
+            self._run(local, count, block, hand, slipping)
+            found.append({i: v for i, v in local.items() if i in self.wanted})
+        return Reading(_joined(found), count)
+
+    def _run(
+        self, values: Values, count: int, block: int, hand: Hand, slipping: Slipping | None
+    ) -> None:
         with np.errstate(all="ignore"):
             for pointwise, across in self.strata:
-                _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise))
+                _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise), slipping)
                 for call in across:
-                    values[call.fills] = call.run(*[_spread(values[i], count) for i in call.takes])
-        return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
+                    value = call.run(*[_spread(values[i], count) for i in call.takes])
+                    if slipping is not None and call.slip is not None:
+                        value = slipping.apply(call.slip, value, slice(None))
+                    values[call.fills] = value
 
     def _kept(self, stratum: Calls) -> frozenset[int]:
         if len(self.strata) == 1:
@@ -155,44 +211,93 @@ def execute(
         If a value is missing, or a curve across positions is asked for at some positions only.
     """
     program = prepare(construction, wanted)
+    places, whole = None, None
     if positions is not None:
         if len(program.strata) > 1:
             raise ConstructionError("a curve across positions needs all positions of its row")
-        at = np.asarray(positions, dtype=np.intp)
+        at = places = np.asarray(positions, dtype=np.intp)
+        whole = max(
+            (v.shape[1] for v in given.values() if isinstance(v, np.ndarray) and v.ndim == 2),
+            default=1,
+        )
         given = {
             mark: value[:, at]
             if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1
             else value
             for mark, value in given.items()
         }
-    return program.run(given, hand=hand, block=block)
+    return program.run(given, hand=hand, block=block, places=places, whole=whole)
 
 
 def _call(step: Step) -> Call:
     run = partial(step.op.run, **step.choice) if step.choice else step.op.run
-    return Call(run, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads)
+    slip = slip_of(step.op, step.it.view, step.it.letter)
+    return Call(run, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads, slip)
+
+
+def _joined(blocks: list[Values]) -> Values:
+    """Return the values of all blocks of trials in one; what does not vary by trial is kept once."""
+    if len(blocks) == 1:
+        return blocks[0]
+    joined: Values = {}
+    for i, first in blocks[0].items():
+        rows = [block[i] for block in blocks]
+        if isinstance(first, Curve):
+            knots, tangents = (
+                np.concatenate([getattr(r, n) for r in rows]) for n in ("knots", "tangents")
+            )
+            joined[i] = Curve(knots, tangents, first.closed)
+        elif isinstance(first, tuple):
+            joined[i] = type(first)(*(_column([r[k] for r in rows]) for k in range(len(first))))
+        else:
+            joined[i] = _column(rows)
+    return joined
+
+
+def _column(rows: list[Any]) -> Any:
+    if all(row.shape[0] == 1 for row in rows):
+        return rows[0]
+    return np.concatenate(rows)
 
 
 def _run(calls: Calls, values: Values, read: Callable[[Any], Any] | None) -> None:
-    for run, takes, fills, reads in calls:
+    for run, takes, fills, reads, _ in calls:
         value = run(*[values[i] for i in takes])
         values[fills] = read(value) if reads and read is not None else value
 
 
+def _slip(calls: Calls, values: Values, slipping: Slipping, part: slice) -> None:
+    for run, takes, fills, _, slip in calls:
+        value = run(*[values[i] for i in takes])
+        values[fills] = value if slip is None else slipping.apply(slip, value, part)
+
+
 def _in_blocks(
-    calls: Calls, values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
+    calls: Calls,
+    values: Values,
+    count: int,
+    block: int,
+    hand: Hand,
+    kept: frozenset[int],
+    slipping: Slipping | None,
 ) -> None:
     read = None if hand.ruler is None else hand.read
     # in a block of one position a value that varies would look like one that does not
     block = max(block, 2)
     if count <= block:
-        _run(calls, values, read)
+        if slipping is None:
+            _run(calls, values, read)
+        else:
+            _slip(calls, values, slipping, slice(None))
         return
     whole: Values = {}
     for start in range(0, count, block):
         part = slice(start, min(start + block, count))
         local = {i: _part(value, part) for i, value in values.items()}
-        _run(calls, local, read)
+        if slipping is None:
+            _run(calls, local, read)
+        else:
+            _slip(calls, local, slipping, part)
         for call in calls:
             if call.fills in kept:
                 _keep(whole, call.fills, local[call.fills], part, count)

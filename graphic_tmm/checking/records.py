@@ -11,8 +11,8 @@ VERDICTS = (FINE, DOUBTFUL, WRONG)
 class Taken(NamedTuple):
     """A reading as somebody took it: of a segment (mm on paper, or a quantity with its unit) or of a point.
 
-    ``position`` is "" for a result of the whole project. ``mm``; ``value`` with ``unit``; ``x``, ``y`` (mm on the
-    plan, from its pole): None where not given. ``line`` of the file it stands in.
+    ``position`` is "" for a result of the whole project. ``mm``; ``value`` with ``unit``; ``x``, ``y`` (mm on
+    the plan, from its pole): None where not given. ``line`` of the file it stands in.
     """
 
     plan: str

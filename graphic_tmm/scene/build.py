@@ -12,6 +12,9 @@ from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
 
+DIVISIONS = {"exact": 0.1, "cad": 0.01, "careful": 0.1, "student": 0.5}
+"""Divisions of the rulers of named hands, mm."""
+
 
 def scene(parts: Parts, source: str) -> Scene:
     """Return the scene of sections in which no fault was found.
@@ -52,11 +55,22 @@ def scene(parts: Parts, source: str) -> Scene:
         behind=parts.planetary.behind if parts.planetary else (),
         trajectories=plans.trajectories,
         scales=_scales(scales),
-        ruler=hand.ruler,
+        ruler=_division(hand),
+        hand=hand.name,
+        seed=hand.seed,
         sheets=tuple(SheetOrder(sheet.format, sheet.place) for sheet in sheets),
         title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
     )
+
+
+def _division(table: m.HandTable) -> float | None:
+    """Return the division of the ruler, mm: as told, else the hand's own, 0.1 mm for the exact one."""
+    if isinstance(table.ruler, float):
+        return table.ruler
+    if table.ruler == "exact":
+        return None
+    return DIVISIONS[table.name]
 
 
 def _forces(parts: Parts, mechanism: Mechanism) -> ForcesOrder | None:

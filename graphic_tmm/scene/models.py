@@ -180,7 +180,13 @@ class ScalesTable(Table):
 class HandTable(Table):
     """How well lengths are read."""
 
-    ruler: v.Ruler = key('the division that lengths are read to, or "exact"', "0.1 mm", 0.1)
+    name: v.HandName = key("who draws: exact, cad, careful, student", "student", "exact")
+    seed: v.Seed = key("which of that hand's drawings", 7, 0)
+    ruler: v.Ruler | None = key(
+        'the division that lengths are read to, or "exact"; left out: the hand\'s own',
+        "0.1 mm",
+        None,
+    )
 
 
 class SheetTable(Table):

@@ -83,6 +83,8 @@ class Scene:
     trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)
     ruler: float | None = 0.1
+    hand: str = "exact"
+    seed: int = 0
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     task: Task | None = None

@@ -210,9 +210,9 @@ def _drawn(value: object, names: Names) -> float:
     return metres * 1000
 
 
-def _ruler(value: object, names: Names) -> float | None:
+def _ruler(value: object, names: Names) -> float | str:
     if value == "exact":
-        return None
+        return "exact"
     metres = quantities.parse(value, "length")
     if not 1e-6 <= metres <= 0.01:
         raise ValueError(f'{_said(value)} is no ruler; write "0.1 mm", "0.5 mm" or "exact"')
@@ -370,7 +370,11 @@ MuL = Annotated[float, Rule(_mu_l, SCALE)]
 MuV = Annotated[float | str, Rule(_mu_v, SCALE)]
 MuA = Annotated[float, mu("scale of accelerations")]
 Drawn = Annotated[float, Rule(_drawn, _MM)]
-Ruler = Annotated[float | None, Rule(_ruler, _MM)]
+Ruler = Annotated[float | str, Rule(_ruler, _MM)]
+HandName = Annotated[
+    str, choice("exact", "cad", "careful", "student", точная="exact", студент="student")
+]
+Seed = Annotated[int, whole(0, 2**31)]
 Format = Annotated[str, choice("A1", "A1 portrait", "A4", А1="A1", А4="A4")]
 Places = Annotated[
     tuple[str, ...],
