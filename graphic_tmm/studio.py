@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from graphic_tmm.board.hand import Hand
 from graphic_tmm.errors import SheetError
 from graphic_tmm.parts import Part, draw_parts
 from graphic_tmm.plans.cam import Cam
@@ -221,17 +222,17 @@ def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
     names = work.project.names if work is not None else ()
     angles = work.project.angles if work is not None else ()
     positions = list(zip(names, angles, strict=True))
-    found = _columns(made)
+    found = scene_columns(made)
     if work is None and (cam := _cam(made)) is not None:
         assert isinstance(cam.made, Cam)
         names, angles = tuple(cam_names(cam.made)), tuple(cam_angles(cam.made))
         positions = list(zip(names, angles, strict=True))
-    results, numbers = _structure(made), _numbers(made)
+    results, numbers = _structure(made), scene_results(made)
     if trials > 1:
-        drawn = list(_drawings(made, trials))
-        rows = [_columns(one) for one in drawn]
+        drawn = list(drawings(made, hand_of(made.scene, trials)))
+        rows = [scene_columns(one) for one in drawn]
         found = spread_columns(found, rows)
-        numbers = spread_results(numbers, [_numbers(one) for one in drawn])
+        numbers = spread_results(numbers, [scene_results(one) for one in drawn])
     results |= {
         name: {"value": value, "unit": of}
         for name, (value, of) in numbers.items()
@@ -258,7 +259,7 @@ def _cam(made: Made) -> Part | None:
     return next((part for part in made.parts if isinstance(part.made, Cam)), None)
 
 
-def _columns(made: Made) -> list[Column]:
+def scene_columns(made: Made) -> list[Column]:
     """Return the columns of a scene: of its mechanism, else of its cam."""
     if made.work is not None:
         return table_columns(made.work)
@@ -266,12 +267,11 @@ def _columns(made: Made) -> list[Column]:
     return list(cam_columns(cam)) if cam is not None else []
 
 
-def _drawings(made: Made, trials: int) -> Iterator[Made]:
-    """Yield the drawings that a scene's hand makes, one a trial."""
-    hand = hand_of(made.scene, trials)
+def drawings(made: Made, hand: Hand) -> Iterator[Made]:
+    """Yield the drawings that a hand makes, one a trial."""
     work = made.work.drawn_by(hand) if made.work is not None else None
     parts = [part.drawn_by(hand) for part in made.parts]
-    for k in range(trials):
+    for k in range(hand.trials):
         own = work.trial(k) if work is not None else None
         yield Made(made.scene, own, tuple(part.trial(k) for part in parts))
 
@@ -283,7 +283,7 @@ def _structure(made: Made) -> dict[str, Any]:
     return {"W": structure.mobility, "formula": structure.formula}
 
 
-def _numbers(made: Made) -> dict[str, tuple[float, str]]:
+def scene_results(made: Made) -> dict[str, tuple[float, str]]:
     """Return the results of a scene by name."""
     found = _part_results(made)
     if made.work is not None:

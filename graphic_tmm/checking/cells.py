@@ -1,0 +1,85 @@
+"""The figures of a scene one by one, by plan, segment and position: what readings are compared with."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from graphic_tmm.board.values import Point
+from graphic_tmm.studio import Made, scene_columns, scene_results
+
+Key = tuple[str, str, str]
+"""Plan, segment, position ("" for a result)."""
+RESULTS = "results"
+POINTED = ("positions", "velocities", "accelerations")
+"""Plans whose points can be compared by their coordinates."""
+
+
+class Cell(NamedTuple):
+    """One figure: mm on the sheet (None where nothing is drawn), the quantity, its unit."""
+
+    mm: float | None
+    value: float | None
+    unit: str
+
+
+def position_names(made: Made) -> tuple[str, ...]:
+    """Return the numbers of the positions of a scene."""
+    if made.work is not None:
+        return made.work.project.names
+    columns = scene_columns(made)
+    return tuple(str(k) for k in range(len(columns[0].value))) if columns else ()
+
+
+def cells(made: Made) -> dict[Key, Cell]:
+    """Return every figure that a scene has."""
+    names = position_names(made)
+    found: dict[Key, Cell] = {}
+    for column in scene_columns(made):
+        rows = zip(names, column.mm, column.value, strict=True)
+        for name, mm, value in rows:
+            if mm is not None or value is not None:
+                found[column.plan, column.segment, name] = Cell(mm, value, column.unit)
+    for name, (value, unit) in scene_results(made).items():
+        found[RESULTS, name, ""] = Cell(None, value, unit)
+    return found
+
+
+def longest(found: Mapping[Key, Cell]) -> dict[tuple[str, str], float]:
+    """Return the longest segment of every plan and position, mm."""
+    most: dict[tuple[str, str], float] = {}
+    for (plan, _, position), cell in found.items():
+        if cell.mm is not None:
+            at = (plan, position)
+            most[at] = max(most.get(at, 0.0), abs(cell.mm))
+    return most
+
+
+def plans(found: Mapping[Key, Cell]) -> Iterator[str]:
+    """Yield the plans that have figures, in their order."""
+    yield from dict.fromkeys(plan for plan, _, _ in found)
+
+
+def points(made: Made) -> dict[Key, complex]:
+    """Return where every point of a mechanism's plans stands, mm from the pole (or the crank's pivot)."""
+    work = made.work
+    found: dict[Key, complex] = {}
+    if work is None:
+        return found
+    project, everywhere = work.project, tuple(range(len(work.project.names)))
+    for step in project.construction.steps:
+        plan = step.it.view
+        if plan not in POINTED or step.it.kind is not Point or step.op.across:
+            continue
+        reading, places = (work.reading, everywhere)
+        if plan == "accelerations":
+            if work.accelerated is None:
+                continue
+            reading, places = work.accelerated, project.accelerated
+        row = reading[step.it][0]
+        for k, place in enumerate(places):
+            z = complex(row[k if row.size > 1 else 0])
+            if cmath.isfinite(z):
+                found[plan, step.it.letter, project.names[place]] = z
+    return found

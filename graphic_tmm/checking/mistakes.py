@@ -1,0 +1,192 @@
+"""Which mistakes would explain the readings that are wrong: each of the catalogue is run and compared."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.checking.catalogue import CATALOGUE, Figures
+from graphic_tmm.checking.cells import Cell, Key, cells
+from graphic_tmm.checking.judge import Scatter, amount, apart
+from graphic_tmm.checking.records import FINE, WRONG, Judged, Likely
+from graphic_tmm.studio import Made
+
+SEGMENT = (
+    "another segment",
+    "another segment is measured than the one named",
+    "измерен не тот отрезок, который назван",
+)
+FACTOR = (
+    "wrong scale or pole distance",
+    "all figures are {factor:.4g} times too large: the scale or the pole distance is another",
+    "все величины в {factor:.4g} раза больше: взят другой масштаб или другое полюсное расстояние",
+)
+LEAST = 0.6
+"""A mistake has to explain this share of the wrong readings of its plans."""
+
+
+class Tried(NamedTuple):
+    """A mistake tried: lines that it explains, what it leaves of the deviations, its effect on each reading."""
+
+    name: str
+    says: str
+    lines: tuple[int, ...]
+    score: float
+    rest: float
+    effect: tuple[float, ...]
+
+
+def likely(
+    made: Made,
+    judged: Sequence[Judged],
+    spread: Mapping[tuple[Key, bool], Scatter],
+    language: str,
+) -> tuple[Likely, ...]:
+    """Return the mistakes that explain wrong readings, the best first; those of the same effect together."""
+    judged = [one for one in judged if one.taken.mm is not None or one.taken.value is not None]
+    wrong = [one for one in judged if one.verdict == WRONG]
+    if not wrong:
+        return ()
+    tried = [one for one in _tried(made, judged, spread, language) if one.lines]
+    tried.sort(key=lambda one: (-one.score, one.rest, one.name))
+    found: list[Likely] = []
+    effects: list[tuple[float, ...]] = []
+    for one in tried:
+        if one.score <= 0.0 or len(one.lines) < LEAST * min(len(wrong), 3):
+            continue
+        same = next((k for k, effect in enumerate(effects) if _same(effect, one.effect)), None)
+        if same is None:
+            effects.append(one.effect)
+            found.append(Likely(one.name, one.says, one.lines, len(wrong), one.rest))
+        elif one.name != found[same].name and one.name not in found[same].like:
+            found[same] = found[same]._replace(like=(*found[same].like, one.name))
+    return tuple(found)
+
+
+def _same(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
+    a, b = np.array(one), np.array(other)
+    return bool(np.allclose(a, b, rtol=1e-6, atol=1e-9, equal_nan=True))
+
+
+def _tried(
+    made: Made,
+    judged: Sequence[Judged],
+    spread: Mapping[tuple[Key, bool], Scatter],
+    language: str,
+) -> Iterator[Tried]:
+    for mistake in CATALOGUE:
+        says = mistake.ru if language == "ru" else mistake.en
+        best: Tried | None = None
+        for figures in mistake.figures(made):
+            one = _compared(mistake.name, says, figures, judged, spread)
+            if best is None or (one.score, -one.rest) > (best.score, -best.rest):
+                best = one
+        if best is not None:
+            yield best
+    yield from _factor(judged, spread, language)
+    yield _other_segments(made, judged, spread, language)
+
+
+def _compared(
+    name: str,
+    says: str,
+    figures: Figures,
+    judged: Sequence[Judged],
+    spread: Mapping[tuple[Key, bool], Scatter],
+) -> Tried:
+    """Compare all readings with the figures that a mistake leads to."""
+    lines, score, left, whole, effect = [], 0.0, 0.0, 0.0, []
+    for one in judged:
+        key = _key(one)
+        cell = figures.get(key)
+        due = None if cell is None else _due(cell, one)
+        if due is None:
+            effect.append(float("nan"))
+            continue
+        effect.append(due)
+        limit, moved = spread[key, one.taken.mm is not None], apart(one.found, due)
+        room = _room(limit, due, one.due)
+        if one.verdict == WRONG:
+            left, whole = left + moved**2, whole + one.deviation**2
+            if moved <= room:
+                lines.append(one.taken.line)
+                score += 1.0
+        elif one.verdict == FINE and moved > max(limit.wrong, room):
+            score -= 1.0
+    rest = left / whole if whole else 1.0
+    return Tried(name, says, tuple(lines), score, rest, tuple(effect))
+
+
+def _room(limit: Scatter, due: float, was: float) -> float:
+    """Return how far a reading may be from what a mistake leads to: as the hand is, scaled with the figure."""
+    if not np.isfinite(limit.wrong):
+        return 0.03 * abs(due)
+    growth = max(1.0, abs(due) / abs(was)) if was else 1.0
+    return 0.7 * limit.wrong * growth
+
+
+def _key(one: Judged) -> Key:
+    return (one.taken.plan, one.taken.segment, one.taken.position)
+
+
+def _due(cell: Cell, one: Judged) -> float | None:
+    return cell.mm if one.taken.mm is not None else cell.value
+
+
+def _factor(
+    judged: Sequence[Judged], spread: Mapping[tuple[Key, bool], Scatter], language: str
+) -> Iterator[Tried]:
+    """One factor between all figures of a segment and their dues."""
+    for plan in dict.fromkeys(one.taken.plan for one in judged):
+        wrong = [o for o in judged if o.taken.plan == plan and o.verdict == WRONG and o.due]
+        if len(wrong) < 3:
+            continue
+        factor = float(np.median([one.found / abs(one.due) for one in wrong]))
+        if not 0.02 < factor < 50.0 or abs(factor - 1.0) < 0.05:
+            continue
+        figures = {
+            _key(one): Cell(abs(one.due) * factor, abs(one.due) * factor, one.unit)
+            for one in judged
+            if one.taken.plan == plan
+        }
+        says = FACTOR[2 if language == "ru" else 1].format(factor=factor)
+        found = _compared(FACTOR[0], says, figures, judged, spread)
+        yield found._replace(score=found.score - 0.5)
+
+
+def _other_segments(
+    made: Made,
+    judged: Sequence[Judged],
+    spread: Mapping[tuple[Key, bool], Scatter],
+    language: str,
+) -> Tried:
+    """Readings that are another segment's of the same plan and position."""
+    due = cells(made)
+    by_place: dict[tuple[str, str], list[tuple[str, Cell]]] = {}
+    for (plan, segment, position), cell in due.items():
+        by_place.setdefault((plan, position), []).append((segment, cell))
+    lines, left, whole, effect = [], 0.0, 0.0, []
+    for one in judged:
+        if one.verdict != WRONG:
+            effect.append(float("nan"))
+            continue
+        place = (one.taken.plan, one.taken.position)
+        moved = [
+            apart(one.found, amount(cell, one.taken))
+            for segment, cell in by_place.get(place, [])
+            if segment != one.taken.segment and _due(cell, one) is not None
+        ]
+        nearest = min(moved, default=float("inf"))
+        limit = spread[_key(one), one.taken.mm is not None]
+        effect.append(nearest)
+        whole += one.deviation**2
+        left += min(nearest, one.deviation) ** 2
+        if nearest <= 0.5 * limit.wrong:
+            lines.append(one.taken.line)
+    says = SEGMENT[2 if language == "ru" else 1]
+    score = 0.55 * len(lines)  # some segment or other is near by chance
+    return Tried(
+        SEGMENT[0], says, tuple(lines), score, left / whole if whole else 1.0, tuple(effect)
+    )
