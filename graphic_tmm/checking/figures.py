@@ -86,7 +86,7 @@ def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
         raise ValueError(f'"{_short(cell)}" is not a number; write {wanted}, or leave it empty')
     digits, rest = match.groups()
     rest = rest.strip()
-    if re.match(r"[0-9.,'_]", rest) and plain(rest) not in UNITS:
+    if rest and not (rest[0].isalpha() or rest[0] in "°%(") and plain(rest) not in UNITS:
         raise ValueError(
             f'"{_short(cell)}" is not one number; write it in one piece, such as 1234.5'
         )

@@ -47,10 +47,10 @@ class _Cells(NamedTuple):
 def read_readings(path: Path | str) -> tuple[Taken, ...]:
     """Read the readings of a CSV file, in the order of its rows.
 
-    Its first row names the columns, in any order, in English or Russian: plan, position, segment, and mm, or
-    value and unit, or x and y (mm). Further columns mean nothing here. Cells are separated by commas, semicolons
-    or tabs; the decimal sign is a point or a comma; rows without a figure, blank lines and comments (#) are
-    left out. A unit "1" or a dash makes a bare number; its unit is "" in ``Taken``.
+    Its first row names the columns, in any order, in English or Russian: plan, position, segment, and mm,
+    or value and unit, or x and y (mm). Further columns mean nothing here. Cells are separated by commas,
+    semicolons or tabs; the decimal sign is a point or a comma; rows without a figure, blank lines and
+    comments (#) are left out. A unit "1" or a dash makes a bare number; its unit is "" in ``Taken``.
 
     Parameters
     ----------

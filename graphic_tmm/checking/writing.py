@@ -12,7 +12,7 @@ RESULTS = "results"
 """The plan of the results of the whole project, which have no position."""
 _SIGNS = {"en": (",", ".", ""), "ru": (";", ",", "\ufeff")}
 """The separator, the decimal sign and what a file begins with, so that spreadsheets take it as it is."""
-_QUOTED = frozenset(',;\t"\r\n#')
+_QUOTED = frozenset('"\r\n#')
 
 
 def write_readings(rows: Iterable[Taken], *, language: str = "en") -> str:
@@ -23,7 +23,8 @@ def write_readings(rows: Iterable[Taken], *, language: str = "en") -> str:
     rows : iterable of Taken
         Their lines are not written: a row's line is its own.
     language : str
-        "en": separated by commas, decimal points; "ru": Russian titles, semicolons, decimal commas, a byte order mark.
+        "en": separated by commas, decimal points; "ru": Russian titles, semicolons, decimal commas, and a
+        byte order mark, as spreadsheets set to Russian want them.
     """
     return _text((_row(one, language) for one in rows), language)
 
@@ -93,9 +94,12 @@ def _row(one: Taken, language: str) -> Iterator[str]:
 def _text(rows: Iterable[Iterable[str]], language: str) -> str:
     separator, _, start = _SIGNS[language]
     heads = HEADS.values() if language == "ru" else HEADS
-    lines = (separator.join(map(_quoted, row)) for row in (heads, *rows))
+    lines = (separator.join(_quoted(cell, separator) for cell in row) for row in (heads, *rows))
     return start + "".join(f"{line}\n" for line in lines)
 
 
-def _quoted(cell: str) -> str:
-    return '"{}"'.format(cell.replace('"', '""')) if _QUOTED & set(cell) else cell
+def _quoted(cell: str, separator: str) -> str:
+    """Return a cell in quotes if it could be taken for several, or its row for a comment."""
+    if separator in cell or not _QUOTED.isdisjoint(cell):
+        return '"{}"'.format(cell.replace('"', '""'))
+    return cell
