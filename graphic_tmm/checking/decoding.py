@@ -1,0 +1,75 @@
+"""The text of a file that somebody saved: UTF-8, UTF-16 or Windows-1251, with or without a mark of order."""
+
+from __future__ import annotations
+
+import codecs
+import re
+from pathlib import Path
+from typing import NoReturn
+
+from graphic_tmm.errors import Fault, SceneError
+
+LARGEST_FILE = 64_000_000
+_BOMS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32-le"),  # before UTF-16, whose mark is its beginning
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+_WORKBOOK = b"PK\x03\x04"
+_CONTROL = re.compile("[\x00-\x08\x0e-\x1f\x7f]")
+_NO_TEXT = "this is not a text; save the table as CSV with the encoding UTF-8"
+
+
+def text_of(file: Path) -> str:
+    """Return the text of a file, its encoding found out.
+
+    Raises
+    ------
+    SceneError
+        If there is no such file, or it is a folder, cannot be read, is too large or not a text.
+    """
+    try:
+        with file.open("rb") as stream:
+            data = stream.read(LARGEST_FILE + 1)
+    except FileNotFoundError:
+        _refuse(file, "there is no such file; name a CSV file of readings")
+    except IsADirectoryError:
+        _refuse(file, "this is a folder; name a CSV file of readings in it")
+    except (OSError, ValueError) as error:
+        reason = type(error).__name__
+        _refuse(file, f"the file cannot be read ({reason}); check its name and rights")
+    if len(data) > LARGEST_FILE:
+        _refuse(file, f"the file has more than {LARGEST_FILE} bytes; readings are a short text")
+    if data.startswith(_WORKBOOK):
+        _refuse(file, "this is a workbook or an archive, not a text; save the sheet as CSV")
+    return _decoded(file, data)
+
+
+def _decoded(file: Path, data: bytes) -> str:
+    for encoding in _encodings(data):
+        try:
+            text = codecs.decode(data, encoding).removeprefix("\ufeff").rstrip("\x1a")
+        except UnicodeDecodeError:
+            continue
+        found = _CONTROL.search(text)
+        if found is None:
+            return text
+        _refuse(file, _NO_TEXT, text.count("\n", 0, found.start()) + 1)
+    _refuse(file, _NO_TEXT)
+
+
+def _encodings(data: bytes) -> tuple[str, ...]:
+    """Return the encodings that the bytes may be in, the likeliest first."""
+    for mark, encoding in _BOMS:
+        if data.startswith(mark):
+            return (encoding,)
+    if b"\0" in data:  # every Latin letter of UTF-16 has one, at the odd or at the even places
+        little = data[1::2].count(0) > data[::2].count(0)
+        return ("utf-16-le" if little else "utf-16-be",)
+    return "utf-8", "cp1251"
+
+
+def _refuse(file: Path, message: str, line: int = 0) -> NoReturn:
+    raise SceneError(str(file), (Fault("", line, message),)) from None

@@ -1,0 +1,110 @@
+"""Figures as hands type them: ``17.5``, ``17,5 мм``, ``−3``, ``87000 Pa``."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from graphic_tmm.scene.quantities import LARGEST, NUMBER, UNITS, plain
+
+MM = ("", "mm", "мм", "mm.", "мм.")
+BARE = ("1", "-", "–", "—")
+"""Ways to write that a value has no unit; an empty cell may as well be one forgotten."""
+_FIGURE = re.compile(rf"([+-]?{NUMBER})\s*(.*)", re.DOTALL)
+_COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
+_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
+_SHORTEST = 40
+
+
+def decimal_comma(cell: str) -> bool:
+    """Return whether a cell is a number whose comma cannot but be its decimal sign.
+
+    >>> decimal_comma("17,5"), decimal_comma("1,234"), decimal_comma("17.5")
+    (True, False, False)
+    """
+    text = _straight(cell)
+    return "," in text and bool(_COMMA.fullmatch(text)) and not _THOUSANDS.fullmatch(text)
+
+
+def millimetres(cell: str, *, commas: bool) -> float | None:
+    """Return the millimetres of a cell; None if it is empty.
+
+    Parameters
+    ----------
+    cell : str
+        As typed; the unit mm may follow.
+    commas : bool
+        Whether a comma in the file is known to be the decimal sign; else "1,234" is refused.
+
+    Raises
+    ------
+    ValueError
+        With a sentence that says what is wrong and what to write.
+    """
+    if not cell:
+        return None
+    number, rest = _figure(cell, commas, "millimetres, such as 17.5")
+    if rest.casefold() not in MM:
+        raise ValueError(
+            f'"{_short(cell)}" is not a number of millimetres; write it in mm, such as 17.5'
+        )
+    return number
+
+
+def value_of(cell: str, unit: str, *, commas: bool) -> tuple[float | None, str]:
+    """Return a value and its unit, "" for a bare number; None and the unit if the cell is empty.
+
+    Parameters
+    ----------
+    cell, unit : str
+        As typed; the unit may stand behind the number, too. "1" or a dash is the unit of a bare number.
+    commas : bool
+        As in ``millimetres``.
+
+    Raises
+    ------
+    ValueError
+        With a sentence that says what is wrong and what to write.
+    """
+    if not cell:
+        return None, "" if unit in BARE else unit
+    number, rest = _figure(cell, commas, "a value, such as 16.3")
+    if rest and unit and plain(rest) != plain(unit):
+        raise ValueError(f'"{_short(cell)}" has a unit, and "{_short(unit)}" is another; keep one')
+    found = unit or rest
+    if not found:
+        raise ValueError(
+            f'"{_short(cell)}" has no unit; write it into the column "unit" (1 for a bare number)'
+        )
+    return number, "" if found in BARE else found
+
+
+def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
+    """Return the number of a cell, and what stands behind it."""
+    match = _FIGURE.fullmatch(_straight(cell))
+    if match is None:
+        raise ValueError(f'"{_short(cell)}" is not a number; write {wanted}, or leave it empty')
+    digits, rest = match.groups()
+    rest = rest.strip()
+    if rest and not (rest[0].isalpha() or rest[0] in "°%(") and plain(rest) not in UNITS:
+        raise ValueError(
+            f'"{_short(cell)}" is not one number; write it in one piece, such as 1234.5'
+        )
+    if not commas and _THOUSANDS.fullmatch(digits):
+        point, whole = digits.replace(",", "."), digits.replace(",", "")
+        raise ValueError(
+            f'"{_short(cell)}" can be read in two ways; write {point} or {whole} (a comma is taken '
+            "for the decimal sign where cells are separated by semicolons)"
+        )
+    number = float(digits.replace(",", "."))
+    if not math.isfinite(number) or abs(number) > LARGEST:
+        raise ValueError(f'"{_short(cell)}" is too large a number; check its exponent')
+    return number, rest
+
+
+def _straight(cell: str) -> str:
+    return cell.replace("−", "-")
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _SHORTEST else f"{text[:_SHORTEST]}..."
