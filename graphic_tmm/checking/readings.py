@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
-from graphic_tmm.checking.cells import HEADS, SEPARATORS, Head, Row, table
+from graphic_tmm.checking.csv_cells import HEADS, SEPARATORS, Head, Row, table
 from graphic_tmm.checking.decoding import text_of
 from graphic_tmm.checking.figures import decimal_comma, millimetres, value_of
 from graphic_tmm.checking.records import Taken

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from graphic_tmm.checking.cells import HEADS
+from graphic_tmm.checking.csv_cells import HEADS
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.tables.columns import Column
 

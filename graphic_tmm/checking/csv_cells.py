@@ -1,0 +1,131 @@
+"""A table of cells in a text: its separator found out, its columns by name, its rows with their lines."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import unicodedata
+from collections.abc import Iterator, Mapping
+from itertools import chain
+from typing import NamedTuple
+
+from graphic_tmm.scene.quantities import near
+
+HEADS: Mapping[str, str] = {
+    "plan": "план",
+    "position": "положение",
+    "segment": "отрезок",
+    "mm": "мм",
+    "value": "величина",
+    "unit": "единица",
+    "x": "x",
+    "y": "y",
+}
+"""The columns that mean something, in English and in Russian."""
+SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab"}
+_NAMES = {name: name for name in HEADS} | {russian: name for name, russian in HEADS.items()}
+_NAMES |= {"х": "x", "у": "y"}  # the Cyrillic letters that look the same
+_RUSSIAN = frozenset(HEADS.values()) - frozenset(HEADS)
+_IN_MM = re.compile(r"^([xyху])[\s,(\[]+(?:mm|мм)[)\]]?$")
+_SEPARATOR_LINE = re.compile(r'"?sep=.?"?', re.IGNORECASE)
+
+
+class Row(NamedTuple):
+    """The cells of one row and the line where it begins; ``wrong``: why it cannot be split, or ""."""
+
+    line: int
+    cells: list[str]
+    wrong: str = ""
+
+
+class Head(NamedTuple):
+    """The first row: the separator, the titles as typed, and the place of each column by its name.
+
+    ``twice``: titles of columns named once more; ``wrong``: why the row cannot be split, or "".
+    """
+
+    line: int
+    separator: str
+    titles: tuple[str, ...]
+    places: Mapping[str, int]
+    twice: tuple[str, ...] = ()
+    wrong: str = ""
+
+    @property
+    def russian(self) -> bool:
+        """Whether a column is named in Russian."""
+        return any(_folded(title) in _RUSSIAN for title in self.titles)
+
+    @property
+    def spoken(self) -> str:
+        """The titles as a message quotes them."""
+        shown = ", ".join(title for title in self.titles[:10] if title)
+        return f"{shown}, ..." if len(self.titles) > 10 else shown
+
+    def title(self, name: str) -> str:
+        """Return the title of a column as it stands in the file, its name if it does not."""
+        return self.titles[self.places[name]] if name in self.places else name
+
+    def like(self, name: str) -> str:
+        """Return the title that was probably meant for a column that is missing; "" if none."""
+        unknown = [title for title in self.titles if _folded(title) not in _NAMES]
+        return near(name, unknown, 0.8) or near(HEADS[name], unknown, 0.8)
+
+
+def table(text: str) -> tuple[Head, Iterator[Row]] | None:
+    """Return the first row of a text and an iterator over the others; None if the text is empty.
+
+    Of the separators that one is taken which makes most of the first row columns that are known.
+    """
+    found = [
+        (_head(first, separator), following)
+        for separator in SEPARATORS
+        for following in (rows(text, separator),)
+        for first in (_first(following),)
+        if first is not None
+    ]
+    return max(found, key=lambda one: (len(one[0].places), len(one[0].titles)), default=None)
+
+
+def rows(text: str, separator: str) -> Iterator[Row]:
+    """Yield the rows of a text; blank lines and comments (#) between rows are left out."""
+    numbered = enumerate(io.StringIO(text, newline=None), 1)
+    for line, first in numbered:
+        if not first.strip() or first.lstrip(" ").startswith("#"):
+            continue
+        lines = chain((first,), (more for _, more in numbered))
+        reader = csv.reader(lines, delimiter=separator, skipinitialspace=True, strict=True)
+        try:
+            yield Row(line, next(reader))
+        except csv.Error as error:
+            yield Row(line, [], str(error))
+
+
+def _first(following: Iterator[Row]) -> Row | None:
+    """Return the row of titles: not a comment that a spreadsheet has quoted, nor its line ``sep=;``."""
+    for row in following:
+        start = "".join(row.cells[:2])
+        if not start.startswith("#") and not _SEPARATOR_LINE.fullmatch(start.strip()):
+            return row
+    return None
+
+
+def _head(row: Row, separator: str) -> Head:
+    titles = [" ".join(cell.split()) for cell in row.cells]
+    while titles and not titles[-1]:
+        titles.pop()
+    places: dict[str, int] = {}
+    twice = []
+    for place, title in enumerate(titles):
+        name = _NAMES.get(_folded(title))
+        if name in places:
+            twice.append(title)
+        elif name is not None:
+            places[name] = place
+    return Head(row.line, separator, tuple(titles), places, tuple(twice), row.wrong)
+
+
+def _folded(title: str) -> str:
+    """Return a title in the form of ``_NAMES``; "x, mm" and "x (мм)" are x."""
+    return _IN_MM.sub(r"\1", unicodedata.normalize("NFKC", title).casefold().strip())
