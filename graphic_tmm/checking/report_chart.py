@@ -33,16 +33,16 @@ LABELS = 24
 
 
 def chart(plan: str, readings: Sequence[Judged], language: str) -> str:
-    """Return the deviations of a plan's readings in % of its longest vector; "" if it has none.
+    """Return the deviations of a plan's readings in % of its longest vector; "" if fewer than two have any.
 
     A shape and a colour for each verdict; readings of a position stand together, positions in the order in
     which they come. What is said of a reading when it is pointed at is its title.
     """
     drawn = [one for one in readings if math.isfinite(one.percent)]
-    if not drawn:
+    if len(drawn) < 2:
         return ""
-    order = {name: k for k, name in enumerate(dict.fromkeys(one.taken.position for one in drawn))}
-    drawn.sort(key=lambda one: order[one.taken.position])
+    order = {name: k for k, name in enumerate(dict.fromkeys(map(_place, drawn)))}
+    drawn.sort(key=lambda one: order[_place(one)])
     limit, step = axis(drawn)
     label = f"{plan_name(plan, language)}. {WORDS[language]['chart']}"
     parts = [
@@ -50,7 +50,7 @@ def chart(plan: str, readings: Sequence[Judged], language: str) -> str:
         f'height="{HEIGHT:g}mm" viewBox="0 0 {WIDTH:g} {HEIGHT:g}">',
         f"<title>{escape(label)}</title>",
         _rulings(limit, step, language),
-        _positions([one.taken.position for one in drawn]),
+        _positions(list(map(_place, drawn))),
         *(_marks(verdict, drawn, limit, language) for verdict in VERDICTS),
         "</svg>",
     ]
@@ -118,6 +118,11 @@ def _marks(verdict: str, readings: Sequence[Judged], limit: float, language: str
 def _told(one: Judged, percent: float, language: str) -> str:
     where = " ".join(filter(None, (shown(one.taken.position), shown(one.taken.segment))))
     return f"{where}: {signed(percent, 1, language)} %, {WORDS[language][one.verdict]}"
+
+
+def _place(one: Judged) -> str:
+    """Return what stands under a reading: its position, or its name where it is of no position."""
+    return one.taken.position or one.taken.segment
 
 
 def _x(place: float, count: int) -> float:

@@ -24,8 +24,8 @@ ACTIVE = re.compile(r"[\\`*\[\]{}#~$]|:(?=\S)|(?<![^\W_])_|_(?![^\W_])|(?<=www)\
 """Signs that Markdown acts upon inside a line; not an underline between letters."""
 OPENING = re.compile(r"^(\d*)([-+.)])(?=\s|$)")
 """Signs that Markdown acts upon where a line begins."""
-WIDEST = 14
-"""A column of a terminal's table is not folded below so many characters."""
+NARROW = 80
+"""A terminal of so many characters still shows figures and words unfolded, if they fit at all."""
 
 
 def text_report(report: Report) -> list[Any]:
@@ -90,20 +90,29 @@ def _table(grid: Grid, words: dict[str, str]) -> Any:
         title=Text(grid.title, style="bold"),
         title_justify="left",
         box=SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-        pad_edge=False,
+        show_edge=False,
+        padding=0,
     )
-    for column, key in enumerate(grid.columns):
-        widest = max(len(row[column]) for row in grid.rows)
+    whole = _whole(grid, words)
+    for key in grid.columns:
         out.add_column(
-            Text(words[key]),
+            Text(words[key].replace(" ", "\n")),
             justify="right" if key in FIGURES else "left",
             overflow="fold",
-            min_width=min(widest, WIDEST),
+            no_wrap=key in whole,
         )
     for row, verdict in zip(grid.rows, grid.verdicts, strict=True):
         out.add_row(*map(Text, row), style=STYLES[verdict])
     return out
+
+
+def _whole(grid: Grid, words: dict[str, str]) -> set[str]:
+    """Return the columns that are not folded: figures and verdicts, if a narrow terminal has room for them."""
+    whole, room = {key for key in grid.columns if key in FIGURES or key == "verdict"}, NARROW
+    for column, key in enumerate(grid.columns):
+        cells = [row[column] for row in grid.rows] if key in whole else []
+        room -= 1 + max(map(len, [*words[key].split(), *cells]))
+    return whole if room >= -1 else set()
 
 
 def _pipes(grid: Grid, words: dict[str, str]) -> str:

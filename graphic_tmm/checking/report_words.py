@@ -58,8 +58,8 @@ WORDS: dict[str, dict[str, str]] = {
         "notes": "Notes",
         "chart": "Deviations in % of the longest vector of the plan",
         "beyond": "an arrow: beyond the axis",
-        "legend": "Found, due and off by are in mm where no unit stands. % of plan: of its longest vector. "
-        "Farther: so many of the hand's own drawings are farther off. Step: where the error was made. "
+        "legend": "Line: of the file. Found, due and off by are in mm where no unit stands. "
+        "% of plan: of its longest vector. Farther: so many of the hand's own drawings are farther off. Step: where the error was made. "
         "Own: the error that this step made itself. "
         "Left: what the mistake leaves of the deviations that it explains.",
     },
@@ -79,7 +79,7 @@ WORDS: dict[str, dict[str, str]] = {
         "fine": "верно",
         "doubtful": "сомнительно",
         "wrong": "неверно",
-        "line": "строка",
+        "line": "№",
         "position": "пол.",
         "segment": "отрезок",
         "found": "снято",
@@ -100,8 +100,8 @@ WORDS: dict[str, dict[str, str]] = {
         "notes": "Замечания",
         "chart": "Отклонения в % наибольшего вектора плана",
         "beyond": "стрелка: за пределами оси",
-        "legend": "Снято, должно и отклонение в мм, если единица не указана. % плана: от его наибольшего "
-        "вектора. Дальше: столько собственных чертежей этой руки отклоняются сильнее. "
+        "legend": "№: строка файла. Снято, должно и отклонение в мм, если единица не указана. "
+        "% плана: от его наибольшего вектора. Дальше: столько собственных чертежей этой руки отклоняются сильнее. "
         "Шаг: где сделана ошибка. Своя: ошибка, внесённая самим этим шагом. "
         "Остаток: сколько отклонений, которые ошибка объясняет, после неё остаётся.",
     },
