@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
 from graphic_tmm.checking.report_rows import (
@@ -24,8 +25,6 @@ ACTIVE = re.compile(r"[\\`*\[\]{}#~$]|:(?=\S)|(?<![^\W_])_|_(?![^\W_])|(?<=www)\
 """Signs that Markdown acts upon inside a line; not an underline between letters."""
 OPENING = re.compile(r"^(\d*)([-+.)])(?=\s|$)")
 """Signs that Markdown acts upon where a line begins."""
-NARROW = 80
-"""A terminal of so many characters still shows figures and words unfolded, if they fit at all."""
 
 
 def text_report(report: Report) -> list[Any]:
@@ -40,7 +39,8 @@ def text_report(report: Report) -> list[Any]:
         Text(who(report)),
         Text(""),
     ]
-    made += [_table(grid, words) for grid in grids(report)]
+    for grid in grids(report):
+        made += [Fitting(grid, words), Text("")]
     made += [Text(words["legend"], style="dim")] if report.readings else []
     return [*made, *(Text(f"• {note}") for note in notes(report))]
 
@@ -81,7 +81,18 @@ def _mood(report: Report) -> str:
     return STYLES[worst]
 
 
-def _table(grid: Grid, words: dict[str, str]) -> Any:
+class Fitting(NamedTuple):
+    """A table that is laid out when the width of the terminal is known, so that nothing of it is cut off."""
+
+    grid: Grid
+    words: dict[str, str]
+
+    def __rich_console__(self, _: Any, options: Any) -> Iterator[Any]:
+        """Yield what rich prints."""
+        yield _table(self.grid, self.words, options.max_width)
+
+
+def _table(grid: Grid, words: dict[str, str], room: int) -> Any:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
     from rich.text import Text
@@ -93,7 +104,7 @@ def _table(grid: Grid, words: dict[str, str]) -> Any:
         show_edge=False,
         padding=0,
     )
-    whole = _whole(grid, words)
+    whole = _whole(grid, words, room)
     for key in grid.columns:
         out.add_column(
             Text(words[key].replace(" ", "\n")),
@@ -106,9 +117,9 @@ def _table(grid: Grid, words: dict[str, str]) -> Any:
     return out
 
 
-def _whole(grid: Grid, words: dict[str, str]) -> set[str]:
-    """Return the columns that are not folded: figures and verdicts, if a narrow terminal has room for them."""
-    whole, room = {key for key in grid.columns if key in FIGURES or key == "verdict"}, NARROW
+def _whole(grid: Grid, words: dict[str, str], room: int) -> set[str]:
+    """Return the columns that are not folded: figures and verdicts, if the terminal has room for them."""
+    whole = {key for key in grid.columns if key in FIGURES or key == "verdict"}
     for column, key in enumerate(grid.columns):
         cells = [row[column] for row in grid.rows] if key in whole else []
         room -= 1 + max(map(len, [*words[key].split(), *cells]))

@@ -59,7 +59,8 @@ WORDS: dict[str, dict[str, str]] = {
         "chart": "Deviations in % of the longest vector of the plan",
         "beyond": "an arrow: beyond the axis",
         "legend": "Line: of the file. Found, due and off by are in mm where no unit stands. "
-        "% of plan: of its longest vector. Farther: so many of the hand's own drawings are farther off. Step: where the error was made. "
+        "% of plan: of its longest vector. "
+        "Farther: so many of the hand's own drawings are farther off. Step: where the error was made. "
         "Own: the error that this step made itself. "
         "Left: what the mistake leaves of the deviations that it explains.",
     },
@@ -101,7 +102,8 @@ WORDS: dict[str, dict[str, str]] = {
         "chart": "Отклонения в % наибольшего вектора плана",
         "beyond": "стрелка: за пределами оси",
         "legend": "№: строка файла. Снято, должно и отклонение в мм, если единица не указана. "
-        "% плана: от его наибольшего вектора. Дальше: столько собственных чертежей этой руки отклоняются сильнее. "
+        "% плана: от его наибольшего вектора. "
+        "Дальше: столько собственных чертежей этой руки отклоняются сильнее. "
         "Шаг: где сделана ошибка. Своя: ошибка, внесённая самим этим шагом. "
         "Остаток: сколько отклонений, которые ошибка объясняет, после неё остаётся.",
     },
