@@ -182,6 +182,81 @@ def table(
 
 
 @main.command()
+@click.argument("scene")
+@click.argument("readings", required=False)
+@click.option(
+    "--template", is_flag=True, help="Print a CSV file to be filled in, and check nothing."
+)
+@click.option(
+    "--hand",
+    type=click.Choice(["cad", "careful", "student"]),
+    default="student",
+    show_default=True,
+    help="By whose drawings readings are judged.",
+)
+@click.option("--doubtful", type=click.FloatRange(0.5, 1.0), default=0.97, show_default=True)
+@click.option("--wrong", type=click.FloatRange(1.0, 100.0), default=5.0, show_default=True)
+@click.option("--trials", type=click.IntRange(20, 100_000), default=400, show_default=True)
+@click.option("--overlay", help="SVG file for the exact plans under the points that were read.")
+@click.option("--enlarge", type=click.FloatRange(1.0, 1000.0), default=1.0, show_default=True)
+@click.option("--photo", help="A photograph of the sheet, to be laid under it (with --corners).")
+@click.option(
+    "--corners", help="The corners of the frame in the photograph: x,y x,y x,y x,y (dots)."
+)
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice(["text", "md", "json", "html"]),
+    default="text",
+    show_default=True,
+)
+@_people
+def check(
+    scene: str,
+    readings: str | None,
+    template: bool,
+    hand: str,
+    doubtful: float,
+    wrong: float,
+    trials: int,
+    overlay: str | None,
+    enlarge: float,
+    photo: str | None,
+    corners: str | None,
+    form: str,
+) -> None:
+    """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
+    from graphic_tmm.checking import road
+
+    task = _read(scene, lettered=True)
+    if template:
+        click.echo(road.template_of(task), nl=False)
+        return
+    if photo is not None:
+        for path in road.underlay(task, photo, corners or "", overlay or "photo.svg"):
+            click.echo(str(path))
+        if readings is None:
+            return
+    if readings is None:
+        raise click.UsageError("name the file of READINGS, or ask for --template")
+    report = road.checked(task, readings, hand, (doubtful, wrong), trials)
+    if overlay is not None and photo is None:
+        _say(str(road.overlaid(task, report, overlay, enlarge)))
+    text = road.told(report, form)
+    if isinstance(text, str):
+        click.echo(text, nl=False)
+    else:
+        from rich.console import Console
+
+        console = Console(width=None if sys.stdout.isatty() else 160)
+        for part in text:
+            console.print(part)
+    if report.wrong:
+        raise SystemExit(1)
+
+
+@main.command()
 @click.argument("scene", required=False)
 @click.option(
     "-p",

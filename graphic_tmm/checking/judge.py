@@ -66,8 +66,8 @@ def amount(cell: Cell, taken: Taken) -> float:
 
 
 def apart(found: float, due: float) -> float:
-    """Return how far a figure is from its due; a segment without a sign is a magnitude."""
-    return abs(found - due) if found < 0.0 else abs(found - abs(due))
+    """Return by how much a figure exceeds its due; a segment without a sign is a magnitude."""
+    return found - due if found < 0.0 else found - abs(due)
 
 
 def taken_figure(taken: Taken, cell: Cell) -> float:
@@ -81,7 +81,7 @@ def taken_figure(taken: Taken, cell: Cell) -> float:
     if taken.mm is not None:
         return taken.mm
     assert taken.value is not None
-    if not taken.unit or taken.unit == cell.unit:
+    if taken.unit in ("", "1", cell.unit):
         return taken.value
     own, other = UNITS.get(plain(taken.unit)), UNITS.get(plain(cell.unit))
     if own is None or (other is not None and own.dimension != other.dimension):
@@ -185,11 +185,12 @@ def judge(
         in_mm = taken.mm is not None or _pointed(taken)
         if _pointed(taken):
             found, goal, of = abs(_spot(taken)), abs(spots[key]), "mm"
-            deviation = abs(_spot(taken) - spots[key])
+            deviation = signed = abs(_spot(taken) - spots[key])
         else:
             cell = due[key]
             found, goal = taken_figure(taken, cell), amount(cell, taken)
-            deviation, of = apart(found, goal), "mm" if in_mm else cell.unit
+            signed, of = apart(found, goal), "mm" if in_mm else cell.unit
+            deviation = abs(signed)
         seen = spread[key, in_mm]
         whole = most.get((taken.plan, taken.position), 0.0)
         share = 100.0 * deviation / whole if in_mm and whole else 0.0
@@ -203,7 +204,7 @@ def judge(
         blamed = own.step(taken) if verdict != FINE else ""
         quantile = seen.quantile(counted)
         judged.append(
-            Judged(taken, found, goal, deviation, share, quantile, verdict, of, blamed, mine)
+            Judged(taken, found, goal, signed, share, quantile, verdict, of, blamed, mine)
         )
     return tuple(judged), spread
 

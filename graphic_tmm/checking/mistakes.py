@@ -106,7 +106,7 @@ def _compared(
             effect.append(float("nan"))
             continue
         effect.append(due)
-        limit, moved = spread[key, one.taken.mm is not None], apart(one.found, due)
+        limit, moved = spread[key, one.taken.mm is not None], abs(apart(one.found, due))
         room = _room(limit, due, one.due)
         if one.verdict == WRONG:
             left, whole = left + moved**2, whole + one.deviation**2
@@ -174,7 +174,7 @@ def _other_segments(
             continue
         place = (one.taken.plan, one.taken.position)
         moved = [
-            apart(one.found, amount(cell, one.taken))
+            abs(apart(one.found, amount(cell, one.taken)))
             for segment, cell in by_place.get(place, [])
             if segment != one.taken.segment and _due(cell, one) is not None
         ]
@@ -182,7 +182,7 @@ def _other_segments(
         limit = spread[_key(one), one.taken.mm is not None]
         effect.append(nearest)
         whole += one.deviation**2
-        left += min(nearest, one.deviation) ** 2
+        left += min(nearest, abs(one.deviation)) ** 2
         if nearest <= 0.5 * limit.wrong:
             lines.append(one.taken.line)
     says = SEGMENT[2 if language == "ru" else 1]
