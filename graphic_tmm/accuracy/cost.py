@@ -7,13 +7,13 @@ positions is done once and goes through its row; a refinement goes through its t
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import reduce
 from math import isfinite
 from operator import add
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -92,8 +92,8 @@ class Done(NamedTuple):
 
 
 def varying(given: Mapping[Mark, object]) -> frozenset[Mark]:
-    """Return the given marks whose values, arrays (trial, position), differ in size along the positions."""
-    return frozenset(mark for mark, value in given.items() if np.shape(value)[1:] > (1,))
+    """Return the given marks whose values are arrays (trial, position) with more than one position."""
+    return frozenset(m for m, value in given.items() if np.shape(cast(Any, value))[-1:] > (1,))
 
 
 def done(
@@ -203,7 +203,9 @@ def _slots(construction: Construction, varies: Iterable[Mark]) -> set[int]:
     return {mark.slot for mark in marks}
 
 
-def _places(construction: Construction, positions: int, only: Mapping[str, int]):  # type: ignore[no-untyped-def]
+def _places(
+    construction: Construction, positions: int, only: Mapping[str, int]
+) -> Callable[[str], int]:
     """Return at how many positions a view is drawn, as a function of its name."""
     views = dict.fromkeys(step.it.view for step in construction.steps)
     for name, number in (("positions", positions), *only.items()):

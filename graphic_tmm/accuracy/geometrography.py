@@ -42,7 +42,9 @@ ELEMENTARY: dict[str, Elementary] = {
     "H1": Elementary("draw an arc between two knots by hand", False, 0.10),
     "A1": Elementary("set the planimeter on its beginning", True, 0.50),
     "A2": Elementary("go round once with the planimeter and read it", False, 1.50),
-    "N1": Elementary("evaluate a formula with slide rule or calculator, write it down", False, 0.50),
+    "N1": Elementary(
+        "evaluate a formula with slide rule or calculator, write it down", False, 0.50
+    ),
 }
 """Every elementary operation; the minutes are estimates, not measurements: give your own to `cost.count`."""
 
