@@ -13,22 +13,18 @@ from functools import reduce
 from math import isfinite
 from operator import add
 from types import MappingProxyType
-from typing import Any, NamedTuple, cast
-
-import numpy as np
+from typing import NamedTuple
 
 from graphic_tmm.accuracy.geometrography import ELEMENTARY
+from graphic_tmm.accuracy.repetition import repeated
 from graphic_tmm.accuracy.symbols import elements, exactitude, simplicity, symbol, written
 from graphic_tmm.board.execute import needed
 from graphic_tmm.board.locus import PARTS, PASSES
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve
 from graphic_tmm.errors import ConstructionError
 
 MINUTES: Mapping[str, float] = MappingProxyType({k: e.minutes for k, e in ELEMENTARY.items()})
 """Minutes an elementary operation takes, unless one is told otherwise."""
-ALONG = frozenset({"following", "succession", "next_satellite"})
-"""Operations across positions that leave a mark at every position; the others leave one for the row."""
 REFINEMENT = "refine"
 
 
@@ -91,11 +87,6 @@ class Done(NamedTuple):
     row: int
 
 
-def varying(given: Mapping[Mark, object]) -> frozenset[Mark]:
-    """Return the given marks whose values are arrays (trial, position) with more than one position."""
-    return frozenset(m for m, value in given.items() if np.shape(cast(Any, value))[-1:] > (1,))
-
-
 def done(
     construction: Construction,
     varies: Iterable[Mark],
@@ -108,14 +99,10 @@ def done(
     """Return the steps that the wanted marks need, in order, and how often each is done; see `count`."""
     steps = construction.steps if wanted is None else needed(construction, wanted)
     places = _places(construction, positions, only or {})
-    vary = _slots(construction, varies)
-    found = []
-    for step in steps:
-        if _varies(step, vary):
-            vary.add(step.it.slot)
-        often = 1 if step.op.across or step.it.slot not in vary else places(step.it.view)
-        found.append(Done(step, often, _row(step, passes)))
-    return tuple(found)
+    again = repeated(construction, varies)
+    return tuple(
+        Done(s, places(s.it.view) if s.it.slot in again else 1, _row(s, passes)) for s in steps
+    )
 
 
 def count(
@@ -136,7 +123,7 @@ def count(
     construction
         The log.
     varies
-        The given marks that are not the same at all positions; `varying` finds them.
+        The given marks that are not the same at all positions; `repetition.varying` finds them.
     wanted
         The marks to draw; None for all of them.
     positions
@@ -173,13 +160,6 @@ def _of_step(one: Done, table: Mapping[str, float], tried: Mapping[Mark, Work]) 
     return work * times
 
 
-def _varies(step: Step, vary: set[int]) -> bool:
-    """Whether a step leaves a value of its own at each position."""
-    if step.op.across:
-        return step.op.name in ALONG
-    return step.op.leaves is not Curve and any(mark.slot in vary for mark in step.uses)
-
-
 def _row(step: Step, passes: int) -> int:
     """Return how long the row is that a step goes through; the trials of a refinement.
 
@@ -193,14 +173,6 @@ def _row(step: Step, passes: int) -> int:
     if "first" in choice and "last" in choice:
         return choice["last"] - choice["first"] + 1
     return choice.get("row", 1)
-
-
-def _slots(construction: Construction, varies: Iterable[Mark]) -> set[int]:
-    marks = tuple(varies)
-    for mark in marks:
-        if mark not in construction.given:
-            raise ConstructionError(f"{mark.view}: '{mark.letter}' is not given on this board")
-    return {mark.slot for mark in marks}
 
 
 def _places(
