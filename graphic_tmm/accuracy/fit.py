@@ -40,6 +40,8 @@ def slope(x: Sequence[float], y: Sequence[float]) -> Slope:
     ValueError
         If there are not as many x as y.
     """
+    if len(x) != len(y):
+        raise ValueError(f"{len(x)} of x, but {len(y)} of y")
     both = np.array([x, y], dtype=np.float64)
     there = np.all(np.isfinite(both) & (both > 0.0), axis=0)
     u, v = np.log(both[:, there])

@@ -74,7 +74,7 @@ def _asked(op: Operation, taken: tuple[Parts, ...], choice: Choice) -> Parts:
 
 def _ones(kind: Kind, parts: Parts) -> Any:
     if kind is Curve:
-        knots = np.arange(4.0)[None, :] + np.zeros(1, np.complex128)
+        knots = np.arange(4.0)[None, :].astype(np.complex128)
         return Curve(knots, np.ones((1, 4), np.complex128), False)
     sized = [np.ones((1, 2 if varies else 1)) for varies in parts]
     if kind is Arc:
