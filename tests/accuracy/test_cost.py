@@ -7,10 +7,9 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
 import pytest
-from gallery import NAMES, SHEETS
-from logs import logs, sizes
+from gallery import NAMES
+from logs import FourBar, logs, sizes
 
 from graphic_tmm.accuracy.cost import MINUTES, NOTHING, Work, count, done
 from graphic_tmm.accuracy.geometrography import ELEMENTARY
@@ -20,41 +19,14 @@ from graphic_tmm.board.cams import smooth_stretch
 from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.execute import execute, needed
 from graphic_tmm.board.graphs import open_graph, succession
-from graphic_tmm.board.locus import PARTS, PASSES, refinement
 from graphic_tmm.board.operations import (
-    cross,
     lay_off,
-    measure,
     parallel,
-    ray,
-    strike,
 )
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.supports import planimeter
-from graphic_tmm.board.values import Angle, Length, Line, Point, Side
+from graphic_tmm.board.values import Length, Line, Point
 from graphic_tmm.errors import ConstructionError
-from graphic_tmm.mechanism.records import Extreme, Row
-from graphic_tmm.plans.project import draw_project
-from graphic_tmm.scene.read import read
-
-
-class FourBar:
-    """A four-bar on a board: crank, two arcs, their meeting point and one reading."""
-
-    def __init__(self) -> None:
-        board = Board()
-        board.open("positions")
-        o, c = board.take(Point, "O"), board.take(Point, "C")
-        self.phi = board.take(Angle, "φ")
-        lengths = [board.take(Length, name) for name in ("OA", "AB", "CB")]
-        side = board.take(Side, "±")
-        self.ray = board.draw(ray, "(OA)", o, self.phi)
-        self.a = board.draw(lay_off, "A", self.ray, lengths[0])
-        around_a = board.draw(strike, "(A)", self.a, lengths[1])
-        self.around_c = board.draw(strike, "(C)", c, lengths[2])
-        self.b = board.draw(cross, "B", around_a, self.around_c, side)
-        self.length = board.draw(measure, "OB", o, self.b)
-        self.log = board.construction()
 
 
 def test_a_four_bar_is_what_one_counts_on_the_fingers() -> None:
@@ -194,61 +166,6 @@ def test_a_step_across_positions_is_done_once_and_goes_through_its_row(
     (one,) = [o for o in done(log, [foot], positions=11) if o.step.it == marks[name]]
     assert one.times == 1
     assert elements(symbol(one.step.op), one.row) == due
-
-
-def refined() -> tuple[Construction, Mark, Mark]:
-    board = Board()
-    board.open("extremes")
-    low, high = board.take(Angle, "φ′"), board.take(Angle, "φ″")
-
-    def tried(row: np.ndarray) -> np.ndarray:
-        raise AssertionError("nothing is run to count it")
-
-    found = board.draw(refinement(tried, "{it}", "{it}"), "φ", low, high)
-    return board.construction(), low, found
-
-
-def test_a_refinement_costs_its_trials() -> None:
-    log, low, found = refined()
-    bar = FourBar()
-    inner = count(bar.log, [bar.phi])
-    trials = PARTS + 1 + (PASSES - 1) * (PARTS - 1)
-    own = elements(symbol(log.steps[0].op), trials)
-    work = count(log, [], tried={found: inner})
-    assert work.untold == ()
-    assert work.operations == Counter({"refine": 1}) + Counter(
-        {name: n * trials for name, n in inner.operations.items()}
-    )
-    assert work.elements == own + Counter((inner * trials).elements)
-    assert work.minutes == pytest.approx(
-        inner.minutes * trials + sum(n * MINUTES[e] for e, n in own.items())
-    )
-    one = count(log, [], tried={found: inner}, passes=1)
-    assert one.operations["cross"] == PARTS + 1
-    two = count(log, [], tried={found: inner}, passes=2)
-    assert two.operations["cross"] == 2 * PARTS
-    varied = count(log, [low], tried={found: inner}, passes=1, positions=5)
-    assert varied == one * 5
-
-
-def test_a_refinement_whose_construction_is_not_told_is_named() -> None:
-    log, _, found = refined()
-    work = count(log, [])
-    assert work.untold == (found,)
-    assert work.operations == {"refine": 1}
-    with pytest.raises(ConstructionError, match="passes: at least one, not 0"):
-        count(log, [], passes=0)
-
-
-def test_the_refined_extreme_of_a_mechanism_is_counted() -> None:
-    mechanism = read(SHEETS / "crank-rocker").mechanism
-    assert mechanism is not None
-    inner = mechanism.links[1]
-    letter = next(p for p in inner.points if p not in ("A", "B"))
-    project = draw_project(mechanism, Row(8, zero=Extreme(letter, "top")), plans=("positions",))
-    names = [step.op.name for step in project.construction.steps]
-    work = count(project.construction, varying(project.given), positions=8)
-    assert names.count("refine") == len(work.untold) == 1
 
 
 def test_minutes_are_the_users_own_where_given() -> None:
