@@ -1,4 +1,4 @@
-"""Logs to count: a four-bar, the scenes that come with the package, and how many positions their values have."""
+"""Logs to count: a four-bar, the scenes that come with the package, and the sizes of their values."""
 
 from __future__ import annotations
 

@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import reduce
 from math import isfinite
-from operator import add
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -144,20 +142,19 @@ def count(
         number is out of its range.
     """
     table = _minutes(minutes or {})
-    lists = done(construction, varies, wanted, positions=positions, only=only, passes=passes)
-    works = (_of_step(one, table, tried or {}) for one in lists)
-    return reduce(add, works, NOTHING)
-
-
-def _of_step(one: Done, table: Mapping[str, float], tried: Mapping[Mark, Work]) -> Work:
-    step, times, row = one
-    own = elements(symbol(step.op), row)
+    own, operations = Counter[str](), Counter[str]()
+    inner, told = NOTHING, tried or {}
+    for step, times, row in done(
+        construction, varies, wanted, positions=positions, only=only, passes=passes
+    ):
+        operations[step.op.name] += times
+        for name, n in elements(symbol(step.op), row).items():
+            own[name] += n * times
+        if step.op.name == REFINEMENT:
+            one = told.get(step.it, Work({}, {}, 0.0, (step.it,)))
+            inner += one * (row * times)
     spent = sum(n * table[name] for name, n in own.items())
-    work = Work({step.op.name: 1}, dict(own), spent)
-    if step.op.name == REFINEMENT:
-        inner = tried.get(step.it)
-        work += inner * row if inner is not None else Work({}, {}, 0.0, (step.it,))
-    return work * times
+    return Work(dict(operations), dict(own), spent) + inner
 
 
 def _row(step: Step, passes: int) -> int:

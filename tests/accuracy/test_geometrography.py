@@ -66,13 +66,15 @@ LEMOINE = [
     (["halve"], {"R1": 2, "R2": 1, "C1": 2, "C3": 2}, 7, 4),
     (["reflect"], {"C1": 2, "C2": 2, "C3": 2}, 6, 4),
     (["meet"], {}, 0, 0),
+    # the parallel through a point with the square
+    (["parallel"], {"E1": 1, "E2": 1, "R2": 1}, 3, 2),
     # a triangle on a drawn base from the lengths of two sides
     (["strike", "strike", "cross", "join", "join"], {"C1": 6, "C3": 2, "R1": 4, "R2": 2}, 14, 10),
 ]
 
 
 @pytest.mark.parametrize(("names", "due", "simple", "exact"), LEMOINE)
-def test_with_ruler_and_compass_it_is_counted_by_lemoines_rules(
+def test_what_a_textbook_draws_is_counted_by_lemoines_rules(
     names: list[str], due: dict[str, int], simple: int, exact: int
 ) -> None:
     found = sum((elements(symbol(OPERATIONS[name])) for name in names), elements(""))

@@ -7,12 +7,12 @@ import pytest
 from gallery import ALL
 from logs import logs, sizes
 
-from graphic_tmm.accuracy.repetition import repeated, varying
+from graphic_tmm.accuracy.repetition import ALONG, repeated, varying
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.graphs import following
 from graphic_tmm.board.operations import join, lay_off, measure, parallel, ray, strike
 from graphic_tmm.board.record import Board
-from graphic_tmm.board.values import Angle, Length, Point, arrays
+from graphic_tmm.board.values import Angle, Curve, Length, Point, arrays
 from graphic_tmm.errors import ConstructionError
 
 
@@ -24,6 +24,19 @@ def test_a_step_is_repeated_where_its_value_has_all_positions(name: str) -> None
         for mark, size in sizes(log, given):
             assert size in (1, count)
             assert (size > 1) == (mark.slot in again), (mark.view, mark.letter)
+
+
+def test_steps_across_positions_leave_one_mark_or_one_for_each_position() -> None:
+    seen = set()
+    for name in ALL:
+        for log, given in logs(name):
+            reading = execute(log, given)
+            for step in log.steps:
+                if step.op.across and step.op.leaves is not Curve:
+                    size = max(part.shape[1] for part in arrays(reading[step.it]))
+                    assert size == (reading.positions if step.op.name in ALONG else 1), step.op
+                    seen.add(step.op.name)
+    assert seen >= ALONG
 
 
 def test_some_scene_has_many_steps_of_either_sort() -> None:
