@@ -1,0 +1,197 @@
+"""What a construction costs at the board: its work, counted off the log without running it.
+
+A step whose value is the same at all positions is done once, any other once at each position; a step across
+positions is done once and goes through its row; a refinement goes through its trials.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from types import MappingProxyType
+from typing import NamedTuple
+
+from graphic_tmm.accuracy.geometrography import ELEMENTARY
+from graphic_tmm.accuracy.repetition import repeated
+from graphic_tmm.accuracy.symbols import elements, exactitude, simplicity, symbol, written
+from graphic_tmm.board.execute import needed
+from graphic_tmm.board.locus import PARTS, PASSES
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.errors import ConstructionError
+
+MINUTES: Mapping[str, float] = MappingProxyType({k: e.minutes for k, e in ELEMENTARY.items()})
+"""Minutes an elementary operation takes, unless one is told otherwise."""
+REFINEMENT = "refine"
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is done at the board.
+
+    ``operations``: how often each operation of the board, by name; ``elements``: how often each elementary
+    operation; ``minutes`` they take; ``untold``: refinements whose smaller construction was not told and is
+    therefore not counted.
+    """
+
+    operations: Mapping[str, int]
+    elements: Mapping[str, int]
+    minutes: float
+    untold: tuple[Mark, ...] = ()
+
+    @property
+    def simplicity(self) -> int:
+        """Lemoine's simplicity: the number of all elementary operations."""
+        return simplicity(self.elements)
+
+    @property
+    def exactitude(self) -> int:
+        """Lemoine's exactitude: the number of preparations; the fewer, the more exact."""
+        return exactitude(self.elements)
+
+    @property
+    def symbol(self) -> str:
+        """The work as Lemoine writes it."""
+        return written(self.elements)
+
+    def __add__(self, other: Work) -> Work:
+        """Return the work of both, one after the other."""
+        return Work(
+            dict(Counter(self.operations) + Counter(other.operations)),
+            dict(Counter(self.elements) + Counter(other.elements)),
+            self.minutes + other.minutes,
+            tuple(dict.fromkeys((*self.untold, *other.untold))),
+        )
+
+    def __mul__(self, times: int) -> Work:
+        """Return the work of doing it ``times`` over."""
+        return Work(
+            {name: n * times for name, n in self.operations.items()},
+            {name: n * times for name, n in self.elements.items()},
+            self.minutes * times,
+            self.untold,
+        )
+
+
+NOTHING = Work({}, {}, 0.0)
+
+
+class Done(NamedTuple):
+    """A step and how often it is done; ``row``: knots, intervals or trials that it goes through each time."""
+
+    step: Step
+    times: int
+    row: int
+
+
+def done(
+    construction: Construction,
+    varies: Iterable[Mark],
+    wanted: Iterable[Mark] | None = None,
+    *,
+    positions: int = 1,
+    only: Mapping[str, int] | None = None,
+    passes: int = PASSES,
+) -> tuple[Done, ...]:
+    """Return the steps that the wanted marks need, in order, and how often each is done; see `count`."""
+    steps = construction.steps if wanted is None else needed(construction, wanted)
+    places = _places(construction, positions, only or {})
+    again = repeated(construction, varies)
+    return tuple(
+        Done(s, places(s.it.view) if s.it.slot in again else 1, _row(s, passes)) for s in steps
+    )
+
+
+def count(
+    construction: Construction,
+    varies: Iterable[Mark],
+    wanted: Iterable[Mark] | None = None,
+    *,
+    positions: int = 1,
+    only: Mapping[str, int] | None = None,
+    tried: Mapping[Mark, Work] | None = None,
+    passes: int = PASSES,
+    minutes: Mapping[str, float] | None = None,
+) -> Work:
+    """Return the work of drawing the wanted marks; nothing is run, no reading is needed.
+
+    Parameters
+    ----------
+    construction
+        The log.
+    varies
+        The given marks that are not the same at all positions; `repetition.varying` finds them.
+    wanted
+        The marks to draw; None for all of them.
+    positions
+        How many positions are drawn.
+    only
+        For views that are drawn at some positions only: at how many, by the view's name.
+    tried
+        For refinements: the work of one trial of the smaller construction, by the mark it leads to.
+    passes
+        How often a refinement narrows its bracket.
+    minutes
+        Minutes of elementary operations, in place of those of `MINUTES`.
+
+    Raises
+    ------
+    ConstructionError
+        If a varying mark is not given on this board, a view or an elementary operation does not exist, or a
+        number is out of its range.
+    """
+    table = _minutes(minutes or {})
+    own, operations = Counter[str](), Counter[str]()
+    inner, told = NOTHING, tried or {}
+    for step, times, row in done(
+        construction, varies, wanted, positions=positions, only=only, passes=passes
+    ):
+        operations[step.op.name] += times
+        for name, n in elements(symbol(step.op), row).items():
+            own[name] += n * times
+        if step.op.name == REFINEMENT:
+            one = told.get(step.it, Work({}, {}, 0.0, (step.it,)))
+            inner += one * (row * times)
+    spent = sum(n * table[name] for name, n in own.items())
+    return Work(dict(operations), dict(own), spent) + inner
+
+
+def _row(step: Step, passes: int) -> int:
+    """Return how long the row is that a step goes through; the trials of a refinement.
+
+    The first pass tries all divisions; of a later one, both ends have been tried already.
+    """
+    if step.op.name == REFINEMENT:
+        if passes < 1:
+            raise ConstructionError(f"passes: at least one, not {passes}")
+        return PARTS + 1 + (passes - 1) * (PARTS - 1)
+    choice = step.choice
+    if "first" in choice and "last" in choice:
+        return choice["last"] - choice["first"] + 1
+    return choice.get("row", 1)
+
+
+def _places(
+    construction: Construction, positions: int, only: Mapping[str, int]
+) -> Callable[[str], int]:
+    """Return at how many positions a view is drawn, as a function of its name."""
+    views = dict.fromkeys(step.it.view for step in construction.steps)
+    for name, number in (("positions", positions), *only.items()):
+        if number < 1:
+            raise ConstructionError(f"{name}: at least one position, not {number}")
+    if unknown := [name for name in only if name not in views]:
+        raise ConstructionError(f"there is no view {unknown[0]}; there are {', '.join(views)}")
+    return lambda view: only.get(view, positions)
+
+
+def _minutes(own: Mapping[str, float]) -> Mapping[str, float]:
+    """Return the table of minutes with a user's own in it."""
+    for name, value in own.items():
+        if name not in ELEMENTARY:
+            raise ConstructionError(
+                f"minutes: there is no elementary operation {name}; there are {', '.join(ELEMENTARY)}"
+            )
+        if not (isfinite(value) and value >= 0.0):
+            raise ConstructionError(f"minutes: {name} cannot take {value} minutes")
+    return {**MINUTES, **own}
