@@ -1,0 +1,243 @@
+"""A photograph of a hand-made sheet, its perspective removed, at true millimetres.
+
+A drawing frame is a rectangle of known size: its four corners fix the projection of the sheet into the
+photograph. The corners are clicked; they are refined to the frame's lines, and how straight these lines
+are tells whether the photograph is a central projection at all. Needs Pillow (extra ``photo``).
+"""
+
+from __future__ import annotations
+
+import io
+import math
+import warnings
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.frame_lines import REACH, refine
+from graphic_tmm.checking.perspective import Corners, bilinear, homography, ordered, through
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.ruled import Box
+
+MOST = 100e6
+"""No photograph and no flattened sheet has more pixels."""
+
+FORMATS = ("JPEG", "MPO", "PNG", "TIFF", "WEBP", "BMP")
+
+BENT = 0.5
+"""A frame farther than this from straight is bent, mm: as far as a hand's reading is off in the median."""
+
+BLOCK = 1 << 18
+"""So many pixels are sampled at a time."""
+
+PAPER = 255
+"""The grey of what the photograph does not show."""
+
+
+class Photo(NamedTuple):
+    """A sheet seen straight from above.
+
+    ``image`` (rows, columns, 3): colours 0 ... 255, the uppermost row first; ``area``: the rectangle of
+    the sheet that it fills, mm; ``corners`` (4,): the frame's corners in the photograph, px, lower left,
+    lower right, upper right, upper left; ``homography`` (3, 3): from the sheet, mm, y upward, into the
+    photograph, px, y downward; ``residual``: how far the frame's lines are from straight, mm, NaN if no
+    line was found; ``warnings``: what makes the picture doubtful.
+    """
+
+    image: NDArray[np.uint8]
+    area: Box
+    corners: Complexes
+    homography: Reals
+    residual: float
+    warnings: tuple[str, ...]
+
+
+def flatten(
+    path: str | Path,
+    corners: Corners,
+    frame: tuple[float, float, float, float],
+    *,
+    dots_per_mm: float = 4.0,
+    area: tuple[float, float, float, float] | None = None,
+    refined: bool = True,
+) -> Photo:
+    """Return the photograph in a file without its perspective.
+
+    ``corners`` (4, 2): where the frame's corners are seen, x and y in pixels from the centre of the
+    first, y downward, in any order, the photograph upright as a viewer shows it. ``frame``: left, bottom,
+    right and top of the frame on the sheet, mm (from the paper's lower left corner, y upward).
+    ``area``: what of the sheet is wanted, mm; if left out the whole paper, whose right and upper margins
+    are as wide as the lower one. ``refined=False`` leaves the corners where they were given.
+
+    Raises
+    ------
+    SheetError
+        If Pillow is missing, the file is no photograph of at most 100 megapixels or is damaged, the
+        corners are not four corners of a convex quadrilateral within it, the rectangles are empty, or
+        the picture wanted has no dots or more than 100 million.
+    """
+    box = _rectangle("frame", frame)
+    shape = _raster(_rectangle("area", area) if area is not None else _paper(box), dots_per_mm)
+    clicked = ordered(corners)
+    image = read(path)
+    _within(clicked, image)
+    found = refine(image, box, clicked) if refined else None
+    marks = clicked if found is None else found.corners
+    matrix = homography(box, marks)
+    notes = [_turned(box, marks)]
+    if found is not None:
+        notes += [_missing(found.missing), _bent(found.residual)]
+    return Photo(
+        _unbent(image, matrix, *shape),
+        shape[0],
+        marks,
+        matrix,
+        math.nan if found is None else found.residual,
+        tuple(note for note in notes if note),
+    )
+
+
+def png(photo: Photo) -> bytes:
+    """Return a flattened photograph as PNG whose dots are as many to the metre as they are on the sheet."""
+    images = _pillow()[0]
+    dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
+    made = io.BytesIO()
+    images.fromarray(photo.image).save(made, "PNG", dpi=(25.4 * dots, 25.4 * dots))
+    return made.getvalue()
+
+
+def read(path: str | Path) -> NDArray[np.uint8]:
+    """Return a photograph (rows, columns, 3), 0 ... 255, upright as its camera says.
+
+    Raises SheetError as `flatten` does; the size is looked at before anything is decompressed.
+    """
+    images, operations = _pillow()
+    place = Path(path)
+    if not place.is_file():
+        raise SheetError(f"{place}: no such file: name a photograph (JPEG, PNG, TIFF, WebP or BMP)")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            with images.open(place, formats=FORMATS) as opened:
+                columns, rows = opened.size
+                if columns * rows > MOST:
+                    raise SheetError(_large(place, f"{columns} × {rows} pixels"))
+                return _colours(operations.exif_transpose(opened), images)
+        except SheetError:
+            raise
+        except images.DecompressionBombError as error:
+            raise SheetError(_large(place, "very large")) from error
+        except images.UnidentifiedImageError as error:
+            raise SheetError(
+                f"{place}: no photograph that can be read: save it as JPEG or PNG"
+            ) from error
+        except Exception as error:  # whatever the decoders meet in a damaged file
+            raise SheetError(
+                f"{place}: the photograph cannot be read ({error}): save it anew as JPEG or PNG"
+            ) from error
+
+
+def _pillow() -> tuple[Any, Any]:
+    """Return Pillow's modules Image and ImageOps."""
+    try:
+        from PIL import Image, ImageOps
+    except ImportError as error:
+        raise SheetError(
+            "a photograph needs the package Pillow: pip install 'graphic-tmm[photo]'"
+        ) from error
+    return Image, ImageOps
+
+
+def _large(place: Path, size: str) -> str:
+    return f"{place}: {size}: a photograph has at most 100 megapixels: make it smaller"
+
+
+def _colours(image: Any, images: Any) -> NDArray[np.uint8]:
+    """Return an image of any mode as three colours of 8 bits, what is transparent as white."""
+    if image.mode.startswith("I;16"):
+        grey = (np.asarray(image) >> 8).astype(np.uint8)
+        return np.repeat(grey[..., None], 3, axis=2)
+    if image.has_transparency_data:
+        image = image.convert("RGBA")
+        white = images.new("RGBA", image.size, "white")
+        image = images.alpha_composite(white, image)
+    return np.asarray(image.convert("RGB"), dtype=np.uint8)
+
+
+def _rectangle(name: str, given: tuple[float, float, float, float]) -> Box:
+    """Return a rectangle of finite numbers that is not empty."""
+    box = Box(*(float(side) for side in given))
+    if not (all(map(math.isfinite, box)) and box.left < box.right and box.bottom < box.top):
+        raise SheetError(f"{name}: left, bottom, right and top in mm make no rectangle: {given}")
+    return box
+
+
+def _paper(frame: Box) -> Box:
+    """Return the paper about a frame: the binding margin is on the left, the others are alike."""
+    return Box(0.0, 0.0, frame.right + frame.bottom, frame.top + frame.bottom)
+
+
+def _raster(area: Box, dots: float) -> tuple[Box, int, int]:
+    """Return the area grown to whole dots to the right and downward, its rows and columns."""
+    if not (math.isfinite(dots) and dots > 0):
+        raise SheetError(f"dots per mm: {dots} is no positive number")
+    width, height = (area.right - area.left) * dots, (area.top - area.bottom) * dots
+    if width * height > MOST:
+        raise SheetError(f"dots per mm: {dots:g} gives more than 100 million dots: choose fewer")
+    columns, rows = max(math.ceil(width - 1e-6), 1), max(math.ceil(height - 1e-6), 1)
+    grown = area._replace(right=area.left + columns / dots, bottom=area.top - rows / dots)
+    return grown, rows, columns
+
+
+def _within(corners: Complexes, image: NDArray[np.uint8]) -> None:
+    rows, columns = image.shape[:2]
+    x, y = corners.real, corners.imag
+    if not ((x > -0.5) & (x < columns - 0.5) & (y > -0.5) & (y < rows - 0.5)).all():
+        raise SheetError(f"corners: one lies outside the photograph of {columns} × {rows} pixels")
+
+
+def _turned(frame: Box, corners: Complexes) -> str:
+    """Return a warning if the quadrilateral is rather the frame turned by a quarter."""
+    sides = abs(np.roll(corners, -1) - corners)
+    seen = math.log((sides[0] + sides[2]) / (sides[1] + sides[3]))
+    drawn = math.log((frame.right - frame.left) / (frame.top - frame.bottom))
+    if abs(seen - drawn) <= abs(seen + drawn):
+        return ""
+    return "the frame looks turned by a quarter in the photograph: turn the photograph upright"
+
+
+def _missing(edges: tuple[str, ...]) -> str:
+    if not edges:
+        return ""
+    return (
+        f"no line of the frame within {REACH:g} mm of the corners given at its {', '.join(edges)} "
+        "edge: there they are used as given, click them with care"
+    )
+
+
+def _bent(residual: float) -> str:
+    if not residual > BENT:
+        return ""
+    return (
+        f"the frame is bent by {residual:.1f} mm (more than {BENT:g} mm): the lens, or a sheet that "
+        "is not flat: take the photograph from farther away, the sheet pressed flat"
+    )
+
+
+def _unbent(
+    image: NDArray[np.uint8], matrix: Reals, area: Box, rows: int, columns: int
+) -> NDArray[np.uint8]:
+    """Return the ``area`` (mm) of the sheet on ``rows`` × ``columns`` dots, sampled in blocks."""
+    side = (area.right - area.left) / columns
+    across = area.left + side * (np.arange(columns) + 0.5)
+    down = area.top - side * (np.arange(rows) + 0.5)
+    made = np.empty((rows, columns, 3), dtype=np.uint8)
+    block = max(BLOCK // columns, 1)
+    for first in range(0, rows, block):
+        points = across + 1j * down[first : first + block, None]
+        seen = bilinear(image, through(matrix, points))
+        made[first : first + block] = np.where(np.isnan(seen), PAPER, np.rint(seen))
+    return made
