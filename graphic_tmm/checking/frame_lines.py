@@ -90,9 +90,7 @@ def refine(image: NDArray[np.uint8], box: Box, corners: Complexes) -> Lines:
         ]
         corners = through(matrix, _meet(feet, edges))
     bends = [edge.bend for edge in edges if edge.bend == edge.bend]
-    missing = tuple(
-        name for name, edge in zip(EDGES, edges, strict=True) if edge.bend != edge.bend
-    )
+    missing = tuple(name for name, edge in zip(EDGES, edges, strict=True) if edge.bend != edge.bend)
     return Lines(corners, max(bends, default=np.nan), missing)
 
 
@@ -147,12 +145,12 @@ def _strip(read: Reading, clear: float) -> tuple[Reals, Reals]:
     step = min(STEP, clear / 4)
     aside = round(clear / step)
     half = round(REACH / step)
-    offsets = step * np.arange(-half - aside, half + aside + 1)
+    offsets: Reals = step * np.arange(-half - aside, half + aside + 1, dtype=np.float64)
     grey = read(offsets)
     grey[1:-1] = (grey[:-2] + grey[1:-1] + grey[2:]) / 3
     paper = np.minimum(grey[:, : -2 * aside], grey[:, 2 * aside :])
     dark = (paper - grey[:, aside:-aside]) / np.maximum(paper, DIM)
-    return offsets[aside:-aside], np.where(dark > 0, dark, 0.0)
+    return offsets[aside:-aside], np.where(dark > 0, dark, 0.0).astype(np.float64)
 
 
 def _darkest(dark: Reals) -> NDArray[np.intp]:

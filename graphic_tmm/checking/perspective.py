@@ -54,10 +54,11 @@ def ordered(corners: Corners) -> Complexes:
     seen = pairs[:, 0] - 1j * pairs[:, 1]
     rays = seen - seen.mean()
     turn = np.argsort(np.angle(rays), kind="stable")
-    ring, rays = pairs[turn, 0] + 1j * pairs[turn, 1], rays[turn]
+    rays = rays[turn]
     diagonal = np.array([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j])
     upright = [float((np.roll(rays, -k) * diagonal.conj()).sum().real) for k in range(4)]
-    ring = np.roll(ring, -int(np.argmax(upright)))
+    seen = np.roll(seen[turn], -int(np.argmax(upright)))
+    ring: Complexes = seen.conj()
     sides = np.roll(ring, -1) - ring
     chords = np.roll(ring, -2) - ring
     # y downward: the way round is clockwise in these numbers, so that a corner lies at a negative side

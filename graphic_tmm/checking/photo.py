@@ -9,23 +9,26 @@ from __future__ import annotations
 
 import io
 import math
-import warnings
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.frame_lines import REACH, refine
-from graphic_tmm.checking.perspective import Corners, bilinear, homography, ordered, through
+from graphic_tmm.checking.perspective import (
+    Corners,
+    bilinear,
+    cross,
+    homography,
+    ordered,
+    through,
+    vertices,
+)
+from graphic_tmm.checking.picture import MOST, pillow, read
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.ruled import Box
-
-MOST = 100e6
-"""No photograph and no flattened sheet has more pixels."""
-
-FORMATS = ("JPEG", "MPO", "PNG", "TIFF", "WEBP", "BMP")
 
 BENT = 0.5
 """A frame farther than this from straight is bent, mm: as far as a hand's reading is off in the median."""
@@ -80,7 +83,8 @@ def flatten(
         the picture wanted has no dots or more than 100 million.
     """
     box = _rectangle("frame", frame)
-    shape = _raster(_rectangle("area", area) if area is not None else _paper(box), dots_per_mm)
+    wanted = _rectangle("area", area) if area is not None else _paper(box)
+    whole, rows, columns = _raster(wanted, dots_per_mm)
     clicked = ordered(corners)
     image = read(path)
     _within(clicked, image)
@@ -91,8 +95,8 @@ def flatten(
     if found is not None:
         notes += [_missing(found.missing), _bent(found.residual)]
     return Photo(
-        _unbent(image, matrix, *shape),
-        shape[0],
+        _unbent(*_coarser(image, matrix, box, dots_per_mm), whole, rows, columns),
+        whole,
         marks,
         matrix,
         math.nan if found is None else found.residual,
@@ -102,69 +106,11 @@ def flatten(
 
 def png(photo: Photo) -> bytes:
     """Return a flattened photograph as PNG whose dots are as many to the metre as they are on the sheet."""
-    images = _pillow()[0]
+    images = pillow()[0]
     dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
     made = io.BytesIO()
     images.fromarray(photo.image).save(made, "PNG", dpi=(25.4 * dots, 25.4 * dots))
     return made.getvalue()
-
-
-def read(path: str | Path) -> NDArray[np.uint8]:
-    """Return a photograph (rows, columns, 3), 0 ... 255, upright as its camera says.
-
-    Raises SheetError as `flatten` does; the size is looked at before anything is decompressed.
-    """
-    images, operations = _pillow()
-    place = Path(path)
-    if not place.is_file():
-        raise SheetError(f"{place}: no such file: name a photograph (JPEG, PNG, TIFF, WebP or BMP)")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            with images.open(place, formats=FORMATS) as opened:
-                columns, rows = opened.size
-                if columns * rows > MOST:
-                    raise SheetError(_large(place, f"{columns} × {rows} pixels"))
-                return _colours(operations.exif_transpose(opened), images)
-        except SheetError:
-            raise
-        except images.DecompressionBombError as error:
-            raise SheetError(_large(place, "very large")) from error
-        except images.UnidentifiedImageError as error:
-            raise SheetError(
-                f"{place}: no photograph that can be read: save it as JPEG or PNG"
-            ) from error
-        except Exception as error:  # whatever the decoders meet in a damaged file
-            raise SheetError(
-                f"{place}: the photograph cannot be read ({error}): save it anew as JPEG or PNG"
-            ) from error
-
-
-def _pillow() -> tuple[Any, Any]:
-    """Return Pillow's modules Image and ImageOps."""
-    try:
-        from PIL import Image, ImageOps
-    except ImportError as error:
-        raise SheetError(
-            "a photograph needs the package Pillow: pip install 'graphic-tmm[photo]'"
-        ) from error
-    return Image, ImageOps
-
-
-def _large(place: Path, size: str) -> str:
-    return f"{place}: {size}: a photograph has at most 100 megapixels: make it smaller"
-
-
-def _colours(image: Any, images: Any) -> NDArray[np.uint8]:
-    """Return an image of any mode as three colours of 8 bits, what is transparent as white."""
-    if image.mode.startswith("I;16"):
-        grey = (np.asarray(image) >> 8).astype(np.uint8)
-        return np.repeat(grey[..., None], 3, axis=2)
-    if image.has_transparency_data:
-        image = image.convert("RGBA")
-        white = images.new("RGBA", image.size, "white")
-        image = images.alpha_composite(white, image)
-    return np.asarray(image.convert("RGB"), dtype=np.uint8)
 
 
 def _rectangle(name: str, given: tuple[float, float, float, float]) -> Box:
@@ -225,6 +171,22 @@ def _bent(residual: float) -> str:
         f"the frame is bent by {residual:.1f} mm (more than {BENT:g} mm): the lens, or a sheet that "
         "is not flat: take the photograph from farther away, the sheet pressed flat"
     )
+
+
+def _coarser(
+    image: NDArray[np.uint8], matrix: Reals, frame: Box, dots: float
+) -> tuple[NDArray[np.uint8], Reals]:
+    """Return a photograph with several dots to one of the picture as their means, and its projection."""
+    corners = through(matrix, vertices(frame))
+    seen = abs(cross(corners[2] - corners[0], corners[3] - corners[1])) / 2
+    drawn = (frame.right - frame.left) * (frame.top - frame.bottom)
+    factor = int(math.sqrt(seen / drawn) / dots)
+    if factor < 2:
+        return image, matrix
+    reduced = np.asarray(pillow()[0].fromarray(image).reduce(factor), dtype=np.uint8)
+    half = 0.5 / factor - 0.5
+    moved = np.array([[1 / factor, 0, half], [0, 1 / factor, half], [0, 0, 1.0]])
+    return reduced, moved @ matrix
 
 
 def _unbent(
