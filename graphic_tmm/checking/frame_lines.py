@@ -125,6 +125,8 @@ def _edge(image: NDArray[np.uint8], matrix: Reals, foot: complex, head: complex)
     depth = np.take_along_axis(dark, path[:, None], axis=1)[:, 0]
     centre = _centred(read, offsets[path], clear)
     shown = (depth > FAINT) & (depth > np.median(depth) / 2) & np.isfinite(centre)
+    if shown.mean() < SEEN:
+        return Edge(0.0, 0.0, np.nan)
     centre = np.where(shown, centre, 0.0)
     place = 2 * along / length - 1
     curve, weights = _smooth(place, centre, shown.astype(np.float64))

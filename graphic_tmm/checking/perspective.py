@@ -102,8 +102,8 @@ def through(matrix: Reals, points: Any) -> Complexes:
     """Return where points (complex, any shape) are seen; NaN on and beyond the horizon."""
     z = np.asarray(points, dtype=np.complex128)
     x, y, w = (row[0] * z.real + row[1] * z.imag + row[2] for row in matrix)
-    seen: Complexes = (x + 1j * y) / np.where(w > 0, w, np.nan)
-    return seen
+    seen = (x + 1j * y) / np.where(w > 0, w, 1.0)
+    return np.where(w > 0, seen, complex(np.nan, np.nan))
 
 
 def bilinear(image: NDArray[np.uint8], points: Complexes) -> Reals:

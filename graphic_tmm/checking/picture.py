@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import warnings
 from pathlib import Path
 from typing import Any
@@ -27,7 +28,7 @@ def read(path: str | Path) -> NDArray[np.uint8]:
     """
     images, operations = pillow()
     place = Path(path)
-    if not place.is_file():
+    if not os.path.isfile(place):
         raise SheetError(f"{place}: no such file: name a photograph (JPEG, PNG, TIFF, WebP or BMP)")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
