@@ -1,7 +1,7 @@
 """Photographs made by a camera of known place: a sheet drawn on dots, seen dot by dot through a pinhole.
 
 Nothing is shared with the package: the camera is K [r1 r2 t], a dot of the photograph the mean of four
-rays, each the nearest dot of the sheet; then shade, noise of the sensor and JPEG.
+rays, each a dot of the sheet; then shade, noise of the sensor and JPEG.
 """
 
 from __future__ import annotations
@@ -96,12 +96,14 @@ def rule(sheet: np.ndarray, left: float, bottom: float, right: float, top: float
     sheet[rows, columns] += (INK - sheet[rows, columns]) * part
 
 
-def box(sheet: np.ndarray, l: float, b: float, r: float, t: float, wide: float) -> None:
-    h = wide / 2
-    rule(sheet, l - h, b - h, r + h, b + h)
-    rule(sheet, l - h, t - h, r + h, t + h)
-    rule(sheet, l - h, b + h, l + h, t - h)
-    rule(sheet, r - h, b + h, r + h, t - h)
+def box(
+    sheet: np.ndarray, left: float, bottom: float, right: float, top: float, wide: float
+) -> None:
+    half = wide / 2
+    rule(sheet, left - half, bottom - half, right + half, bottom + half)
+    rule(sheet, left - half, top - half, right + half, top + half)
+    rule(sheet, left - half, bottom + half, left + half, top - half)
+    rule(sheet, right - half, bottom + half, right + half, top - half)
 
 
 @functools.cache
@@ -137,6 +139,7 @@ def photograph(
     camera: Camera, drawn: np.ndarray, *, shade: float = 0.5, noise: float = 4.0, seed: int = 1
 ) -> np.ndarray:
     """The photograph (rows, columns, 3): a lamp falls off to ``shade`` across it, noise of the sensor."""
+    random = np.random.default_rng(seed)
     back = np.linalg.inv(camera.matrix)
     made = np.empty((camera.rows, camera.columns), dtype=np.float32)
     x = np.arange(camera.columns)
@@ -144,7 +147,9 @@ def photograph(
         y = np.arange(first, min(first + 100, camera.rows))[:, None]
         whole = np.zeros((y.size, x.size), dtype=np.float32)
         for dx, dy in ((-0.25, -0.25), (0.25, -0.25), (-0.25, 0.25), (0.25, 0.25)):
-            at = project(back, camera.ideal(x + dx + 1j * (y + dy)))
+            # anywhere in its quarter: at fixed places the dots of sheet and photograph would beat
+            aside = random.random((2, y.size, x.size), dtype=np.float32) / 2 - 0.25
+            at = project(back, camera.ideal(x + dx + aside[0] + 1j * (y + dy + aside[1])))
             column, row = np.floor(at.real * DOTS), np.floor(at.imag * DOTS)
             on = (column >= 0) & (column < drawn.shape[1]) & (row >= 0) & (row < drawn.shape[0])
             j, i = np.where(on, column, 0).astype(int), np.where(on, row, 0).astype(int)
@@ -154,7 +159,6 @@ def photograph(
         np.linspace(1, shade, camera.columns)
         * np.linspace(1, (1 + shade) / 2, camera.rows)[:, None]
     )
-    random = np.random.default_rng(seed)
     colour = np.array([1.0, 0.97, 0.9])
     lit = (made * across)[..., None] * colour + random.normal(0, noise, (*made.shape, 3))
     return np.clip(np.rint(lit), 0, 255).astype(np.uint8)

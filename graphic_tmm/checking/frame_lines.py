@@ -28,8 +28,8 @@ REACH = 4.0
 CLEAR, CLEAR_DOTS = 1.2, 2.5
 """From the axis of a line to the paper beside it: mm (a main line is 0.8 mm wide), and at least pixels."""
 
-STEP = 0.15
-"""Distance of the readings across a strip, mm."""
+ASIDE = 8
+"""Readings of a strip from the axis of a line to the paper beside it."""
 
 NEAR_CORNER = 3.0
 """So much of an edge is left out at its ends, where the next line begins, mm."""
@@ -144,15 +144,14 @@ def _strip(read: Reading, clear: float) -> tuple[Reals, Reals]:
     Shares (stations, offsets), 0 where a side is darker or is not in the photograph; each is the mean
     with its neighbours along the edge.
     """
-    step = min(STEP, clear / 4)
-    aside = round(clear / step)
+    step = clear / ASIDE
     half = round(REACH / step)
-    offsets: Reals = step * np.arange(-half - aside, half + aside + 1, dtype=np.float64)
+    offsets: Reals = step * np.arange(-half - ASIDE, half + ASIDE + 1, dtype=np.float64)
     grey = read(offsets)
     grey[1:-1] = (grey[:-2] + grey[1:-1] + grey[2:]) / 3
-    paper = np.minimum(grey[:, : -2 * aside], grey[:, 2 * aside :])
-    dark = (paper - grey[:, aside:-aside]) / np.maximum(paper, DIM)
-    return offsets[aside:-aside], np.where(dark > 0, dark, 0.0).astype(np.float64)
+    paper = np.minimum(grey[:, : -2 * ASIDE], grey[:, 2 * ASIDE :])
+    dark = (paper - grey[:, ASIDE:-ASIDE]) / np.maximum(paper, DIM)
+    return offsets[ASIDE:-ASIDE], np.where(dark > 0, dark, 0.0).astype(np.float64)
 
 
 def _darkest(dark: Reals) -> NDArray[np.intp]:

@@ -15,7 +15,7 @@ from graphic_tmm.errors import SheetError
 MOST = 100e6
 """No photograph and no flattened sheet has more pixels."""
 
-FORMATS = ("JPEG", "MPO", "PNG", "TIFF", "WEBP", "BMP")
+FORMATS = ("JPEG", "PNG", "TIFF", "WEBP", "BMP")
 
 
 def read(path: str | Path) -> NDArray[np.uint8]:
