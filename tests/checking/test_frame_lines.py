@@ -19,7 +19,8 @@ from graphic_tmm.paper.ruled import Box
 BOX = Box(*FRAME)
 TILTED = Camera((18, -12, 6), 1150, 2311.7)
 STEEP = Camera((-32, 8, -10), 1300, 2311.7)
-UPRIGHT = Camera((3, -2, 1), 1000, 1987.3)
+SMALL = Camera((10, -8, 5), 1100, 1618.1, 1400, 1050)
+UPRIGHT = Camera((3, -2, 1), 1000, 1391.3, 1400, 1050)
 GRID = np.array([x + 1j * y for x in np.linspace(0, 841, 9) for y in np.linspace(0, 594, 7)])
 
 EXACT, CLICKED = 0.1, 0.7
@@ -49,7 +50,7 @@ def clicks(camera: Camera, seed: int, by: float = 2.0) -> np.ndarray:
     return corners + random.uniform(-by, by, 4) + 1j * random.uniform(-by, by, 4)
 
 
-@pytest.mark.parametrize("camera", [TILTED, STEEP, UPRIGHT])
+@pytest.mark.parametrize("camera", [TILTED, STEEP, UPRIGHT], ids=["tilted", "steep", "upright"])
 def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
     image, worst = seen(camera), []
     for seed in range(8):
@@ -64,15 +65,13 @@ def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
 
 @pytest.mark.parametrize(
     ("ink", "width", "noise", "by"),
-    [(0.35, 0.5, 4.0, 2.0), (1.0, 0.3, 4.0, 2.0), (1.0, 0.8, 12.0, 2.0), (1.0, 0.8, 4.0, 5.0)],
-    ids=["pencil", "thin", "grainy", "5 px"],
+    [(0.35, 0.5, 4.0, 2.0), (1.0, 0.3, 12.0, 5.0)],
+    ids=["pencil", "thin lines, grain, clicks of 5 px"],
 )
-def test_pencil_thin_lines_grain_and_careless_clicks(
-    ink: float, width: float, noise: float, by: float
-) -> None:
-    found = refine(seen(TILTED, ink, width, noise), BOX, clicks(TILTED, 3, by))
+def test_faint_and_thin_lines_are_found(ink: float, width: float, noise: float, by: float) -> None:
+    found = refine(seen(SMALL, ink, width, noise), BOX, clicks(SMALL, 3, by))
     assert found.missing == ()
-    assert off(TILTED, found.corners) < EXACT
+    assert off(SMALL, found.corners) < EXACT
 
 
 def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
@@ -85,18 +84,16 @@ def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
     assert off(TILTED, found.corners) < EXACT
 
 
-@pytest.mark.parametrize("edge", EDGES)
+@pytest.mark.parametrize("edge", ["lower", "left"])
 def test_an_edge_without_a_line_is_named_and_stays_as_clicked(edge: str) -> None:
     wiped = photographs.sheet().copy()
     dots = photographs.DOTS
     bands = {
         "lower": (slice(3 * dots, 7 * dots), slice(None)),
-        "upper": (slice(587 * dots, 591 * dots), slice(None)),
         "left": (slice(None), slice(18 * dots, 22 * dots)),
-        "right": (slice(None), slice(834 * dots, 838 * dots)),
     }
     wiped[bands[edge]] = PAPER
-    camera = TILTED._replace(columns=1400, rows=1050, focal=1618.1)
+    camera = SMALL
     image = through_jpeg(photographs.photograph(camera, wiped))
     exact = refine(image, BOX, camera.seen(CORNERS))
     assert exact.missing == (edge,)
@@ -108,8 +105,8 @@ def test_an_edge_without_a_line_is_named_and_stays_as_clicked(edge: str) -> None
 
 
 def test_an_empty_sheet_keeps_its_clicks() -> None:
-    image = through_jpeg(photographs.photograph(TILTED, photographs.sheet(0.8, False)))
-    clicked = clicks(TILTED, 6)
+    image = through_jpeg(photographs.photograph(SMALL, photographs.sheet(0.8, False)))
+    clicked = clicks(SMALL, 6)
     found = refine(image, BOX, clicked)
     assert found.missing == EDGES
     assert np.isnan(found.residual)
@@ -129,7 +126,7 @@ def bend(camera: Camera) -> float:
     return max(worst)
 
 
-@pytest.mark.parametrize("lens", [0.003, 0.01, -0.01, 0.02])
+@pytest.mark.parametrize("lens", [0.003, -0.01, 0.02])
 def test_the_residual_is_the_bend_of_the_lens(lens: float) -> None:
     camera = UPRIGHT._replace(lens=lens)
     found = refine(seen(camera), BOX, clicks(camera, 7))
@@ -156,8 +153,8 @@ def test_the_frame_of_a_sheet_drawn_by_the_package() -> None:
     painted = Image.open(io.BytesIO(bytes(made))).convert("RGBA")
     white = Image.new("RGBA", painted.size, "white")
     drawn = np.asarray(Image.alpha_composite(white, painted).convert("L"), np.float32)[::-1]
-    image = through_jpeg(photographs.photograph(TILTED, drawn))
+    image = through_jpeg(photographs.photograph(SMALL, drawn))
     for seed in (9, 10):
-        found = refine(image, BOX, clicks(TILTED, seed))
+        found = refine(image, BOX, clicks(SMALL, seed))
         assert found.missing == ()
-        assert off(TILTED, found.corners) < EXACT
+        assert off(SMALL, found.corners) < EXACT
