@@ -1,0 +1,79 @@
+"""A photograph read from a file, by Pillow (extra ``photo``): nothing is decompressed before it is measured."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.errors import SheetError
+
+MOST = 100e6
+"""No photograph and no flattened sheet has more pixels."""
+
+FORMATS = ("JPEG", "PNG", "TIFF", "WEBP", "BMP")
+
+
+def read(path: str | Path) -> NDArray[np.uint8]:
+    """Return a photograph (rows, columns, 3), 0 ... 255, upright as its camera says.
+
+    Raises
+    ------
+    SheetError
+        If Pillow is missing, or the file is not there, no image, damaged, or of more than `MOST` pixels.
+    """
+    images, operations = pillow()
+    place = Path(path)
+    if not os.path.isfile(place):
+        raise SheetError(f"{place}: no such file: name a photograph (JPEG, PNG, TIFF, WebP or BMP)")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            with images.open(place, formats=FORMATS) as opened:
+                columns, rows = opened.size
+                if columns * rows > MOST:
+                    raise SheetError(_large(place, f"{columns} × {rows} pixels"))
+                return _colours(operations.exif_transpose(opened), images)
+        except SheetError:
+            raise
+        except images.DecompressionBombError as error:
+            raise SheetError(_large(place, "very large")) from error
+        except images.UnidentifiedImageError as error:
+            raise SheetError(
+                f"{place}: no photograph that can be read: save it as JPEG or PNG"
+            ) from error
+        except Exception as error:  # whatever the decoders meet in a damaged file
+            raise SheetError(
+                f"{place}: the photograph cannot be read ({error}): save it anew as JPEG or PNG"
+            ) from error
+
+
+def pillow() -> tuple[Any, Any]:
+    """Return Pillow's modules Image and ImageOps; raises SheetError if it is not installed."""
+    try:
+        from PIL import Image, ImageOps
+    except ImportError as error:
+        raise SheetError(
+            "a photograph needs the package Pillow: pip install 'graphic-tmm[photo]'"
+        ) from error
+    return Image, ImageOps
+
+
+def _large(place: Path, size: str) -> str:
+    return f"{place}: {size}: a photograph has at most 100 megapixels: make it smaller"
+
+
+def _colours(image: Any, images: Any) -> NDArray[np.uint8]:
+    """Return an image of any mode as three colours of 8 bits, what is transparent as white."""
+    if image.mode.startswith("I;16"):
+        grey = (np.asarray(image) >> 8).astype(np.uint8)
+        return np.repeat(grey[..., None], 3, axis=2)
+    if image.has_transparency_data:
+        image = image.convert("RGBA")
+        white = images.new("RGBA", image.size, "white")
+        image = images.alpha_composite(white, image)
+    return np.asarray(image.convert("RGB"), dtype=np.uint8)
