@@ -1,12 +1,15 @@
 """Plans judged at 50 digits, against bounds that follow from the conditions of their own steps.
 
 A step rounds a few times and magnifies what comes in by its condition κ; steps of a chain multiply. With
-u = 8·ε·(steps), l the length of a leg, Ω and E its rates, V and A the longest vectors of the plans:
+u = 8·ε·(steps), l the shortest leg, Ω and E the largest rates, V and A the longest vectors of the plans:
 
-    e_r = min(u·κ_r, 4·√u)·size            a root taken of a rounding cannot be further off than √u
-    e_v = u·κ_v·V + κ_v·Ω·e_r              a line of the plan of velocities is turned by e_r/l, and is Ω·l long
-    e_ω = (2·e_v + Ω·e_r)/l + u·Ω
-    e_a = κ_a·(u·A + (Ω² + E)·e_r + 2·Ω·e_v + 2·W·e_ω),  W the fastest sliding
+    e_p = (min(u·κ_r, 4·√u) + u·size/d)·size    a root taken of a rounding is not further off than √u;
+                                                 centres d apart tell no better which way they lie
+    e_r = g·e_p                                  g ≥ 1: how much further than its leg a link reaches
+    e_v = g·κ_v·(u·V + (Ω + s·V/l)·e_p)          lines of the plan of velocities are turned by e_p/l
+    e_ω = (2·e_v/g + Ω·e_p)/l + u·Ω
+    e_a = g·κ_a·(u·A + (Ω² + E + s·A/l)·e_p + 2·Ω·e_v/g + 2·s·V·e_ω)
+    e_ε = (2·e_a/g + E·e_p)/l + u·E              s = 1 where a guide turns, else 0
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ from hard_mechanisms import closed, side_at
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.geometry import EPS
+from graphic_tmm.board.values import Arc
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.plans.bodies import PinLeg
 from graphic_tmm.plans.positions import side_record, side_values
@@ -106,34 +110,48 @@ def _conditions(sheet: Board, reading: Any) -> tuple[float, float, float]:
     return r, v, a
 
 
-def _legs(sheet: Board, reading: Any) -> float:
-    """Return the length of the shortest leg that turns, m."""
-    marks = [leg.length for c in sheet.positions.closings for leg in c.legs if isinstance(leg, PinLeg)]
-    return min((abs(float(np.ravel(reading[m])[0])) for m in marks), default=1.0) * sheet.mu[0]
+def _near(values: Any) -> float:
+    """Return how far apart the centres of two arcs are; without end if a step does not cross arcs."""
+    ends = [complex(np.ravel(v.centre)[0]) for v in values if isinstance(v, Arc)]
+    return abs(ends[1] - ends[0]) if len(ends) == 2 else float("inf")
+
+
+def _legs(sheet: Board, reading: Any, mechanism: Mechanism) -> tuple[float, float]:
+    """Return the length of the shortest leg that turns, m, and how many times a link reaches further."""
+    short, reach = float("inf"), 1.0
+    for leg in (leg for c in sheet.positions.closings for leg in c.legs):
+        if isinstance(leg, PinLeg):
+            own = [*mechanism.by_number[leg.link].points.values()]
+            length = abs(float(np.ravel(reading[leg.length])[0])) * sheet.mu[0] + 1e-300
+            short = min(short, length)
+            reach = max([reach, *(abs(a - b) / length for a in own for b in own)])
+    return (short if np.isfinite(short) else 1.0), reach
 
 
 def _bounds(sheet: Board, reading: Any, due: Exact, kappa: tuple[float, ...]) -> dict[str, float]:
     u = 8 * EPS * len(sheet.log.steps)
     mechanism = sheet.mechanism
-    own = [abs(z) for link in mechanism.links for z in link.points.values()]
+    own = max(abs(z) for link in mechanism.links for z in link.points.values())
     o = mechanism.frame.points[sheet.structure.pivot]
-    size = max([float(abs(r - mp.mpc(o))) for r, _, _ in due.points.values()] + own)
+    size = max(float(abs(r - mp.mpc(o))) for r, _, _ in due.points.values()) + own
     driven = [n for n in due.omega if n != mechanism.drive.link]
     rate = max(float(abs(due.omega[n])) for n in driven)
     turning = max(float(abs(due.epsilon[n])) for n in driven)
-    fast = max(float(abs(v)) for _, v, _ in due.points.values()) + rate * max(own)
+    fast = max(float(abs(v)) for _, v, _ in due.points.values()) + rate * own
     pull = max(float(abs(a)) for _, _, a in due.points.values())
-    pull += (turning + rate**2) * max(own) + 2 * (rate + abs(mechanism.drive.speed)) * fast
-    arm = max(_legs(sheet, reading), 1e-300)
-    e_r = min(u * kappa[0], 4 * u**0.5) * size
-    e_v = kappa[1] * (u * fast + rate * e_r)
-    e_w = (2 * e_v + rate * e_r) / arm + u * rate
-    e_a = kappa[2] * (
-        u * pull + (rate**2 + turning) * e_r + 2 * rate * e_v + 2 * fast * e_w * bool(_slides(sheet))
-    )
-    e_e = (2 * e_a + turning * e_r) / arm + u * turning
+    pull += (turning + rate**2) * own + 2 * (rate + abs(mechanism.drive.speed)) * fast
+    arm, g = _legs(sheet, reading, mechanism)
+    s = 1.0 / arm if _slides(sheet) else 0.0
+    roots = [sheet.log.step(closing.root) for closing in sheet.positions.closings]
+    d = min(_near([reading[m] for m in step.uses]) for step in roots if step) * sheet.mu[0] + 1e-300
+    e_p = (min(u * kappa[0], 4 * u**0.5) + u * size / d) * size
+    e_v = kappa[1] * (u * fast + (rate + s * fast) * e_p)
+    e_w = (2 * e_v + rate * e_p) / arm + u * rate
+    e_a = (rate**2 + turning + s * pull) * e_p + 2 * rate * e_v + 2 * s * arm * fast * e_w
+    e_a = kappa[2] * (u * pull + e_a)
+    e_e = (2 * e_a + turning * e_p) / arm + u * turning
     # a translated frame: what is read is the sum of two places
-    return {"r": e_r + 4 * EPS * abs(o), "v": e_v, "a": e_a, "omega": e_w, "epsilon": e_e}
+    return {"r": g * e_p + 4 * EPS * abs(o), "v": g * e_v, "a": g * e_a, "omega": e_w, "epsilon": e_e}
 
 
 def _slides(sheet: Board) -> list[int]:
