@@ -25,6 +25,7 @@ from hard_mechanisms import closed, side_at
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.geometry import EPS
+from graphic_tmm.board.operations import rocker_line
 from graphic_tmm.board.values import Arc
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.plans.bodies import PinLeg
@@ -99,11 +100,14 @@ def _given(sheet: Board, degrees: float) -> dict[Any, Any]:
 
 
 def _conditions(sheet: Board, reading: Any) -> tuple[float, float, float]:
-    """Return the product of the conditions of the steps of each plan."""
+    """Return the product of the conditions of the steps of each plan.
+
+    That of a rocker's line is counted where the length from pivot to stone is.
+    """
     found = {"positions": 1.0, "velocities": 1.0, "accelerations": 1.0}
     with np.errstate(all="ignore"):
         for step in sheet.log.steps:
-            if step.op.condition is not None:
+            if step.op.condition is not None and step.op is not rocker_line:
                 value = step.op.condition(*(reading[mark] for mark in step.uses))
                 found[step.it.view] *= max(1.0, float(np.ravel(value)[0]))
     r, v, a = found.values()
