@@ -95,7 +95,7 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
     at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
     kinematic = work.project.kinematic
     point = kinematic.order.point if kinematic is not None else ""
-    yield f"{_title(plan, language).format(point=point)}{at}"
+    yield f"{_title(plan, language).replace('{point}', point)}{at}"
     yield from _polygon(work, plan)
     for line in lines:
         yield from _printed(line)

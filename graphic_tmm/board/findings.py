@@ -107,15 +107,17 @@ def _of_step(
     if failed.any():
         gap, amount = _worst_gap(step, values, failed)
         found.append(Finding("undrawn", step, number, _where(failed), amount, gap))
+    touched = np.zeros_like(fine)
     for gap in step.op.gaps:
         room = gap.measure(*values)
         touching = fine & ~failed & (np.abs(room) <= 4 * TANGENT * _size(values))
+        touched = touched | touching
         if touching.any():
             found.append(Finding("touching", step, number, _where(touching), 0.0, gap))
     if step.op.condition is not None:
         condition = step.op.condition(*values)
-        doubtful = fine & ~failed & (condition > DOUBTFUL)
-        if doubtful.any() and not any(f.kind == "touching" for f in found):
+        doubtful = fine & ~failed & ~touched & (condition > DOUBTFUL)
+        if doubtful.any():
             worst = float(np.max(np.where(doubtful, condition, 0.0)))
             found.append(Finding("doubtful", step, number, _where(doubtful), worst))
     return found

@@ -221,8 +221,13 @@ def _rocker_gap(pivot: Point, stone: Point) -> Reals:
     return np.asarray(np.abs(stone - pivot))
 
 
+def _rocker_condition(pivot: Point, stone: Point) -> Reals:
+    return np.asarray((np.abs(pivot) + np.abs(stone)) / np.abs(stone - pivot))
+
+
 @operation(
     "Через {pivot} и {stone} провести линию кулисы {it}.",
+    condition=_rocker_condition,
     fails=("the stone stands on the rocker's pivot", "камень стоит на оси кулисы"),
     gaps=(
         Gap(

@@ -214,7 +214,7 @@ def pin_friction(rho: Number, reaction: Number, omega: Number, of_crank: Number)
     return Number(-rho * np.abs(reaction) * _sense(omega, of_crank))
 
 
-@operation(formula=True)
+@operation(formula=True, fails=_NOT_SETTLED)
 def still_open(last: Number, before: Number, first: Number) -> Number:
     """|{last} − {before}|·max(1, q/(1 − q)),  q = |{last} − {before}|/|{before} − {first}|"""
     change, earlier = np.abs(last - before), np.abs(before - first)

@@ -11,14 +11,20 @@ from graphic_tmm.paper.drawing import Stroke, line
 
 HATCH = 2.5
 """Pitch of section hatching, mm."""
+MOST = 1000
+"""Lines at the most: more than the largest sheet takes at the usual pitch."""
 
 
 def hatched(
     area: shapely.Polygon, *, pitch: float = HATCH, rising: bool = True
 ) -> tuple[Stroke, ...]:
-    """Return the hatching of a section: thin lines at 45°."""
+    """Return the hatching of a section: thin lines at 45°.
+
+    An area that no sheet holds is hatched more coarsely: it is refused only later, and not to be waited for.
+    """
     left, low, right, high = area.bounds
     span = right - left + high - low
+    pitch = max(pitch, span / MOST)
     found = []
     slope = 1 if rising else -1
     count = math.ceil(span * math.sqrt(0.5) / pitch) + 1

@@ -207,7 +207,7 @@ def _dwell_letters(
     """The names of the profiles and the radius r0, where the lower dwell leaves room for them."""
     dwell, made = cam.order.lower_dwell, cam.profile
     last = complex(points[cam.diagrams.turn.fall.last])
-    if dwell < ROOMY or not np.isfinite(last):
+    if dwell < ROOMY or not np.isfinite(last) or last == 0:
         return
 
     def at(*shares: float) -> complex:

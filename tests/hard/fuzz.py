@@ -1,0 +1,320 @@
+"""Scene files changed at random: each is drawn, or refused with one message; nothing else may happen.
+
+    python tests/hard/fuzz.py --count 20000 [--seed 0] [--jobs 2]
+
+A case is told by the seed and its number alone: ``--only N`` runs it again and prints its scene file.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import re
+import shutil
+import signal
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cache, partial
+from multiprocessing import Pool
+from pathlib import Path
+from typing import Any, NamedTuple
+from xml.etree import ElementTree
+
+from click.testing import CliRunner
+
+from graphic_tmm.__main__ import main
+
+SHEETS = Path(__file__).parents[2] / "sheets"
+LONG = 2.0
+"""Seconds a command may add to what the scene takes unchanged: more is a hang."""
+HANG = 60
+"""Seconds after which a command is broken off."""
+COMMANDS = ("draw", "table", "steps")
+
+
+class Case(NamedTuple):
+    """What came of one changed scene: its number, scene, command, exit status, seconds, what is wrong."""
+
+    number: int
+    scene: str
+    command: str
+    status: int
+    seconds: float
+    fault: str
+
+
+# ---------------------------------------------------------------- changes
+
+
+NUMBER = re.compile(r"(?<![\w.\"#])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.])")
+AMOUNT = re.compile(r'"[-+]?\d+(?:\.\d+)? ?[^"\n]{0,8}"')
+WORD = re.compile(r'"[^"\n]*"')
+STRANGE = (
+    *("0", "-0.0", "1", "-1", "1e-300", "1e300", "-1e308", "5e-324", "1e-16", "nan", "inf", "-inf"),
+    *("1e6", "1e-6", "9007199254740993", "2.5", "true", "false", '""', '" "', '"x"', "[]", "{}"),
+    *("[0, 0]", "[[0]]", "1979-05-27", '"0 mm"', '"-1 kg"', '"90 deg"', '"1e400 m"', '"NaN m"'),
+)
+UNITS = ("mm", "m", "kg", "deg", "rpm", "1/s", "N", "kg*m^2", "rad/s", "Pa", "%", "kgf", "")
+SECTIONS = ("[frame]", "[drive]", "[hand]", "[[link]]", "[[sheet]]", "[plans]", "[title_block]", "[cam]")
+Change = Callable[[random.Random, str], str]
+
+
+def _at(source: random.Random, text: str, what: re.Pattern[str], by: Callable[[str], str]) -> str:
+    found = list(what.finditer(text))
+    if not found:
+        return text
+    one = source.choice(found)
+    return text[: one.start()] + by(one[0]) + text[one.end() :]
+
+
+def _nudge(source: random.Random, old: str) -> str:
+    factor = source.choice((0.0, -1.0, 0.5, 2.0, 1 + 1e-15, 1 - 1e-9, 1e6, 1e-6, 10.0, 1.1))
+    try:
+        return repr(float(old) * factor)
+    except ValueError:
+        return old
+
+
+def number(source: random.Random, text: str) -> str:
+    return _at(source, text, NUMBER, lambda old: _nudge(source, old))
+
+
+def amount(source: random.Random, text: str) -> str:
+    def by(old: str) -> str:
+        value, _, unit = old.strip('"').partition(" ")
+        if source.random() < 0.2:
+            unit = source.choice(UNITS)
+        return f'"{_nudge(source, value)} {unit}"'
+
+    return _at(source, text, AMOUNT, by)
+
+
+def strange(source: random.Random, text: str) -> str:
+    return _at(
+        source, text, source.choice((NUMBER, AMOUNT, WORD)), lambda _: source.choice(STRANGE)
+    )
+
+
+def swap_words(source: random.Random, text: str) -> str:
+    words = WORD.findall(text)
+    return _at(source, text, WORD, lambda _: source.choice(words)) if words else text
+
+
+def _lines(text: str) -> list[str]:
+    return text.split("\n")
+
+
+def drop_line(source: random.Random, text: str) -> str:
+    lines = _lines(text)
+    lines.pop(source.randrange(len(lines)))
+    return "\n".join(lines)
+
+
+def double_line(source: random.Random, text: str) -> str:
+    lines = _lines(text)
+    lines.insert(source.randrange(len(lines)), source.choice(lines))
+    return "\n".join(lines)
+
+
+def move_line(source: random.Random, text: str) -> str:
+    lines = _lines(text)
+    lines.insert(source.randrange(len(lines)), lines.pop(source.randrange(len(lines))))
+    return "\n".join(lines)
+
+
+def _blocks(text: str) -> list[str]:
+    return re.split(r"(?m)^(?=\[)", text)
+
+
+def drop_block(source: random.Random, text: str) -> str:
+    blocks = _blocks(text)
+    blocks.pop(source.randrange(len(blocks)))
+    return "".join(blocks)
+
+
+def shuffle_blocks(source: random.Random, text: str) -> str:
+    head, *blocks = _blocks(text)
+    source.shuffle(blocks)
+    return "".join([head, *blocks])
+
+
+def graft(source: random.Random, text: str) -> str:
+    """Put a section of another scene in, or in place of one."""
+    other = _blocks(source.choice(list(_scenes().values())))
+    blocks = _blocks(text)
+    at = source.randrange(len(blocks))
+    blocks[at : at + source.randrange(2)] = [source.choice(other)]
+    return "".join(blocks)
+
+
+def bytes_of(source: random.Random, text: str) -> str:
+    at = source.randrange(len(text) + 1)
+    return text[:at] + source.choice("\x00\t\"'[]{}=,.#\\é\u202e�е") + text[at + source.randrange(3) :]
+
+
+def cut_off(source: random.Random, text: str) -> str:
+    return text[: source.randrange(len(text) + 1)]
+
+
+CHANGES: tuple[tuple[Change, int], ...] = (
+    *((number, 6), (amount, 8), (strange, 4), (swap_words, 4), (drop_line, 3), (double_line, 1)),
+    *((move_line, 1), (drop_block, 2), (shuffle_blocks, 1), (graft, 2), (bytes_of, 1), (cut_off, 1)),
+)
+
+
+@cache
+def _scenes() -> dict[str, str]:
+    paths = sorted(SHEETS.glob("*/scene.toml"))
+    return {path.parent.name: path.read_text(encoding="utf-8") for path in paths}
+
+
+def changed(seed: int, number_: int, names: tuple[str, ...] = ()) -> tuple[str, str, str]:
+    """Return the name of the scene, the changed text and the command of a case."""
+    source = random.Random(f"{seed}:{number_}")
+    name = source.choice(names or sorted(_scenes()))
+    text = _scenes()[name]
+    ways, weights = zip(*CHANGES, strict=True)
+    for way in source.choices(ways, weights, k=source.choice((1, 1, 2, 3))):
+        text = way(source, text)
+    return name, text, source.choice(COMMANDS)
+
+
+# ---------------------------------------------------------------- one case
+
+
+class _Hang(BaseException):
+    """A command was broken off."""
+
+
+@contextmanager
+def _clock(seconds: int) -> Iterator[None]:
+    def ring(*_: Any) -> None:
+        raise _Hang
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def arguments(command: str, scene: Path, out: Path) -> list[str]:
+    """Return a command line."""
+    extra = {"draw": ["-o", str(out)], "table": ["-f", "json"], "steps": []}
+    return [command, str(scene), *extra[command]]
+
+
+def _whole(out: Path) -> str:
+    """Return what is wrong with the files written."""
+    for path in out.rglob("*") if out.exists() else ():
+        if path.name.endswith(".part"):
+            return f"left {path.name}"
+        if path.suffix == ".svg":
+            try:
+                ElementTree.parse(path)
+            except ElementTree.ParseError as error:
+                return f"{path.name} is not whole: {error}"
+    return ""
+
+
+def run(command: str, text: str, folder: Path) -> tuple[int, float, str]:
+    """Run a command on a scene's text in a folder; return its status, seconds, and what is wrong."""
+    scene, out = folder / "scene.toml", folder / "out"
+    scene.write_bytes(text.encode("utf-8", "surrogatepass"))
+    start = time.process_time()
+    try:
+        with _clock(HANG):
+            result = CliRunner().invoke(main, arguments(command, scene, out))
+    except _Hang:
+        return -1, float(HANG), f"hangs for {HANG} s"
+    seconds = time.process_time() - start
+    if isinstance(result.exception, _Hang):
+        return -1, seconds, f"hangs for {HANG} s"
+    status = result.exit_code
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        told = "".join(traceback.format_exception(*result.exc_info)[-3:])
+        return status, seconds, f"traceback: {told}"
+    if status not in (0, 2):
+        return status, seconds, f"exit status {status}"
+    if status == 2 and not result.stderr.startswith("graphic-tmm: "):
+        return status, seconds, f"no message: {result.stderr[:200]!r}"
+    if status == 2 and (out.exists() or result.stdout):
+        return status, seconds, "refused, but something was written"
+    if sorted(folder.iterdir()) not in ([scene], [out, scene]):
+        return status, seconds, "wrote beside its folder"
+    return status, seconds, _whole(out)
+
+
+@cache
+def usual(name: str, command: str) -> float:
+    """Return the seconds a command takes on the scene as it comes."""
+    folder = Path(tempfile.mkdtemp())
+    try:
+        run(command, _scenes()[name], folder)
+        shutil.rmtree(folder / "out", ignore_errors=True)
+        return run(command, _scenes()[name], folder)[1]
+    finally:
+        shutil.rmtree(folder)
+
+
+def case(number_: int, seed: int = 0, names: tuple[str, ...] = ()) -> Case:
+    """Run one case."""
+    name, text, command = changed(seed, number_, names)
+    folder = Path(tempfile.mkdtemp())
+    try:
+        status, seconds, fault = run(command, text, folder)
+    finally:
+        shutil.rmtree(folder)
+    if not fault and seconds > LONG and seconds > LONG + usual(name, command):
+        fault = f"takes {seconds:.1f} s, unchanged {usual(name, command):.1f} s"
+    return Case(number_, name, command, status, seconds, fault)
+
+
+# ---------------------------------------------------------------- the command
+
+
+def _only(number_: int, seed: int) -> int:
+    print(changed(seed, number_)[1])
+    print(found := case(number_, seed))
+    return int(bool(found.fault))
+
+
+def _all(count: int, seed: int, jobs: int, first: int) -> int:
+    faults: list[Case] = []
+    statuses: Counter[int] = Counter()
+    longest = 0.0
+    with Pool(jobs) as pool:
+        work = partial(case, seed=seed)
+        for found in pool.imap_unordered(work, range(first, first + count), chunksize=8):
+            statuses[found.status] += 1
+            longest = max(longest, found.seconds)
+            if found.fault:
+                faults.append(found)
+                print(f"{found.number} {found.scene} {found.command}: {found.fault}", flush=True)
+    told = ", ".join(f"{n} with status {status}" for status, n in sorted(statuses.items()))
+    print(f"{count} files: {told}; the longest took {longest:.2f} s; {len(faults)} at fault")
+    return int(bool(faults))
+
+
+def _main() -> int:
+    parser = argparse.ArgumentParser(description="Draw scene files changed at random.")
+    parser.add_argument("--count", type=int, default=20000)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", type=int)
+    asked = parser.parse_args()
+    if asked.only is not None:
+        return _only(asked.only, asked.seed)
+    return _all(asked.count, asked.seed, asked.jobs, asked.first)
+
+
+if __name__ == "__main__":
+    sys.exit(_main())
