@@ -70,12 +70,13 @@ def underlay(scene: Scene, photo: str, corners: str, file: str) -> list[Path]:
     sheet = drawn[0]
     area = drawing_area(sheet.format, scene.language, True)
     left, bottom, right, top = area.inner
-    flat = flatten(Path(photo), _corners(corners), (left, bottom, right, top))
+    width, height = SIZES[sheet.format]
+    frame, paper = (left, bottom, right, top), (0.0, 0.0, width, height)
+    flat = flatten(Path(photo), _corners(corners), frame, area=paper)
     for warning in flat.warnings:
-        raise_or_say(warning)
+        say(warning)
     path = Path(file)
     image = path.with_suffix(".png").name
-    width, height = SIZES[sheet.format]
     text = svg(sheet)
     cut = text.index(">", text.index("<svg")) + 1
     placed = (
@@ -87,7 +88,7 @@ def underlay(scene: Scene, photo: str, corners: str, file: str) -> list[Path]:
     return list(write(path.parent, files, remedy="name another file with --overlay"))
 
 
-def raise_or_say(text: str) -> None:
+def say(text: str) -> None:
     """Tell a warning of a photograph on the error stream."""
     import sys
 

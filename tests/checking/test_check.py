@@ -24,6 +24,7 @@ from graphic_tmm.checking.mistakes import likely
 from graphic_tmm.checking.own import OwnErrors
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.errors import SceneError
+from graphic_tmm.paper.frame import drawing_area
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import Made, drawings, make
 
@@ -269,3 +270,26 @@ def test_the_same_seed_is_the_same_hand() -> None:
     assert cells(make(replace(scene, seed=8))) != cells(one)
     first = next(iter(drawings(one, HANDS["student"]._replace(ruler=0.5, seed=7, trials=3))))
     assert cells(first).keys() == cells(one).keys()
+
+
+def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
+    pytest.importorskip("typst")
+    image = pytest.importorskip("PIL.Image")
+    drawn = CliRunner().invoke(main, ["draw", "crank-rocker", "-f", "png", "-o", str(tmp_path)])
+    assert drawn.exit_code == 0
+    photo = tmp_path / "crank-rocker-1.png"
+    with image.open(photo) as opened:
+        dots = opened.size[0] / 210.0
+    left, bottom, right, top = drawing_area("A4", "en", True).inner
+    ends = ((left, bottom), (right, bottom), (right, top), (left, top))
+    corners = " ".join(f"{x * dots:.1f},{(297 - y) * dots:.1f}" for x, y in ends)
+    out = tmp_path / "under.svg"
+    arguments = ["check", "crank-rocker", "--photo", str(photo), "--corners", corners]
+    done = CliRunner().invoke(main, [*arguments, "--overlay", str(out)])
+    assert done.exit_code == 0, done.output
+    assert 'href="under.png"' in out.read_text("utf-8")
+    with image.open(tmp_path / "under.png") as flat:
+        assert flat.size[0] == pytest.approx(210 * 4, abs=2)
+    bad = CliRunner().invoke(main, [*arguments[:-1], "1,2 3,4"])
+    assert bad.exit_code == 2
+    assert "four corners" in bad.stderr
