@@ -115,7 +115,10 @@ def png(photo: Photo) -> bytes:
 
 def _rectangle(name: str, given: tuple[float, float, float, float]) -> Box:
     """Return a rectangle of finite numbers that is not empty."""
-    box = Box(*(float(side) for side in given))
+    try:
+        box = Box(*(float(side) for side in given))
+    except (TypeError, ValueError):
+        box = Box(0.0, 0.0, 0.0, 0.0)
     if not (all(map(math.isfinite, box)) and box.left < box.right and box.bottom < box.top):
         raise SheetError(f"{name}: left, bottom, right and top in mm make no rectangle: {given}")
     return box

@@ -53,7 +53,7 @@ def clicks(camera: Camera, seed: int, by: float = 2.0) -> np.ndarray:
 @pytest.mark.parametrize("camera", [TILTED, STEEP, UPRIGHT], ids=["tilted", "steep", "upright"])
 def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
     image, worst = seen(camera), []
-    for seed in range(8):
+    for seed in range(4):
         clicked = clicks(camera, seed)
         found = refine(image, BOX, clicked)
         assert found.missing == ()
@@ -139,7 +139,7 @@ def test_any_quadrilateral_on_any_picture_gives_numbers() -> None:
     random = np.random.default_rng(8)
     image = random.integers(0, 255, (300, 400, 3), dtype=np.uint8)
     square = np.array([0 + 1j, 1 + 1j, 1, 0])
-    for case in range(30):
+    for case in range(12):
         side = random.uniform(30, 260)
         corners = 20 + 20j + side * (square + 0.2 * random.uniform(0, 1, 4))
         found = refine(image if case % 2 else image * 0, BOX, corners)

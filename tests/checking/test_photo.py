@@ -56,12 +56,11 @@ def test_exact_corners_bring_every_point_back(file: Path, name: str, refined: bo
     assert photo.residual < EXACT if refined else math.isnan(photo.residual)
 
 
-@pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize(
     ("file", "name"), [("tilted", "tilted"), ("steep", "steep")], indirect=["file"]
 )
-def test_clicked_corners_bring_every_point_back(file: Path, name: str, seed: int) -> None:
-    random = np.random.default_rng(seed)
+def test_clicked_corners_bring_every_point_back(file: Path, name: str) -> None:
+    random = np.random.default_rng(1)
     clicked = random.permutation(corners(name) + random.uniform(-2, 2, (4, 2)))
     photo = flatten(file, clicked, FRAME)
     assert abs(photographs.found_discs(photo.image, 4.0) - TARGETS).max() < CLICKED
@@ -84,7 +83,7 @@ def test_a_frame_that_is_not_there_is_warned_of(tmp_path: Path) -> None:
     assert math.isnan(photo.residual)
     assert len(photo.warnings) == 1
     assert "lower, right, upper, left" in photo.warnings[0]
-    assert sorted(zip(photo.corners.real, photo.corners.imag, strict=True)) == sorted(given)
+    assert abs(photographs.pairs(photo.corners)[::-1] - np.array(given)).max() < 1e-9
 
 
 def test_a_sheet_lying_on_its_side_is_warned_of(tmp_path: Path) -> None:
