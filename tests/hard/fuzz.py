@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import random
 import re
+import resource
 import shutil
 import signal
 import sys
@@ -32,8 +33,10 @@ from graphic_tmm.__main__ import main
 SHEETS = Path(__file__).parents[2] / "sheets"
 LONG = 2.0
 """Seconds a command may add to what the scene takes unchanged: more is a hang."""
-HANG = 60
+HANG = 30
 """Seconds after which a command is broken off."""
+MEMORY = 2 << 30
+"""Bytes that a process may take (``--count`` only): more is a fault, not a machine that swaps."""
 COMMANDS = ("draw", "table", "steps")
 
 
@@ -60,7 +63,16 @@ STRANGE = (
     *("[0, 0]", "[[0]]", "1979-05-27", '"0 mm"', '"-1 kg"', '"90 deg"', '"1e400 m"', '"NaN m"'),
 )
 UNITS = ("mm", "m", "kg", "deg", "rpm", "1/s", "N", "kg*m^2", "rad/s", "Pa", "%", "kgf", "")
-SECTIONS = ("[frame]", "[drive]", "[hand]", "[[link]]", "[[sheet]]", "[plans]", "[title_block]", "[cam]")
+SECTIONS = (
+    "[frame]",
+    "[drive]",
+    "[hand]",
+    "[[link]]",
+    "[[sheet]]",
+    "[plans]",
+    "[title_block]",
+    "[cam]",
+)
 Change = Callable[[random.Random, str], str]
 
 
@@ -154,7 +166,9 @@ def graft(source: random.Random, text: str) -> str:
 
 def bytes_of(source: random.Random, text: str) -> str:
     at = source.randrange(len(text) + 1)
-    return text[:at] + source.choice("\x00\t\"'[]{}=,.#\\é\u202e�е") + text[at + source.randrange(3) :]
+    return (
+        text[:at] + source.choice("\x00\t\"'[]{}=,.#\\é\u202e�е") + text[at + source.randrange(3) :]
+    )
 
 
 def cut_off(source: random.Random, text: str) -> str:
@@ -163,7 +177,14 @@ def cut_off(source: random.Random, text: str) -> str:
 
 CHANGES: tuple[tuple[Change, int], ...] = (
     *((number, 6), (amount, 8), (strange, 4), (swap_words, 4), (drop_line, 3), (double_line, 1)),
-    *((move_line, 1), (drop_block, 2), (shuffle_blocks, 1), (graft, 2), (bytes_of, 1), (cut_off, 1)),
+    *(
+        (move_line, 1),
+        (drop_block, 2),
+        (shuffle_blocks, 1),
+        (graft, 2),
+        (bytes_of, 1),
+        (cut_off, 1),
+    ),
 )
 
 
@@ -286,11 +307,15 @@ def _only(number_: int, seed: int) -> int:
     return int(bool(found.fault))
 
 
+def _limited() -> None:
+    resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+
+
 def _all(count: int, seed: int, jobs: int, first: int) -> int:
     faults: list[Case] = []
     statuses: Counter[int] = Counter()
     longest = 0.0
-    with Pool(jobs) as pool:
+    with Pool(jobs, _limited, maxtasksperchild=50) as pool:
         work = partial(case, seed=seed)
         for found in pool.imap_unordered(work, range(first, first + count), chunksize=8):
             statuses[found.status] += 1

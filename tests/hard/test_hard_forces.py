@@ -134,7 +134,11 @@ def test_no_load_is_no_force_anywhere(mechanism: Mechanism, angle: float) -> Non
     """All vectors of all polygons have no length: exactly nothing, and no direction is missed."""
     one = _bare(mechanism)
     solved = solve(
-        one, angle, poses(mechanism, angle)[0], order_of(one, gravity=True, inertia=True), judged=False
+        one,
+        angle,
+        poses(mechanism, angle)[0],
+        order_of(one, gravity=True, inertia=True),
+        judged=False,
     )
     assert {solved.number(r.value) for r in solved.forces.reactions} == {0.0}
     assert solved.number(solved.forces.balance) == 0.0
