@@ -65,7 +65,9 @@ def test_a_profile_with_a_cusp_is_drawn_or_named(off: float) -> None:
     kinds = {f.kind for f in cam_findings(of.reading, of.cam)}
     assert kinds & {"undercut", "roller by curvature"}
     wanted = [step.it for step in of.log.steps]
-    named = {k for f in examine(of.log, of.given, wanted) if f.kind == "undrawn" for k in f.positions}
+    named = {
+        k for f in examine(of.log, of.given, wanted) if f.kind == "undrawn" for k in f.positions
+    }
     points = of.reading[of.cam.profile.working.points][0]
     assert set(np.flatnonzero(~np.isfinite(points)).tolist()) <= named
 
@@ -109,7 +111,9 @@ def _tip(z: tuple[int, int], x: tuple[float, float], m: float = 0.01) -> tuple[m
             return mp.tan(a) - a
 
         due = inv(alpha) + 2 * sum(shift) / sum(z) * mp.tan(alpha)
-        alpha_w = mp.findroot(lambda a: inv(a) - due, (mp.mpf("0.1"), mp.mpf("1.2")), solver="anderson")
+        alpha_w = mp.findroot(
+            lambda a: inv(a) - due, (mp.mpf("0.1"), mp.mpf("1.2")), solver="anderson"
+        )
         a_w = mp.mpf(m) * sum(z) / 2 * mp.cos(alpha) / mp.cos(alpha_w)
         dy = sum(shift) - (a_w / mp.mpf(m) - mp.mpf(sum(z)) / 2)
         r, r_a = mp.mpf(m) * z[0] / 2, mp.mpf(m) * (mp.mpf(z[0]) / 2 + 1 + shift[0] - dy)

@@ -56,14 +56,14 @@ def test_eight_groups_in_a_row(angle: float, frame: Frame) -> None:
 
 
 def test_errors_of_a_chain_grow_no_faster_than_its_conditions_multiply() -> None:
-    """The errors of the last group, absolute: from one group to eight, less than κ grows."""
+    """The errors of the last group, absolute: from one group to six, less than κ grows."""
     off, kappa = [], []
-    for groups in (1, 2, 4, 8):
+    for groups in (1, 3, 6):
         found = _solved(chain(groups), 77.0)
         assert right(found)
         off.append(max(found.shares["v"] * found.bounds["v"], 1e-15))
         kappa.append(found.conditions[0] * found.conditions[1])
-    assert off[-1] <= off[0] * 8 * kappa[-1] / kappa[0]
+    assert off[-1] <= off[0] * 6 * kappa[-1] / kappa[0]
 
 
 RATIOS = {

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
+import shapely
 from click.testing import CliRunner
-from fuzz import case, changed
+from fuzz import case
+from fuzz_changes import changed
 from gallery import NAMES, SHEETS
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.paper.hatching import MOST, hatched
+from graphic_tmm.paper.symbols import MOST_HATCHES, hatching
 
-QUICK = ("crank-rocker", "scotch-yoke", "tangent-mechanism", "planetary", "gear-pair", "slider-diagrams")
+QUICK = (
+    "crank-rocker",
+    "scotch-yoke",
+    "tangent-mechanism",
+    "planetary",
+    "gear-pair",
+    "slider-diagrams",
+)
 """Scenes that are drawn in a fraction of a second."""
 
 
@@ -35,12 +44,14 @@ def test_every_scene_tells_its_steps(name: str) -> None:
     assert (result.exit_code, result.exception) == (0, None)
 
 
-def test_a_sketch_that_no_sheet_holds_is_refused_at_once(tmp_path: Path) -> None:
-    """A rim of 95 mm for the windrower's flywheel would be 120 m wide: refused before it is hatched."""
-    text = (SHEETS / "windrower" / "scene.toml").read_text(encoding="utf-8")
-    path = tmp_path / "scene.toml"
-    path.write_text(text.replace('D_e      = "0.6 m"', 'D_e      = "95 mm"'), encoding="utf-8")
-    result = CliRunner().invoke(main, ["draw", str(path), "-o", str(tmp_path / "out")])
-    assert result.exit_code == 2
-    assert "does not fit" in result.stderr
-    assert not (tmp_path / "out").exists()
+@pytest.mark.parametrize("size", [1e5, 1e9])
+def test_hatching_of_what_no_sheet_holds_has_an_end(size: float) -> None:
+    """A rim of 95 mm for the windrower's flywheel would be 120 m wide: it is refused, but hatched first."""
+    assert len(hatched(shapely.box(0.0, 0.0, size, 100.0))) <= 2 * MOST
+    assert len(hatching(0j, complex(size, 0.0), 1)) <= MOST_HATCHES + 1
+
+
+def test_hatching_of_what_a_sheet_holds_is_what_it_was() -> None:
+    assert len(hatching(0j, 100 + 0j, 1)) == 66
+    spots = hatched(shapely.box(0.0, 0.0, 841.0, 594.0))
+    assert len(spots) == round(1435 / 2**0.5 / 2.5)

@@ -16,7 +16,6 @@ from hard_mechanisms import four_bar, slider_crank
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
-from graphic_tmm.plans.project import Project
 from graphic_tmm.scene.read import read
 from graphic_tmm.work import Work, work
 
@@ -83,21 +82,25 @@ def test_a_million_positions() -> None:
 # trials, some of which fail
 
 
-def _varied(made: Work, lengths: np.ndarray) -> tuple[Project, dict[Any, Any], Any]:
-    """A work's log with the rod's length given anew for every trial."""
+def _rod(made: Work) -> tuple[Any, float]:
+    """The rod's real length: its mark and its usual value."""
     log = made.project.construction
     rod = next(m for m in log.given if m.letter == "l_{AB}" and m.view == "positions")
-    return made.project, dict(made.given) | {rod: lengths[:, None]}, rod
+    return rod, float(np.ravel(np.asarray(made.given[rod]))[0])
+
+
+def _varied(made: Work, lengths: np.ndarray) -> dict[Any, Any]:
+    """What was given to a work, the rod's length anew for every trial."""
+    return dict(made.given) | {_rod(made)[0]: lengths[:, None]}
 
 
 @pytest.mark.parametrize("name", ["slider-diagrams", "offset-slider"])
 def test_a_trial_that_fails_leaves_the_others_what_they_were(name: str) -> None:
     made = work(read(SHEETS / name), exact=True)
     log = made.project.construction
-    rod = next(m for m in log.given if m.letter == "l_{AB}" and m.view == "positions")
-    usual = float(np.ravel(np.asarray(made.given[rod]))[0])
+    rod, usual = _rod(made)
     lengths = usual * np.array([1.0, 0.01, 1.01, 0.3, 0.99])
-    project, given, _ = _varied(made, lengths)
+    given = _varied(made, lengths)
     wanted = [s.it for s in log.steps if s.op.reads or s.op.across]
     together = execute(log, given, wanted)
     for trial, length in enumerate(lengths):
@@ -115,15 +118,13 @@ def test_a_trial_that_fails_leaves_the_others_what_they_were(name: str) -> None:
 def test_quantiles_of_the_trials_that_can_be_drawn_know_nothing_of_the_others() -> None:
     made = work(read(SHEETS / "offset-slider"), exact=True)
     log = made.project.construction
-    rod = next(m for m in log.given if m.letter == "l_{AB}" and m.view == "positions")
-    usual = float(np.ravel(np.asarray(made.given[rod]))[0])
+    _, usual = _rod(made)
     lengths = usual * (1.0 + 0.01 * np.random.default_rng(5).standard_normal(400))
     bad = np.arange(400) % 7 == 3
-    _, given, _ = _varied(made, np.where(bad, 0.01 * usual, lengths))
-    _, fine, _ = _varied(made, lengths[~bad])
+    given = _varied(made, np.where(bad, 0.01 * usual, lengths))
+    fine = _varied(made, lengths[~bad])
     velocities = made.project.velocities
     assert velocities is not None
-    mark = next(iter(velocities.rates.values()))
     mark = velocities.readings[made.project.positions.closings[0].legs[1].link]
     some, all_ = execute(log, given, [mark])[mark], execute(log, fine, [mark])[mark]
     assert np.isnan(some[bad]).any(axis=1).all()
