@@ -54,4 +54,4 @@ def test_hatching_of_what_no_sheet_holds_has_an_end(size: float) -> None:
 def test_hatching_of_what_a_sheet_holds_is_what_it_was() -> None:
     assert len(hatching(0j, 100 + 0j, 1)) == 66
     spots = hatched(shapely.box(0.0, 0.0, 841.0, 594.0))
-    assert len(spots) == round(1435 / 2**0.5 / 2.5)
+    assert abs(len(spots) - 1435 / 2**0.5 / 2.5) <= 1
