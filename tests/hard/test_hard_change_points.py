@@ -36,7 +36,7 @@ def _all(name: str, frame: Frame) -> list[tuple[float, Verdict]]:
     return [(off, judge(there, frame.angle(a + math.degrees(off)))) for a in angles for off in OFFS]
 
 
-@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 3, 4, 5)])
+@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 4)])
 @pytest.mark.parametrize("name", CASES)
 def test_right_within_the_condition_or_named(name: str, frame: Frame) -> None:
     for off, found in _all(name, frame):
