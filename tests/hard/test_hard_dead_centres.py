@@ -15,7 +15,7 @@ from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
 from graphic_tmm.mechanism.records import Mechanism
 
-OFFS = (0.0, *(s * 10.0**-k for k in (3, 6, 9, 12, 15) for s in (1, -1)))
+OFFS = (0.0, *(s * 10.0**-k for k in (3, 9, 15) for s in (1, -1)))
 
 
 def _in_line(r: float, rod: float, s: float, d: float, way: int) -> float:

@@ -20,7 +20,7 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files
 
-DRAWN = sample(60, seed=77)
+DRAWN = sample(40, seed=77)
 OFFS = (0.0, 0.5, -0.25)
 
 
