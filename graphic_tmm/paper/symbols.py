@@ -20,6 +20,7 @@ from graphic_tmm.paper.hatching import hatched
 JOINT_RADIUS = 1.5
 FOOT_HEIGHT, FOOT_WIDTH, GROUND_LENGTH = 7.0, 8.0, 12.0
 HATCH_PITCH, HATCH_DEPTH = 1.5, 2.0
+MOST_HATCHES = 2000
 PLATE_PITCH = 2.0
 SLIDER_LENGTH, SLIDER_WIDTH = 12.0, 6.0
 STONE_LENGTH, STONE_WIDTH = 10.0, 5.0
@@ -47,16 +48,18 @@ def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
 def hatching(start: complex, end: complex, side: int) -> Strokes:
     """Return strokes at 45° along a line: ``side`` +1 to the left of start -> end, -1 right.
 
-    The strokes stay between the ends; they are 1.5 mm apart along the line.
+    The strokes stay between the ends; they are 1.5 mm apart along the line, or farther along one that no
+    sheet holds: it is refused only later, and not to be waited for.
     """
     length = abs(end - start)
     if length <= HATCH_DEPTH:
         return ()
     along = (end - start) / length
     slant = HATCH_DEPTH * along * complex(-1, side)
-    count = math.floor((length - HATCH_DEPTH) / HATCH_PITCH + 1e-9)
-    first = (length - HATCH_DEPTH - count * HATCH_PITCH) / 2 + HATCH_DEPTH
-    roots = (start + along * (first + k * HATCH_PITCH) for k in range(count + 1))
+    pitch = max(HATCH_PITCH, length / MOST_HATCHES)
+    count = math.floor((length - HATCH_DEPTH) / pitch + 1e-9)
+    first = (length - HATCH_DEPTH - count * pitch) / 2 + HATCH_DEPTH
+    roots = (start + along * (first + k * pitch) for k in range(count + 1))
     return tuple(line("thin", root, root + slant) for root in roots)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from typing import NamedTuple
 
 from graphic_tmm.board.energetics import added, rotation, translation
@@ -29,7 +30,7 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         If no link has any, or a mass has no centre on the plan.
     """
     parts: dict[str, Mark] = {}
-    for link in mechanism.links:
+    for link in sorted(mechanism.links, key=attrgetter("number")):
         parts |= _of_link(draft, link, velocities)
     if not parts:
         raise StructureError(

@@ -7,6 +7,7 @@ along it. Nothing is drawn of an effect that is not called for.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from operator import attrgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -117,7 +118,7 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
     """
     ground.draft.board.open(VIEW)
     loads = Loads()
-    for link in ground.mechanism.links:
+    for link in sorted(ground.mechanism.links, key=attrgetter("number")):
         if order.gravity and link.mass:
             loads.add(_weight(ground, link))
         if order.inertia:

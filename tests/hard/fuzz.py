@@ -8,8 +8,7 @@ A case is told by the seed and its number alone: ``--only N`` runs it again and 
 from __future__ import annotations
 
 import argparse
-import random
-import re
+import resource
 import shutil
 import signal
 import sys
@@ -17,7 +16,7 @@ import tempfile
 import time
 import traceback
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache, partial
 from multiprocessing import Pool
@@ -26,15 +25,16 @@ from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
 from click.testing import CliRunner
+from fuzz_changes import changed, scenes
 
 from graphic_tmm.__main__ import main
 
-SHEETS = Path(__file__).parents[2] / "sheets"
 LONG = 2.0
 """Seconds a command may add to what the scene takes unchanged: more is a hang."""
-HANG = 60
+HANG = 30
 """Seconds after which a command is broken off."""
-COMMANDS = ("draw", "table", "steps")
+MEMORY = 2 << 30
+"""Bytes that a process may take (``--count`` only): more is a fault, not a machine that swaps."""
 
 
 class Case(NamedTuple):
@@ -46,142 +46,6 @@ class Case(NamedTuple):
     status: int
     seconds: float
     fault: str
-
-
-# ---------------------------------------------------------------- changes
-
-
-NUMBER = re.compile(r"(?<![\w.\"#])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.])")
-AMOUNT = re.compile(r'"[-+]?\d+(?:\.\d+)? ?[^"\n]{0,8}"')
-WORD = re.compile(r'"[^"\n]*"')
-STRANGE = (
-    *("0", "-0.0", "1", "-1", "1e-300", "1e300", "-1e308", "5e-324", "1e-16", "nan", "inf", "-inf"),
-    *("1e6", "1e-6", "9007199254740993", "2.5", "true", "false", '""', '" "', '"x"', "[]", "{}"),
-    *("[0, 0]", "[[0]]", "1979-05-27", '"0 mm"', '"-1 kg"', '"90 deg"', '"1e400 m"', '"NaN m"'),
-)
-UNITS = ("mm", "m", "kg", "deg", "rpm", "1/s", "N", "kg*m^2", "rad/s", "Pa", "%", "kgf", "")
-SECTIONS = ("[frame]", "[drive]", "[hand]", "[[link]]", "[[sheet]]", "[plans]", "[title_block]", "[cam]")
-Change = Callable[[random.Random, str], str]
-
-
-def _at(source: random.Random, text: str, what: re.Pattern[str], by: Callable[[str], str]) -> str:
-    found = list(what.finditer(text))
-    if not found:
-        return text
-    one = source.choice(found)
-    return text[: one.start()] + by(one[0]) + text[one.end() :]
-
-
-def _nudge(source: random.Random, old: str) -> str:
-    factor = source.choice((0.0, -1.0, 0.5, 2.0, 1 + 1e-15, 1 - 1e-9, 1e6, 1e-6, 10.0, 1.1))
-    try:
-        return repr(float(old) * factor)
-    except ValueError:
-        return old
-
-
-def number(source: random.Random, text: str) -> str:
-    return _at(source, text, NUMBER, lambda old: _nudge(source, old))
-
-
-def amount(source: random.Random, text: str) -> str:
-    def by(old: str) -> str:
-        value, _, unit = old.strip('"').partition(" ")
-        if source.random() < 0.2:
-            unit = source.choice(UNITS)
-        return f'"{_nudge(source, value)} {unit}"'
-
-    return _at(source, text, AMOUNT, by)
-
-
-def strange(source: random.Random, text: str) -> str:
-    return _at(
-        source, text, source.choice((NUMBER, AMOUNT, WORD)), lambda _: source.choice(STRANGE)
-    )
-
-
-def swap_words(source: random.Random, text: str) -> str:
-    words = WORD.findall(text)
-    return _at(source, text, WORD, lambda _: source.choice(words)) if words else text
-
-
-def _lines(text: str) -> list[str]:
-    return text.split("\n")
-
-
-def drop_line(source: random.Random, text: str) -> str:
-    lines = _lines(text)
-    lines.pop(source.randrange(len(lines)))
-    return "\n".join(lines)
-
-
-def double_line(source: random.Random, text: str) -> str:
-    lines = _lines(text)
-    lines.insert(source.randrange(len(lines)), source.choice(lines))
-    return "\n".join(lines)
-
-
-def move_line(source: random.Random, text: str) -> str:
-    lines = _lines(text)
-    lines.insert(source.randrange(len(lines)), lines.pop(source.randrange(len(lines))))
-    return "\n".join(lines)
-
-
-def _blocks(text: str) -> list[str]:
-    return re.split(r"(?m)^(?=\[)", text)
-
-
-def drop_block(source: random.Random, text: str) -> str:
-    blocks = _blocks(text)
-    blocks.pop(source.randrange(len(blocks)))
-    return "".join(blocks)
-
-
-def shuffle_blocks(source: random.Random, text: str) -> str:
-    head, *blocks = _blocks(text)
-    source.shuffle(blocks)
-    return "".join([head, *blocks])
-
-
-def graft(source: random.Random, text: str) -> str:
-    """Put a section of another scene in, or in place of one."""
-    other = _blocks(source.choice(list(_scenes().values())))
-    blocks = _blocks(text)
-    at = source.randrange(len(blocks))
-    blocks[at : at + source.randrange(2)] = [source.choice(other)]
-    return "".join(blocks)
-
-
-def bytes_of(source: random.Random, text: str) -> str:
-    at = source.randrange(len(text) + 1)
-    return text[:at] + source.choice("\x00\t\"'[]{}=,.#\\é\u202e�е") + text[at + source.randrange(3) :]
-
-
-def cut_off(source: random.Random, text: str) -> str:
-    return text[: source.randrange(len(text) + 1)]
-
-
-CHANGES: tuple[tuple[Change, int], ...] = (
-    *((number, 6), (amount, 8), (strange, 4), (swap_words, 4), (drop_line, 3), (double_line, 1)),
-    *((move_line, 1), (drop_block, 2), (shuffle_blocks, 1), (graft, 2), (bytes_of, 1), (cut_off, 1)),
-)
-
-
-@cache
-def _scenes() -> dict[str, str]:
-    paths = sorted(SHEETS.glob("*/scene.toml"))
-    return {path.parent.name: path.read_text(encoding="utf-8") for path in paths}
-
-
-def changed(seed: int, number_: int, names: tuple[str, ...] = ()) -> tuple[str, str, str]:
-    """Return the name of the scene, the changed text and the command of a case."""
-    source = random.Random(f"{seed}:{number_}")
-    name = source.choice(names or sorted(_scenes()))
-    text = _scenes()[name]
-    ways, weights = zip(*CHANGES, strict=True)
-    for way in source.choices(ways, weights, k=source.choice((1, 1, 2, 3))):
-        text = way(source, text)
-    return name, text, source.choice(COMMANDS)
 
 
 # ---------------------------------------------------------------- one case
@@ -239,7 +103,7 @@ def run(command: str, text: str, folder: Path) -> tuple[int, float, str]:
         return -1, seconds, f"hangs for {HANG} s"
     status = result.exit_code
     if result.exception is not None and not isinstance(result.exception, SystemExit):
-        told = "".join(traceback.format_exception(*result.exc_info)[-3:])
+        told = "".join(traceback.format_exception(result.exception)[-3:])
         return status, seconds, f"traceback: {told}"
     if status not in (0, 2):
         return status, seconds, f"exit status {status}"
@@ -257,9 +121,9 @@ def usual(name: str, command: str) -> float:
     """Return the seconds a command takes on the scene as it comes."""
     folder = Path(tempfile.mkdtemp())
     try:
-        run(command, _scenes()[name], folder)
+        run(command, scenes()[name], folder)
         shutil.rmtree(folder / "out", ignore_errors=True)
-        return run(command, _scenes()[name], folder)[1]
+        return run(command, scenes()[name], folder)[1]
     finally:
         shutil.rmtree(folder)
 
@@ -286,11 +150,15 @@ def _only(number_: int, seed: int) -> int:
     return int(bool(found.fault))
 
 
+def _limited() -> None:
+    resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+
+
 def _all(count: int, seed: int, jobs: int, first: int) -> int:
     faults: list[Case] = []
     statuses: Counter[int] = Counter()
     longest = 0.0
-    with Pool(jobs) as pool:
+    with Pool(jobs, _limited, maxtasksperchild=50) as pool:
         work = partial(case, seed=seed)
         for found in pool.imap_unordered(work, range(first, first + count), chunksize=8):
             statuses[found.status] += 1

@@ -155,7 +155,13 @@ def _bounds(sheet: Board, reading: Any, due: Exact, kappa: tuple[float, ...]) ->
     e_a = kappa[2] * (u * pull + e_a)
     e_e = (2 * e_a + turning * e_p) / arm + u * turning
     # a translated frame: what is read is the sum of two places
-    return {"r": g * e_p + 4 * EPS * abs(o), "v": g * e_v, "a": g * e_a, "omega": e_w, "epsilon": e_e}
+    return {
+        "r": g * e_p + 4 * EPS * abs(o),
+        "v": g * e_v,
+        "a": g * e_a,
+        "omega": e_w,
+        "epsilon": e_e,
+    }
 
 
 def _slides(sheet: Board) -> list[int]:
@@ -194,7 +200,9 @@ def judge(
         if number == mechanism.frame.number:
             continue
         for name, value in zip(NAMES, motion, strict=True):
-            shares[name] = max(shares[name], _share(read[name][letter, number], value, bounds[name]))
+            shares[name] = max(
+                shares[name], _share(read[name][letter, number], value, bounds[name])
+            )
     for name, row in (("omega", due.omega), ("epsilon", due.epsilon)):
         for number, value in row.items():
             at = read[name].get(number, np.zeros(1))

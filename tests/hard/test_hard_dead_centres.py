@@ -15,7 +15,7 @@ from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
 from graphic_tmm.mechanism.records import Mechanism
 
-OFFS = (0.0, *(s * 10.0**-k for k in (3, 6, 9, 12, 15) for s in (1, -1)))
+OFFS = (0.0, *(s * 10.0**-k for k in (3, 9, 15) for s in (1, -1)))
 
 
 def _in_line(r: float, rod: float, s: float, d: float, way: int) -> float:
@@ -46,7 +46,8 @@ CASES: dict[str, tuple[Mechanism, tuple[float, ...]]] = {
     "rocker": (coulisse(0.13657, 0.48), (_square(0.13657, 0.48), -_square(0.13657, 0.48))),
     "rocker off its pivot": (coulisse(0.1, 0.3, 0.05), (0.0, 180.0)),
 }
-SHORT = (FRAMES[0], FRAMES[4], FRAMES[5])
+NEAR = (FRAMES[0], FRAMES[4])
+"""Frames in which all distances from a dead centre are tried; in the others, the dead centre itself."""
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -54,7 +55,7 @@ def test_right_at_and_about_the_dead_centres(name: str) -> None:
     mechanism, angles = CASES[name]
     for angle in angles:
         for frame in FRAMES:
-            for off in OFFS if frame in SHORT else OFFS[:3]:
+            for off in OFFS if frame in NEAR else OFFS[:1]:
                 at = frame.angle(angle + math.degrees(off))
                 found = judge(put(mechanism, frame), at, turned=frame.mirrored)
                 assert right(found), (frame, at, found.shares)

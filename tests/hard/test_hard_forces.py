@@ -113,7 +113,7 @@ def test_polygons_of_nearly_parallel_sides(name: str, off: float, frame: Frame) 
     assert max(found.values()) <= 8 * EPS * len(solved.log.steps) * kappa * reach, (found, kappa)
 
 
-@pytest.mark.parametrize("frame", FRAMES[:5])
+@pytest.mark.parametrize("frame", FRAMES[:4])
 @pytest.mark.parametrize("angle", [0.0, 180.0, 90.0, 1e-13, 45.0])
 def test_forces_at_dead_centres(angle: float, frame: Frame) -> None:
     solved, kappa = judged(weighed(put(slider_crank(0.3, 0.64), frame)), frame.angle(angle))
@@ -134,7 +134,11 @@ def test_no_load_is_no_force_anywhere(mechanism: Mechanism, angle: float) -> Non
     """All vectors of all polygons have no length: exactly nothing, and no direction is missed."""
     one = _bare(mechanism)
     solved = solve(
-        one, angle, poses(mechanism, angle)[0], order_of(one, gravity=True, inertia=True), judged=False
+        one,
+        angle,
+        poses(mechanism, angle)[0],
+        order_of(one, gravity=True, inertia=True),
+        judged=False,
     )
     assert {solved.number(r.value) for r in solved.forces.reactions} == {0.0}
     assert solved.number(solved.forces.balance) == 0.0

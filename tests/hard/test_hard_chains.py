@@ -1,0 +1,87 @@
+"""Long chains and lengths in the ratio 1 : 1e6, judged at 50 digits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath as mp  # type: ignore[import-untyped]
+import oracle
+import pytest
+from drawn import board
+from hard_judge import DIGITS, Verdict, exact_of, judge, named, right
+from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+
+from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
+
+
+def chain(groups: int) -> Mechanism:
+    """A crank and rockers in a row, the last of eight groups a slider: each hangs on the one before."""
+    pivots = {"O": 0j} | {f"C{k}": complex(3.0 * k, -0.1 * k) for k in range(1, groups)}
+    guide = Guide("x", complex(0, 1.9), 0.0)
+    links = [Link(1, {"O": 0j, "A": 1 + 0j})]
+    before = "A"
+    for k in range(1, groups):
+        pin, first = f"B{k}", 2 * k
+        coupler = 2.9 + 0.03 * k
+        links += [
+            Link(first, {before: 0j, pin: complex(coupler, 0)}, side=Side(1, (before, f"C{k}"))),
+            Link(first + 1, {f"C{k}": 0j, pin: complex(2.0 + 0.05 * (k % 2), 0)}),
+        ]
+        before = pin
+    last = 2 * groups
+    links += [
+        Link(last, {before: 0j, "D": 4 + 0j}),
+        Link(last + 1, {"D": 0j}, slides=(Slide(0, guide, side=Side(1)),)),
+    ]
+    return Mechanism(Link(0, pivots, (guide,)), tuple(links), Drive(1, 2.0, 3.0))
+
+
+def _solved(mechanism: Mechanism, degrees: float) -> Verdict:
+    read = board(mechanism).read([[degrees]])
+    places = {key[0]: complex(value[0]) for key, value in read["r"].items()}
+    start = oracle.poses_from_points(mechanism, degrees, places)
+
+    def phi() -> Any:
+        return mp.mpf(degrees) * mp.pi / 180
+
+    found = oracle.solve_digits(mechanism, phi, start, dps=DIGITS)
+    with mp.workdps(DIGITS + 5):
+        return judge(mechanism, degrees, exact_of(mechanism, found))
+
+
+@pytest.mark.parametrize(("angle", "frame"), [(0.0, FRAMES[3]), (200.0, FRAMES[4])])
+def test_eight_groups_in_a_row(angle: float, frame: Frame) -> None:
+    found = _solved(put(chain(8), frame), frame.angle(angle))
+    assert right(found), (found.shares, found.conditions)
+
+
+def test_errors_of_a_chain_grow_no_faster_than_its_conditions_multiply() -> None:
+    """The errors of the last group, absolute: from one group to six, less than κ grows."""
+    off, kappa = [], []
+    for groups in (1, 3, 6):
+        found = _solved(chain(groups), 77.0)
+        assert right(found)
+        off.append(max(found.shares["v"] * found.bounds["v"], 1e-15))
+        kappa.append(found.conditions[0] * found.conditions[1])
+    assert off[-1] <= off[0] * 6 * kappa[-1] / kappa[0]
+
+
+RATIOS = {
+    "short crank, long rod": (slider_crank(1e-6, 1.0), (0.0, 45.0, 90.0, 200.0)),
+    "crank and rod that differ by a millionth": (slider_crank(1.0, 1.0 + 1e-6), (0.0, 45.0, 200.0)),
+    "short crank of a four-bar": (four_bar(1e-6, 1.0, 0.8, 1.2), (0.0, 90.0, 200.0)),
+    "far pivot of a rocker": (four_bar(1.0, 1e6, 1e6, 1.5), (0.0, 90.0, 200.0)),
+    "short crank of a rocker": (coulisse(1e-6, 1.0), (0.0, 90.0, 200.0)),
+    "far pivot of a stone": (coulisse(1.0, 1e6), (0.0, 90.0, 200.0)),
+    "frame of a millionth": (coulisse(1.0, 1e-6), (0.0, 90.0, 200.0)),
+}
+
+
+@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 3, 4)])
+@pytest.mark.parametrize("name", RATIOS)
+def test_lengths_in_the_ratio_of_a_million(name: str, frame: Frame) -> None:
+    mechanism, angles = RATIOS[name]
+    for angle in angles:
+        found = judge(put(mechanism, frame), frame.angle(angle))
+        assert right(found), (angle, found.shares, found.conditions)
+        assert not named(found) or max(found.conditions) > 1e4

@@ -1,0 +1,57 @@
+"""Three hundred changed scene files, the same ones each time; more by ``python tests/hard/fuzz.py``."""
+
+from __future__ import annotations
+
+import pytest
+import shapely
+from click.testing import CliRunner
+from fuzz import case
+from fuzz_changes import changed
+from gallery import NAMES, SHEETS
+
+from graphic_tmm.__main__ import main
+from graphic_tmm.paper.hatching import MOST, hatched
+from graphic_tmm.paper.symbols import MOST_HATCHES, hatching
+
+QUICK = (
+    "crank-rocker",
+    "scotch-yoke",
+    "tangent-mechanism",
+    "planetary",
+    "gear-pair",
+    "slider-diagrams",
+)
+"""Scenes that are drawn in a fraction of a second."""
+
+
+@pytest.mark.parametrize("first", range(0, 300, 50))
+def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
+    found = [case(number, 1, QUICK) for number in range(first, first + 50)]
+    faults = [one for one in found if one.fault and "takes" not in one.fault]
+    assert not faults, faults
+    # a machine may be busy with other things; a hang of 30 s is a fault on any
+    assert {one.status for one in found} == {0, 2}
+
+
+def test_a_case_is_told_by_its_seed_and_number() -> None:
+    assert changed(3, 17) == changed(3, 17)
+    assert changed(3, 17) != changed(3, 18)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_scene_tells_its_steps(name: str) -> None:
+    result = CliRunner().invoke(main, ["steps", str(SHEETS / name)])
+    assert (result.exit_code, result.exception) == (0, None)
+
+
+@pytest.mark.parametrize("size", [1e5, 1e9])
+def test_hatching_of_what_no_sheet_holds_has_an_end(size: float) -> None:
+    """A rim of 95 mm for the windrower's flywheel would be 120 m wide: it is refused, but hatched first."""
+    assert len(hatched(shapely.box(0.0, 0.0, size, 100.0))) <= 2 * MOST
+    assert len(hatching(0j, complex(size, 0.0), 1)) <= MOST_HATCHES + 1
+
+
+def test_hatching_of_what_a_sheet_holds_is_what_it_was() -> None:
+    assert len(hatching(0j, 100 + 0j, 1)) == 66
+    spots = hatched(shapely.box(0.0, 0.0, 841.0, 594.0))
+    assert abs(len(spots) - 1435 / 2**0.5 / 2.5) <= 1
