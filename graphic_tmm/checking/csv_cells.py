@@ -24,6 +24,8 @@ HEADS: Mapping[str, str] = {
 }
 """The columns that mean something, in English and in Russian."""
 SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab"}
+_LOOKED = 50
+"""Of the titles so many are looked through for one misspelt."""
 _NAMES = {name: name for name in HEADS} | {russian: name for name, russian in HEADS.items()}
 _NAMES |= {"х": "x", "у": "y"}  # the Cyrillic letters that look the same
 _RUSSIAN = frozenset(HEADS.values()) - frozenset(HEADS)
@@ -53,6 +55,11 @@ class Head(NamedTuple):
     wrong: str = ""
 
     @property
+    def columns(self) -> tuple[int, ...]:
+        """The place of every column of ``HEADS``; the first place past the titles for one missing."""
+        return tuple(self.places.get(name, len(self.titles)) for name in HEADS)
+
+    @property
     def russian(self) -> bool:
         """Whether a column is named in Russian."""
         return any(_folded(title) in _RUSSIAN for title in self.titles)
@@ -69,7 +76,7 @@ class Head(NamedTuple):
 
     def like(self, name: str) -> str:
         """Return the title that was probably meant for a column that is missing; "" if none."""
-        unknown = [title for title in self.titles if _folded(title) not in _NAMES]
+        unknown = [title for title in self.titles[:_LOOKED] if _folded(title) not in _NAMES]
         return near(name, unknown, 0.8) or near(HEADS[name], unknown, 0.8)
 
 
@@ -93,6 +100,9 @@ def rows(text: str, separator: str) -> Iterator[Row]:
     numbered = enumerate(io.StringIO(text, newline=None), 1)
     for line, first in numbered:
         if not first.strip() or first.lstrip(" ").startswith("#"):
+            continue
+        if '"' not in first:
+            yield Row(line, first.rstrip("\n").split(separator))
             continue
         lines = chain((first,), (more for _, more in numbered))
         reader = csv.reader(lines, delimiter=separator, skipinitialspace=True, strict=True)

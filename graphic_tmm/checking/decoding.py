@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 
-LARGEST_FILE = 64_000_000
+LARGEST_FILE = 32_000_000
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8"),
     (codecs.BOM_UTF32_LE, "utf-32-le"),  # before UTF-16, whose mark is its beginning
@@ -50,7 +50,7 @@ def text_of(file: Path) -> str:
 def _decoded(file: Path, data: bytes) -> str:
     for encoding in _encodings(data):
         try:
-            text = codecs.decode(data, encoding).removeprefix("\ufeff").rstrip("\x1a")
+            text = codecs.decode(data, encoding).lstrip("\ufeff").rstrip("\x1a")
         except UnicodeDecodeError:
             continue
         found = _CONTROL.search(text)

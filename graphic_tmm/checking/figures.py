@@ -11,6 +11,7 @@ MM = ("", "mm", "мм", "mm.", "мм.")
 BARE = ("1", "-", "–", "—")
 """Ways to write that a value has no unit; an empty cell may as well be one forgotten."""
 _FIGURE = re.compile(rf"([+-]?{NUMBER})\s*(.*)", re.DOTALL)
+_PLAIN = re.compile(r"[+-]?[0-9]{1,12}(?:\.[0-9]{1,20})?")
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 _SHORTEST = 40
@@ -81,6 +82,9 @@ def value_of(cell: str, unit: str, *, commas: bool) -> tuple[float | None, str]:
 
 def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
     """Return the number of a cell, and what stands behind it."""
+    simple = cell.replace(",", ".") if commas else cell
+    if _PLAIN.fullmatch(simple):  # as almost every cell is, in files of any length
+        return float(simple), ""
     match = _FIGURE.fullmatch(_straight(cell))
     if match is None:
         raise ValueError(f'"{_short(cell)}" is not a number; write {wanted}, or leave it empty')

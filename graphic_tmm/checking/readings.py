@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
@@ -19,7 +19,7 @@ TOLD = 20
 """So many faults of a file are told; how many more there are is counted."""
 _WANTED = ("plan", "position", "segment")
 _FIGURES = ("mm", "value", "x", "y")
-_KINDS = (("mm", "mm"), ("value", "value"), ("x", "point"))
+_KINDS = tuple((name, Taken._fields.index(name)) for name in ("mm", "value", "x"))
 _FOR = {
     "plan": 'add it; its cells name the plan, such as velocities, or "results"',
     "position": "add it; its cells name the position, and are empty for results",
@@ -76,12 +76,13 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
     faults = _faults_of(head)
     if faults:
         _refuse(file, faults)
-    return _taken(file, head, list(following))
+    return _taken(file, head, following)
 
 
-def _taken(file: Path, head: Head, rows: Sequence[Row]) -> tuple[Taken, ...]:
+def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     faults: list[Fault] = []
-    cells = [(row.line, _cells(row, head, faults)) for row in rows]
+    columns = head.columns
+    cells = [(row.line, _cells(row, head, columns, faults)) for row in rows]
     commas = head.separator == ";" or head.russian or _comma_seen([one for _, one in cells])
     taken: list[Taken] = []
     for line, one in cells:
@@ -117,7 +118,7 @@ def _missing(head: Head, name: str, remedy: str) -> Fault:
     return Fault(name, head.line, f"{said} (the first row names: {head.spoken})")
 
 
-def _cells(row: Row, head: Head, faults: list[Fault]) -> _Cells | None:
+def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) -> _Cells | None:
     """Return the cells of a row by columns; None, and a fault, if it does not fit under the titles."""
     cells, width = row.cells, len(head.titles)
     if row.wrong:
@@ -132,9 +133,9 @@ def _cells(row: Row, head: Head, faults: list[Fault]) -> _Cells | None:
         faults.append(Fault("", row.line, said))
         return None
     cells += [""] * (width + 1 - len(cells))
-    if len(cells) > width:
-        cells[width:] = [""]
-    return _Cells(*(" ".join(cells[head.places.get(name, width)].split()) for name in HEADS))
+    cells[width] = ""
+    chosen = [cells[place] for place in columns]
+    return _Cells._make([cell and " ".join(cell.split()) for cell in chosen])
 
 
 def _torn(said: str) -> str:
@@ -170,13 +171,13 @@ def _reading(one: _Cells, line: int, head: Head, commas: bool, faults: list[Faul
             faults.append(
                 Fault(head.title(name), line, "the cell is empty, and the row has a figure")
             )
-    numbers: dict[str, float | None] = {}
+    numbers: list[float | None] = []
     for name, cell in (("mm", one.mm), ("x", one.x), ("y", one.y)):
         try:
-            numbers[name] = millimetres(cell, commas=commas)
+            numbers.append(millimetres(cell, commas=commas))
         except ValueError as error:
             faults.append(Fault(head.title(name), line, str(error)))
-            numbers[name] = None
+            numbers.append(None)
     try:
         value, unit = value_of(one.value, one.unit, commas=commas)
     except ValueError as error:
@@ -185,18 +186,18 @@ def _reading(one: _Cells, line: int, head: Head, commas: bool, faults: list[Faul
     if bool(one.x) != bool(one.y):
         empty = "y" if one.x else "x"
         faults.append(Fault(head.title(empty), line, "a point needs both x and y; this is empty"))
-    names = one.plan, one.position, one.segment
-    return Taken(*names, numbers["mm"], value, unit, numbers["x"], numbers["y"], line)
+    mm, x, y = numbers
+    return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line)
 
 
 def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None:
     """Add a fault for each reading that an earlier row has given already."""
     seen: dict[tuple[str, str, str, str], int] = {}
     for one in taken:
-        for name, kind in _KINDS:
-            if getattr(one, name) is None:
+        for name, field in _KINDS:
+            if one[field] is None:
                 continue
-            earlier = seen.setdefault((one.plan, one.position, one.segment, kind), one.line)
+            earlier = seen.setdefault((*one[:3], name), one.line)
             if earlier != one.line:
                 place = f' at position "{one.position}"' if one.position else ""
                 said = f'"{one.segment}" of "{one.plan}"{place} stands in line {earlier} already'

@@ -162,6 +162,14 @@ def test_encodings_are_found_out(tmp_path, encoding):
     assert list(read_bytes(tmp_path, ENCODINGS[encoding](text))) == due
 
 
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "utf-32"])
+def test_two_byte_order_marks_are_as_good_as_one(tmp_path, encoding):
+    """As where a text that begins with the mark is saved with one."""
+    text = write_readings(PAIR, language="ru")
+    assert text[0] == "\ufeff"
+    assert list(read_bytes(tmp_path, text.encode(encoding))) == PAIR
+
+
 # ---- one row, read as people mean it
 
 
@@ -233,17 +241,16 @@ def test_a_comma_before_three_digits_is_a_decimal_sign_if_another_cell_shows_it(
 
 def test_order_and_number_of_rows_are_kept_and_quick(tmp_path):
     """100 000 rows in less than 2 s (processor time, so that a busy machine does not count)."""
-    many = [f"velocities;{k};pb;{k % 997},25;;m/s\n" for k in range(100_000)]
-    text = "план;положение;отрезок;мм;величина;единица\n" + "".join(many)
+    many = [f"velocities;{k};pb;{k % 997},25;{k};m/s;1,5;-2,5\n" for k in range(100_000)]
+    text = "план;положение;отрезок;мм;величина;единица;x;y\n" + "".join(many)
     file = tmp_path / "many.csv"
     file.write_text(text, "utf-8")
     start = time.process_time()
     back = read_readings(str(file))
     assert time.process_time() - start < 2
     assert [one.mm for one in back] == [k % 997 + 0.25 for k in range(100_000)]
-    assert back[-1] == Taken(
-        "velocities", "99999", "pb", mm=99999 % 997 + 0.25, unit="m/s", line=100_001
-    )
+    last = ("velocities", "99999", "pb", 99999 % 997 + 0.25, 99999.0, "m/s", 1.5, -2.5)
+    assert back[-1] == Taken(*last, line=100_001)
 
 
 # ---- what cannot be read

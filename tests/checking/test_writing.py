@@ -72,7 +72,7 @@ def test_writing_quotes_what_would_be_taken_for_something_else():
         '"a ""b""","1,5","#c;",-0.5,,,,',
         "results,,z,,3.0,1,,",
     ]
-    assert '"a ""b""";"1,5";"#c;";-0,5;;;;' in write_readings(rows, language="ru")
+    assert '"a ""b""";1,5;"#c;";-0,5;;;;' in write_readings(rows, language="ru")
 
 
 @pytest.mark.parametrize("name", NAMES)
