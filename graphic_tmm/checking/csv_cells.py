@@ -24,8 +24,8 @@ HEADS: Mapping[str, str] = {
 }
 """The columns that mean something, in English and in Russian."""
 SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab"}
-_LOOKED = 50
-"""Of the titles so many are looked through for one misspelt."""
+_LOOKED, _LONGEST = 50, 30
+"""So many titles are looked through for one misspelt, if they have no more than so many letters."""
 _NAMES = {name: name for name in HEADS} | {russian: name for name, russian in HEADS.items()}
 _NAMES |= {"х": "x", "у": "y"}  # the Cyrillic letters that look the same
 _RUSSIAN = frozenset(HEADS.values()) - frozenset(HEADS)
@@ -67,7 +67,7 @@ class Head(NamedTuple):
     @property
     def spoken(self) -> str:
         """The titles as a message quotes them."""
-        shown = ", ".join(title for title in self.titles[:10] if title)
+        shown = ", ".join(title[:_LONGEST] for title in self.titles[:10] if title)
         return f"{shown}, ..." if len(self.titles) > 10 else shown
 
     def title(self, name: str) -> str:
@@ -76,7 +76,8 @@ class Head(NamedTuple):
 
     def like(self, name: str) -> str:
         """Return the title that was probably meant for a column that is missing; "" if none."""
-        unknown = [title for title in self.titles[:_LOOKED] if _folded(title) not in _NAMES]
+        looked = [title for title in self.titles[:_LOOKED] if len(title) <= _LONGEST]
+        unknown = [title for title in looked if _folded(title) not in _NAMES]
         return near(name, unknown, 0.8) or near(HEADS[name], unknown, 0.8)
 
 

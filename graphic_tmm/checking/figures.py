@@ -7,7 +7,7 @@ import re
 
 from graphic_tmm.scene.quantities import LARGEST, NUMBER, UNITS, plain
 
-MM = ("", "mm", "мм", "mm.", "мм.")
+MM = ("mm", "мм", "mm.", "мм.")
 BARE = ("1", "-", "–", "—")
 """Ways to write that a value has no unit; an empty cell may as well be one forgotten."""
 _FIGURE = re.compile(rf"([+-]?{NUMBER})\s*(.*)", re.DOTALL)
@@ -27,8 +27,8 @@ def decimal_comma(cell: str) -> bool:
     return "," in text and bool(_COMMA.fullmatch(text)) and not _THOUSANDS.fullmatch(text)
 
 
-def millimetres(cell: str, *, commas: bool) -> float | None:
-    """Return the millimetres of a cell; None if it is empty.
+def millimetres(cell: str, *, commas: bool) -> float:
+    """Return the millimetres of a cell that is not empty.
 
     Parameters
     ----------
@@ -42,10 +42,8 @@ def millimetres(cell: str, *, commas: bool) -> float | None:
     ValueError
         With a sentence that says what is wrong and what to write.
     """
-    if not cell:
-        return None
     number, rest = _figure(cell, commas, "millimetres, such as 17.5")
-    if rest.casefold() not in MM:
+    if rest and rest.casefold() not in MM:
         raise ValueError(
             f'"{_short(cell)}" is not a number of millimetres; write it in mm, such as 17.5'
         )

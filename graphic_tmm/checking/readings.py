@@ -28,7 +28,7 @@ _FOR = {
 
 
 class _Cells(NamedTuple):
-    """The cells of a row in the columns that mean something, "" where there is none."""
+    """The cells of a row in the columns that mean something, "" where there is none; its line."""
 
     plan: str
     position: str
@@ -38,6 +38,7 @@ class _Cells(NamedTuple):
     unit: str
     x: str
     y: str
+    line: int
 
     @property
     def measured(self) -> bool:
@@ -82,12 +83,10 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
 def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     faults: list[Fault] = []
     columns = head.columns
-    cells = [(row.line, _cells(row, head, columns, faults)) for row in rows]
-    commas = head.separator == ";" or head.russian or _comma_seen([one for _, one in cells])
-    taken: list[Taken] = []
-    for line, one in cells:
-        if one is not None and one.measured:
-            taken.append(_reading(one, line, head, commas, faults))
+    found = (_cells(row, head, columns, faults) for row in rows)
+    cells = [one for one in found if one is not None and one.measured]
+    commas = head.separator == ";" or head.russian or _comma_seen(cells)
+    taken = [_reading(one, head, commas, faults) for one in cells]
     _find_twice(taken, head, faults)
     if faults:
         _refuse(file, sorted(faults, key=lambda fault: fault.line))
@@ -135,7 +134,7 @@ def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) 
     cells += [""] * (width + 1 - len(cells))
     cells[width] = ""
     chosen = [cells[place] for place in columns]
-    return _Cells._make([cell and " ".join(cell.split()) for cell in chosen])
+    return _Cells(*[cell and " ".join(cell.split()) for cell in chosen], row.line)
 
 
 def _torn(said: str) -> str:
@@ -153,19 +152,19 @@ def _too_many(count: int, head: Head) -> str:
     return f"{said}; take the surplus ones out, or give their columns titles"
 
 
-def _comma_seen(cells: Sequence[_Cells | None]) -> bool:
+def _comma_seen(cells: Sequence[_Cells]) -> bool:
     """Return whether any figure shows that a comma is the decimal sign of the file."""
     return any(
         decimal_comma(cell)
         for one in cells
-        if one is not None
         for cell in (one.mm, one.value, one.x, one.y)
         if "," in cell
     )
 
 
-def _reading(one: _Cells, line: int, head: Head, commas: bool, faults: list[Fault]) -> Taken:
+def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Taken:
     """Return a row as a reading; what cannot be read is None in it, and a fault."""
+    line = one.line
     for name, cell in (("plan", one.plan), ("segment", one.segment)):
         if not cell:
             faults.append(
@@ -174,7 +173,7 @@ def _reading(one: _Cells, line: int, head: Head, commas: bool, faults: list[Faul
     numbers: list[float | None] = []
     for name, cell in (("mm", one.mm), ("x", one.x), ("y", one.y)):
         try:
-            numbers.append(millimetres(cell, commas=commas))
+            numbers.append(millimetres(cell, commas=commas) if cell else None)
         except ValueError as error:
             faults.append(Fault(head.title(name), line, str(error)))
             numbers.append(None)
