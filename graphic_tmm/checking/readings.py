@@ -30,6 +30,7 @@ _FOR = {
 class _Cells(NamedTuple):
     """The cells of a row in the columns that mean something, "" where there is none; its line."""
 
+    line: int
     plan: str
     position: str
     segment: str
@@ -38,7 +39,6 @@ class _Cells(NamedTuple):
     unit: str
     x: str
     y: str
-    line: int
 
     @property
     def measured(self) -> bool:
@@ -134,7 +134,7 @@ def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) 
     cells += [""] * (width + 1 - len(cells))
     cells[width] = ""
     chosen = [cells[place] for place in columns]
-    return _Cells(*[cell and " ".join(cell.split()) for cell in chosen], row.line)
+    return _Cells(row.line, *[cell and " ".join(cell.split()) for cell in chosen])
 
 
 def _torn(said: str) -> str:

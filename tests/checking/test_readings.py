@@ -361,6 +361,11 @@ def test_what_is_no_table(tmp_path, data, said):
     assert said in str(refused(tmp_path, data))
 
 
+def test_a_message_stays_short_whatever_the_titles(tmp_path):
+    for head in ("," * 100_000, "segmnt" * 20_000, "a," * 50_000 + "segmnt"):
+        assert len(str(refused(tmp_path, f"{head}\n"))) < 2000
+
+
 def test_no_such_file_and_a_folder(tmp_path):
     for path, said in ((tmp_path / "no.csv", "no such file"), (tmp_path, "a folder")):
         with pytest.raises(SceneError, match=said) as caught:
