@@ -178,6 +178,7 @@ def test_two_byte_order_marks_are_as_good_as_one(tmp_path, encoding):
     [
         *[("17.5", 17.5), ("17,5", 17.5), ("12 mm", 12.0), ("12mm", 12.0), ("12,5 мм", 12.5)],
         *[("−3", -3.0), ("+3", 3.0), (".5", 0.5), ("5.", 5.0), ("1e2", 100.0), ("1,234 ", 1.234)],
+        *[("1,234 mm", 1.234), ("1,5e1", 15.0), ("1000000000000", 1e12)],
         *[(" 17 ", 17.0), ("17\u00a0mm", 17.0), ("0", 0.0), ("1e-999", 0.0), ("12 MM", 12.0)],
     ],
 )
@@ -228,6 +229,11 @@ def test_titles_typed_with_look_alikes(tmp_path):
     assert read_text(tmp_path, text) == (Taken("v", "1", "b", x=1.5, y=2.0, line=2),)
 
 
+def test_spaces_around_cells_mean_nothing(tmp_path):
+    text = 'plan, position, "segment",mm\nv, "1", pb ,  "7,5"\n'
+    assert read_text(tmp_path, text) == (Taken("v", "1", "pb", mm=7.5, line=2),)
+
+
 def test_a_quoted_cell_may_run_over_lines(tmp_path):
     text = 'plan,note,position,segment,mm\nv,"two\n# lines, ""so""\n",1,pb,7\nv,,2,pb,8\n'
     assert [(one.line, one.mm) for one in read_text(tmp_path, text)] == [(2, 7.0), (5, 8.0)]
@@ -266,6 +272,7 @@ WRONG = {
     "a dash": ("v,1,pb,—,,,,", "mm", "leave it empty"),
     "1e999": ("v,1,pb,1e999,,,,", "mm", "too large"),
     "a huge number": (f"v,1,pb,{'9' * 400},,,,", "mm", "too large"),
+    "beyond all measure": ("v,1,pb,1e13,,,,", "mm", "too large"),
     "centimetres": ("v,1,pb,12 cm,,,,", "mm", "write it in mm"),
     "two numbers": ("v,1,pb,12 13,,,,", "mm", "one piece"),
     "groups of thousands": ('v,1,pb,"1.234,5",,,,', "mm", "one piece"),
