@@ -82,9 +82,6 @@ def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("readings")
 
 
-# ---- what is written comes back
-
-
 @given(rows=READINGS, language=st.sampled_from(["en", "ru"]))
 def test_what_is_written_is_read_back_to_the_last_bit(folder, rows, language):
     back = read_text(folder, write_readings(rows, language=language))
@@ -168,9 +165,6 @@ def test_two_byte_order_marks_are_as_good_as_one(tmp_path, encoding):
     text = write_readings(PAIR, language="ru")
     assert text[0] == "\ufeff"
     assert list(read_bytes(tmp_path, text.encode(encoding))) == PAIR
-
-
-# ---- one row, read as people mean it
 
 
 @pytest.mark.parametrize(
@@ -261,8 +255,6 @@ def test_order_and_number_of_rows_are_kept_and_quick(tmp_path):
     last = ("velocities", "99999", "pb", 99999 % 997 + 0.25, 99999.0, "m/s", 1.5, -2.5)
     assert back[-1] == Taken(*last, line=100_001)
 
-
-# ---- what cannot be read
 
 HEAD = "plan,position,segment,mm,value,unit,x,y\n"
 WRONG = {
