@@ -17,6 +17,7 @@ from graphic_tmm.checking.report_rows import (
     title,
     verdict_name,
     who,
+    worst,
 )
 from graphic_tmm.checking.report_words import WORDS
 
@@ -60,7 +61,7 @@ def html_report(report: Report) -> str:
     language, words = report.language, WORDS[report.language]
     body = [
         f"<h1>{escape(title(report))}</h1>",
-        f'<p class="summary {_worst(report)}">{escape(summary(report))}</p>',
+        f'<p class="summary {worst(report)}">{escape(summary(report))}</p>',
         f'<p class="who">{escape(who(report))}</p>',
     ]
     body += [_key(language)] if report.readings else []
@@ -86,11 +87,6 @@ def html_report(report: Report) -> str:
         "<body>",
     ]
     return "\n".join(part for part in [*head, *body, "</body>", "</html>"] if part) + "\n"
-
-
-def _worst(report: Report) -> str:
-    found = {one.verdict for one in report.readings}
-    return next((verdict for verdict in reversed(VERDICTS) if verdict in found), "")
 
 
 def _key(language: str) -> str:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Likely, Report
+from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Likely, Report
 from graphic_tmm.checking.report_words import (
     LONGEST_SENTENCE,
     WORDS,
@@ -72,7 +72,13 @@ def summary(report: Report) -> str:
 
 def counts(report: Report) -> dict[str, int]:
     """Return how many readings there are of each verdict."""
-    return {key: sum(one.verdict == key for one in report.readings) for key in SIGNS}
+    return {key: sum(one.verdict == key for one in report.readings) for key in VERDICTS}
+
+
+def worst(report: Report) -> str:
+    """Return the worst verdict that a reading got; "" if there are no readings."""
+    found = {one.verdict for one in report.readings}
+    return next((verdict for verdict in reversed(VERDICTS) if verdict in found), "")
 
 
 def explained(report: Report, mistake: Likely) -> int:

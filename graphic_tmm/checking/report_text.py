@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
+from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Report
 from graphic_tmm.checking.report_rows import (
     FIGURES,
     Grid,
@@ -15,6 +15,7 @@ from graphic_tmm.checking.report_rows import (
     summary,
     title,
     who,
+    worst,
 )
 from graphic_tmm.checking.report_words import WORDS
 
@@ -27,20 +28,31 @@ OPENING = re.compile(r"^(\d*)([-+.)])(?=\s|$)")
 """Signs that Markdown acts upon where a line begins."""
 
 
+LISTED = 500
+"""So many rows of a table are printed on a terminal."""
+RANKS = {verdict: rank for rank, verdict in enumerate(("", *VERDICTS))}
+
+
 def text_report(report: Report) -> list[Any]:
-    """Return what rich prints of a report on a terminal, in order: the summary first, then tables and notes."""
+    """Return what rich prints of a report on a terminal, in order: the summary first, then tables and notes.
+
+    Of more than `LISTED` readings of a plan the worst are listed, and it is said how many are not; the other
+    forms of the report have all of them.
+    """
     from rich.text import Text
 
     words = WORDS[report.language]
-    head = Text(title(report), style="bold")
     made: list[Any] = [
-        head,
-        Text(summary(report), style=_mood(report)),
+        Text(title(report), style="bold"),
+        Text(summary(report), style=STYLES[worst(report)]),
         Text(who(report)),
         Text(""),
     ]
     for grid in grids(report):
-        made += [Fitting(grid, words), Text("")]
+        made.append(Fitting(_worst(grid), words))
+        if (left := len(grid.rows) - LISTED) > 0:
+            made.append(Text(words["not listed"].format(count=left)))
+        made.append(Text(""))
     made += [Text(words["legend"], style="dim")] if report.readings else []
     return [*made, *(Text(f"• {note}") for note in notes(report))]
 
@@ -75,10 +87,14 @@ def opened(text: str) -> str:
     return OPENING.sub(r"\1\\\2", marked(text))
 
 
-def _mood(report: Report) -> str:
-    verdicts = {one.verdict for one in report.readings}
-    worst = next((v for v in (WRONG, DOUBTFUL, FINE) if v in verdicts), "")
-    return STYLES[worst]
+def _worst(grid: Grid) -> Grid:
+    """Return the table with no more rows than a terminal is given: those of the worst verdicts, in order."""
+    if len(grid.rows) <= LISTED:
+        return grid
+    order = sorted(range(len(grid.rows)), key=lambda k: -RANKS[grid.verdicts[k]])
+    kept = sorted(order[:LISTED])
+    rows, verdicts = tuple(grid.rows[k] for k in kept), tuple(grid.verdicts[k] for k in kept)
+    return grid._replace(rows=rows, verdicts=verdicts)
 
 
 class Fitting(NamedTuple):

@@ -56,6 +56,7 @@ WORDS: dict[str, dict[str, str]] = {
         "rest": "left, %",
         "lines": "lines",
         "notes": "Notes",
+        "not listed": "{count} more are not listed here, none of them worse; Markdown, JSON and HTML have all.",
         "chart": "Deviations in % of the longest vector of the plan",
         "beyond": "an arrow: beyond the axis",
         "legend": "Line: of the file. Found, due and off by are in mm where no unit stands. "
@@ -99,6 +100,7 @@ WORDS: dict[str, dict[str, str]] = {
         "rest": "остаток, %",
         "lines": "строки",
         "notes": "Замечания",
+        "not listed": "Ещё {count} здесь не показаны, худших среди них нет; все есть в Markdown, JSON и HTML.",
         "chart": "Отклонения в % наибольшего вектора плана",
         "beyond": "стрелка: за пределами оси",
         "legend": "№: строка файла. Снято, должно и отклонение в мм, если единица не указана. "
