@@ -15,7 +15,7 @@ WIDTH, HEIGHT = 180.0, 46.0
 """The chart, mm: as wide as an A4 page between its margins."""
 LEFT, RIGHT, TOP, BOTTOM = 14.0, 178.0, 3.0, 39.0
 """The field of the chart, mm from its upper left corner."""
-COLOURS = {FINE: "#1b7837", DOUBTFUL: "#b35806", WRONG: "#b2001d"}
+COLOURS = {FINE: "#1b7837", DOUBTFUL: "#9a4a00", WRONG: "#b2001d"}
 SHAPES = {
     FINE: "m-1 0a1 1 0 1 0 2 0a1 1 0 1 0 -2 0z",
     DOUBTFUL: "m0 -1.4l1.3 2.2h-2.6z",

@@ -24,7 +24,7 @@ STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}
 ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "&#124;"})
 ACTIVE = re.compile(r"[\\`*\[\]{}#~$]|:(?=\S)|(?<![^\W_])_|_(?![^\W_])|(?<=www)\.", re.IGNORECASE)
 """Signs that Markdown acts upon inside a line; not an underline between letters."""
-OPENING = re.compile(r"^(\d*)([-+.)])(?=\s|$)")
+OPENING = re.compile(r"^(\d*)([-+.)])(?=[\s-]|$)")
 """Signs that Markdown acts upon where a line begins."""
 
 
