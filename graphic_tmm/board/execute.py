@@ -126,8 +126,9 @@ class Program(NamedTuple):
         streams, found = Streams(hand), Values()
         whole = whole or count
         most = trials_in_block(whole)
-        for number, start in enumerate(range(0, hand.trials, most)):
+        for start in range(0, hand.trials, most):
             trials = min(most, hand.trials - start)
+            number = (hand.first + start) // most
             slipping = Slipping(hand, streams, number, trials, whole, places)
             local = dict(values)
             self._run(local, count, block, hand, slipping)

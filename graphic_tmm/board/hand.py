@@ -25,6 +25,8 @@ KEPT = frozenset(
 """Operations that name what stands there already: nothing is drawn anew."""
 SIZE = 16_384
 """Trials times positions in one block: few enough for the cache, enough to pay for the calls."""
+MOST = 1024
+"""Trials in one block at the most."""
 CHUNK = 4096
 """Positions that share one random stream."""
 
@@ -34,14 +36,15 @@ def trials_in_block(positions: int) -> int:
 
     At least two: in a block of one what varies by trial would look like what does not.
     """
-    return 1 << max(SIZE // max(positions, 1), 2).bit_length() - 1
+    return min(1 << max(SIZE // max(positions, 1), 2).bit_length() - 1, MOST)
 
 
 class Hand(NamedTuple):
     """How far a hand slips: standard deviations in mm, ``swing`` in degrees; 0 for no slip.
 
     ``ruler``: its division in mm, None for readings without rounding; ``digits``: significant digits of a
-    calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn.
+    calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn;
+    ``first``: the number of the first of them, a multiple of `MOST`.
     """
 
     ruler: float | None = None
@@ -52,6 +55,7 @@ class Hand(NamedTuple):
     digits: int | None = None
     seed: int = 0
     trials: int = 1
+    first: int = 0
 
     @property
     def slips(self) -> bool:

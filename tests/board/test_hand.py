@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from graphic_tmm.board.calculations import to_board
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.hand import CHUNK, EXACT, HANDS, SIZE, Hand, trials_in_block
+from graphic_tmm.board.hand import CHUNK, EXACT, HANDS, MOST, SIZE, Hand, trials_in_block
 from graphic_tmm.board.operations import lay_off, measure, meet, parallel, ray, strike
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
@@ -187,10 +187,12 @@ def test_more_trials_begin_with_the_same_ones_and_are_kept_in_their_order() -> N
     last = [step.it for step in log.steps if step.it.kind is Length][-1]
     hand = HANDS["student"]._replace(seed=3)
     block = trials_in_block(len(made.project.names))
-    many = execute(log, given_, [last], hand=hand._replace(trials=2 * block + 1))[last]
+    many = execute(log, given_, [last], hand=hand._replace(trials=MOST + block + 1))[last]
     few = execute(log, given_, [last], hand=hand._replace(trials=block + 2))[last]
-    assert many.shape[0] == 2 * block + 1
+    assert many.shape[0] == MOST + block + 1
     assert np.array_equal(many[:block], few[:block], equal_nan=True)
+    rest = execute(log, given_, [last], hand=hand._replace(first=MOST, trials=block))[last]
+    assert np.array_equal(many[MOST : MOST + block], rest, equal_nan=True)
     # the blocks are independent: no drawing comes twice
     assert len(np.unique(many[:, 0])) > 1
     assert not np.array_equal(many[:block], many[block : 2 * block])
@@ -251,8 +253,10 @@ def test_long_rows_are_drawn_chunk_by_chunk() -> None:
 
 
 def test_a_block_is_never_larger_than_it_may_be() -> None:
-    for positions in (1, 2, 12, 13, 3072, SIZE // 2):
+    assert trials_in_block(1) == MOST
+    for positions in (16, 17, 3072, SIZE // 2):
         most = trials_in_block(positions)
         assert most * positions <= SIZE
         assert 2 * most * positions > SIZE
+        assert MOST % most == 0
     assert trials_in_block(1_000_000) == 2
