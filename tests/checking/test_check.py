@@ -7,10 +7,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from gallery import SHEETS
-from trials import made
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
@@ -51,30 +49,6 @@ def test_the_command(tmp_path: Path) -> None:
     missing = CliRunner().invoke(main, ["check", "engine", str(tmp_path / "none.csv")])
     assert missing.exit_code == 2
     assert "Traceback" not in missing.stderr
-
-
-def test_the_overlay_shows_what_was_read(tmp_path: Path) -> None:
-    spots = points(made("engine"))
-    lines = ["plan,position,segment,x,y"]
-    for (plan, letter, position), z in spots.items():
-        if plan == "velocities" and position in ("2", "3"):
-            lines.append(f"{plan},{position},{letter},{z.real + 1.0},{z.imag}")
-    path, out = tmp_path / "r.csv", tmp_path / "o.svg"
-    path.write_text("\n".join(lines) + "\n", "utf-8")
-    arguments = [
-        "check",
-        "engine",
-        str(path),
-        "--overlay",
-        str(out),
-        "--enlarge",
-        "5",
-        "--trials",
-        "40",
-    ]
-    done = CliRunner().invoke(main, arguments)
-    assert done.exit_code in (0, 1), done.output
-    assert out.read_text("utf-8").startswith("<?xml") or "<svg" in out.read_text("utf-8")
 
 
 def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
