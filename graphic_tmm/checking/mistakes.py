@@ -24,11 +24,13 @@ SEGMENT = (
 )
 FACTOR = (
     "wrong scale or pole distance",
-    "all figures are {factor:.4g} times too large: the scale or the pole distance is another",
-    "все величины в {factor:.4g} раза больше: взят другой масштаб или другое полюсное расстояние",
+    "all figures{of} are {factor} times what is due: the scale or the pole distance is another",
+    "все величины{of} в {factor} раза больше: взят другой масштаб или другое полюсное расстояние",
 )
 BELIED = 0.3
 """What a mistake loses of its score that befalls some of the drawing only."""
+LEAST_OFF = 3
+"""So many readings off tell a factor."""
 LESS = 0.9
 """Of readings that a mistake explains one at least lies nearer to what it leads to than to what is due."""
 NOWHERE = complex(np.nan, np.nan)
@@ -202,20 +204,31 @@ def _due(cell: Cell, one: Judged) -> float | None:
 def _factor(
     judged: Sequence[Judged], spread: Mapping[tuple[Key, bool], Scatter], language: str
 ) -> Iterator[Tried]:
-    """One factor between all figures of a segment and their dues."""
-    for plan in dict.fromkeys(one.taken.plan for one in judged):
-        rows = [o for o in judged if o.taken.plan == plan and not o.taken.pointed]
-        wrong = [o for o in rows if o.verdict == WRONG and o.due]
-        if len(wrong) < 3:
-            continue
-        factor = float(np.median([one.found / abs(one.due) for one in wrong]))
-        if not 0.02 < factor < 50.0 or abs(factor - 1.0) < 0.05:
+    """One factor between the figures of a plan and their dues, or between those of one of its segments."""
+    drawn = [one for one in judged if not one.taken.pointed and one.due]
+    wrong = {(one.taken.plan, one.taken.segment) for one in drawn if one.verdict == WRONG}
+    groups: dict[tuple[str, ...], list[Judged]] = defaultdict(list)
+    for one in drawn:
+        segment = (one.taken.plan, one.taken.segment)
+        if segment in wrong:
+            groups[segment[:1]].append(one)
+            groups[segment].append(one)
+    for group, rows in groups.items():
+        off = [one for one in rows if one.verdict == WRONG]
+        if len(off) < LEAST_OFF:
+            off = [one for one in rows if one.verdict != FINE]
+        factor = float(np.median([one.found / abs(one.due) for one in off]))
+        if len(off) < LEAST_OFF or not 0.02 < factor < 50.0 or abs(factor - 1.0) < 0.05:
             continue
         figures = {
             one.taken.key: Cell(abs(one.due) * factor, abs(one.due) * factor, one.unit)
             for one in rows
         }
-        says = FACTOR[2 if language == "ru" else 1].format(factor=factor)
+        of = "".join(f" {segment}" for segment in group[1:])
+        if language == "ru":
+            says = FACTOR[2].format(of=of, factor=f"{factor:.4g}".replace(".", ","))
+        else:
+            says = FACTOR[1].format(of=" of" + of if of else "", factor=f"{factor:.4g}")
         found = _compared(FACTOR[0], says, figures, judged, spread)
         yield found._replace(score=found.score - 0.5)
 
