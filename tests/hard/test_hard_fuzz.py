@@ -6,7 +6,7 @@ import pytest
 import shapely
 from click.testing import CliRunner
 from fuzz import case
-from fuzz_changes import changed
+from fuzz_tasks import task
 from gallery import NAMES, SHEETS
 
 from graphic_tmm.__main__ import main
@@ -34,8 +34,8 @@ def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
 
 
 def test_a_case_is_told_by_its_seed_and_number() -> None:
-    assert changed(3, 17) == changed(3, 17)
-    assert changed(3, 17) != changed(3, 18)
+    assert task(3, 17) == task(3, 17)
+    assert task(3, 17) != task(3, 18)
 
 
 @pytest.mark.parametrize("name", NAMES)
