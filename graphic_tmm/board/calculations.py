@@ -58,13 +58,13 @@ def product_of_squares(omega: Number, length: Number) -> Number:
     return Number(omega * omega * length)
 
 
-@operation(formula=True, fails=_ZERO_LENGTH, divides=("link",))
+@operation(formula=True, fails=_ZERO_LENGTH)
 def rate(segment: Length, mu: Number, link: Length, mu_l: Number) -> Number:
     """{segment}·{mu}/({link}·{mu_l})"""
     return Number(segment * mu / (link * mu_l))
 
 
-@operation(formula=True, fails=_ZERO_LENGTH, divides=("link",))
+@operation(formula=True, fails=_ZERO_LENGTH)
 def rate_turned(segment: Length, mu: Number, link: Length, mu_l: Number) -> Number:
     """−{segment}·{mu}/({link}·{mu_l})"""
     return Number(-segment * mu / (link * mu_l))

@@ -3,23 +3,19 @@
 A plan runs without a branch; a mark that cannot be drawn is NaN. Only then is the log run once more at the
 positions concerned, to name the step that failed while everything it used was there.
 
-Doubt is carried along the log: a mark bears the product of the conditions of the steps that led to it (of
-several ways, the worst one), since each of them magnifies the errors it is handed. So where two loci meet at a
-small angle 1/κ, directions taken from their point are off by κ·ε, velocities drawn along these by κ²·ε and
-accelerations by κ³·ε, as shares of the longest vectors of their plans. A reading is off by the rounding of its
-ends, which is little against its plan, but much against itself where it is short: whoever divides by it
-inherits that. The step at which the product passes the limit is named; those behind it are not. A step across
-the row begins anew: it makes one curve of many positions, and these have been told of already.
+A point is in doubt where rounding alone (see `doubt`) moves it by more than a millionth of its plan; the first
+step of which that is true is named, those that use what it left are not. Where two roots touch, rounding moves
+them by its own root, which is less: that is told as what it is, and what magnifies it further is in doubt.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.doubt import shares
 from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.geometry import TANGENT
 from graphic_tmm.board.grammar import WHOLE_ROW, Gap
@@ -27,13 +23,14 @@ from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, Reals, undefined
 
-DOUBTFUL = 1e8
-"""Steps that magnify errors more than this together leave half of the digits of a float at the best."""
+DOUBTFUL = 1e-6
+"""The share of its plan's extent beyond which a point that rounding moves so far is doubtful."""
 
 
 class Finding(NamedTuple):
-    """``kind``: "undrawn", "touching" or "doubtful"; the step; the positions (indices); mm, or product of
-    conditions.
+    """``kind``: "undrawn", "touching" or "doubtful"; the step; the positions (indices).
+
+    ``amount``: what is missing, mm; of a doubtful point how far rounding moves it, as a share of its plan.
     """
 
     kind: str
@@ -68,22 +65,16 @@ def examine(
     marks = {mark for step in steps for mark in (step.it, *step.uses)}
     reading = execute(construction, given, marks, hand=hand, positions=positions)
     found: list[Finding] = []
-    carried: dict[Mark, Reals] = {}
-    short: dict[Mark, Reals] = {}
     with np.errstate(all="ignore"):
         broken: set[str] = set()
-        for step in steps:
+        lost: dict[Mark, Any] = {}
+        for step, share in shares(steps, reading):
             if step.op.across:
                 found += _across(construction, step, reading, broken)
                 continue
+            told, lost[step.it] = _told(step, share, lost)
             values = [reading[mark] for mark in step.uses]
-            before, own = _worst(carried, step), _own(short, step, values)
-            if step.op.reads and own is not None:
-                short[step.it], own = own, None
-            told, left = _of_step(construction, step, values, reading[step.it], (before, own))
-            found += told
-            if left is not None:
-                carried[step.it] = left
+            found += _of_step(construction, step, values, reading[step.it], told)
     if positions is None:
         return tuple(found)
     return tuple(f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found)
@@ -115,38 +106,21 @@ def _across(
     return [Finding("undrawn", step, step_number(construction, step), places, 0.0)]
 
 
-def _worst(carried: Mapping[Mark, Reals], step: Step) -> Reals | None:
-    """Return the largest product of conditions that comes into a step; None if no condition led there."""
-    named = zip(step.op.arguments, step.uses, strict=True)
-    marks = [mark for name, mark in named if name not in step.op.damps]
-    parts = {id(part): part for mark in marks if (part := carried.get(mark)) is not None}
-    return reduce(np.maximum, parts.values()) if parts else None
-
-
-def _own(short: Mapping[Mark, Reals], step: Step, values: list[Any]) -> Reals | None:
-    """Return how much a step itself magnifies, at least 1: its condition, and those of what it divides by."""
-    named = zip(step.op.arguments, step.uses, strict=True)
-    parts = [short[mark] for name, mark in named if name in step.op.divides and mark in short]
-    if step.op.condition is not None:
-        parts.append(np.fmax(step.op.condition(*values), 1.0))
-    return reduce(np.multiply, parts) if parts else None
+def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, Any]:
+    """Return the share by which a step is in doubt that used nothing in doubt, and where its mark is lost."""
+    before = np.logical_or.reduce(
+        np.broadcast_arrays(np.zeros((1, 1), bool), *(lost[m] for m in step.uses if m in lost))
+    )
+    return np.where(before, 0.0, share), before | (share > DOUBTFUL)
 
 
 def _of_step(
-    construction: Construction,
-    step: Step,
-    values: list[Any],
-    result: Any,
-    conditions: tuple[Reals | None, Reals | None],
-) -> tuple[list[Finding], Reals | None]:
-    """Return what happened in a step, and the product of conditions that its mark bears.
-
-    ``conditions``: that product before the step, and the step's own condition; None for 1.
-    """
+    construction: Construction, step: Step, values: list[Any], result: Any, share: Reals
+) -> list[Finding]:
     number = step_number(construction, step)
     there = [undefined(value) for value in values if not isinstance(value, Curve)]
     bad = undefined(result)
-    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros(bad.shape, bool), *there))
+    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros_like(bad), *there))
     failed = fine & bad
     found = []
     if failed.any():
@@ -156,20 +130,14 @@ def _of_step(
     for gap in step.op.gaps:
         room = gap.measure(*values)
         touching = fine & ~failed & (np.abs(room) <= 4 * TANGENT * _size(values))
-        touched = touched | (touching & gap.root)
+        touched = touched | touching
         if touching.any():
             found.append(Finding("touching", step, number, _where(touching), 0.0, gap))
-    came, own = conditions
-    if own is None:
-        return found, came
-    before = np.ones((1, 1)) if came is None else came
-    product = before * own
-    doubtful = fine & ~failed & ~touched & (before <= DOUBTFUL) & (product > DOUBTFUL)
+    doubtful = fine & ~failed & ~touched & (share > DOUBTFUL)
     if doubtful.any():
-        worst = float(np.max(np.where(doubtful, product, 0.0)))
+        worst = float(np.max(np.where(doubtful, share, 0.0)))
         found.append(Finding("doubtful", step, number, _where(doubtful), worst))
-    # two roots that touch are off by a rounding's root at the most: only what magnifies that is in doubt
-    return found, np.where(touched, np.minimum(product, DOUBTFUL), product)
+    return found
 
 
 def _worst_gap(step: Step, values: list[Any], failed: Any) -> tuple[Gap | None, float]:

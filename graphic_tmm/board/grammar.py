@@ -25,14 +25,12 @@ WHOLE_ROW = ("a position of the row is missing", "в ряду недостаёт
 class Gap(NamedTuple):
     """How far two figures are from not meeting: ``measure(*values)`` in mm, ≥ 0 where they meet.
 
-    ``en``, ``ru``: what is wrong where it is negative, with the argument names in braces. ``root``: at 0 two
-    roots fall together, and rounding moves them by its own root only; else all is lost there.
+    ``en``, ``ru``: what is wrong where it is negative, with the argument names in braces.
     """
 
     measure: Callable[..., Reals]
     en: str
     ru: str
-    root: bool = True
 
 
 class Operation(NamedTuple):
@@ -54,8 +52,6 @@ class Operation(NamedTuple):
     fails_ru: str = ""
     gaps: tuple[Gap, ...] = ()
     sides: tuple[tuple[str, str], tuple[str, str]] = (("+", "−"), ("+", "−"))
-    damps: tuple[str, ...] = ()
-    divides: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return self.name
@@ -75,17 +71,13 @@ def operation(
     fails: tuple[str, str] = ("the figure cannot be drawn", "построение невозможно"),
     gaps: tuple[Gap, ...] = (),
     sides: tuple[tuple[str, str], tuple[str, str]] = (("+", "−"), ("+", "−")),
-    damps: tuple[str, ...] = (),
-    divides: tuple[str, ...] = (),
 ) -> Callable[[F], Operation]:
     """Turn an annotated function into an `Operation` and enter it into the table.
 
     ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
     ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
     ``fails``: why there may be no answer, in English and Russian. ``sides``: what +1 and −1 of an argument
-    of the kind Side are called, in English and in Russian. ``damps``: the arguments whose errors grow no
-    further here: only their sign is used, or a pass gives the next one a share of them. ``divides``: the
-    arguments divided by: a reading among them hands on its own condition, which else concerns nobody.
+    of the kind Side are called, in English and in Russian.
     """
 
     def enter(function: F) -> Operation:
@@ -115,8 +107,6 @@ def operation(
             *fails,
             gaps,
             sides,
-            damps,
-            divides,
         )
         if OPERATIONS.setdefault(made.name, made) is not made:
             raise TypeError(f"the board has two operations called {made.name}")

@@ -234,7 +234,6 @@ def _rocker_condition(pivot: Point, stone: Point) -> Reals:
             _rocker_gap,
             "{stone} passes over {pivot}",
             "{stone} проходит через {pivot}",
-            root=False,
         ),
     ),
 )
@@ -283,29 +282,13 @@ def touch(start: Point, arc: Arc, side: Side) -> Point:
     return Point(arc.centre + arc.radius * ((arc.radius - 1j * side * half) / d) * (base / d))
 
 
-def _similar_condition(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Reals:
-    return np.asarray(np.abs(S - A) / np.abs(B - A))
-
-
-@operation(
-    "На {base_a}{base_b} построить фигуру, подобную {A}{B}{S}; отметить {it}.",
-    condition=_similar_condition,
-)
+@operation("На {base_a}{base_b} построить фигуру, подобную {A}{B}{S}; отметить {it}.")
 def similar(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Point:
     """On {base_a}{base_b} build the figure similar to {A}{B}{S}, lettered in the same sense; mark {it}."""
     return Point(base_a + (base_b - base_a) * ((S - A) / (B - A)))
 
 
-def _homologous_condition(
-    start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E: Point
-) -> Reals:
-    return np.asarray(np.abs(E - Q) / np.abs(B - A))
-
-
-@operation(
-    "От {start} построить отрезок, относящийся к {Q}{E} как {a}{b} к {A}{B}; отметить {it}.",
-    condition=_homologous_condition,
-)
+@operation("От {start} построить отрезок, относящийся к {Q}{E} как {a}{b} к {A}{B}; отметить {it}.")
 def homologous(start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E: Point) -> Point:
     """From {start} draw the segment that is to {Q}{E} as {a}{b} is to {A}{B}, turned alike; mark {it}."""
     return Point(start + (b - a) * ((E - Q) / (B - A)))
@@ -317,11 +300,7 @@ def coincide(image: Point) -> Point:
     return Point(image)
 
 
-def _measure_condition(start: Point, end: Point) -> Reals:
-    return np.asarray((np.abs(start) + np.abs(end)) / np.abs(end - start))
-
-
-@operation("Измерить {start}{end}.", reads=True, condition=_measure_condition)
+@operation("Измерить {start}{end}.", reads=True)
 def measure(start: Point, end: Point) -> Length:
     """Measure {start}{end}."""
     return Length(np.abs(end - start))

@@ -93,13 +93,13 @@ def _sense(rate: Reals, fastest: Reals) -> Reals:
     return np.asarray(np.where(np.abs(rate) <= STANDS * np.abs(fastest), 0.0, np.sign(rate)))
 
 
-@operation(formula=True, damps=("segment", "of_pin"))
+@operation(formula=True)
 def with_motion(size: Number, segment: Length, of_pin: Length) -> Number:
     """{size}·sgn({segment}/{of_pin})"""
     return Number(size * _sense(segment, of_pin) + 0.0 * segment)
 
 
-@operation(formula=True, damps=("omega", "of_crank"))
+@operation(formula=True)
 def against_turning(size: Number, omega: Number, of_crank: Number) -> Number:
     """−{size}·sgn({omega}/|{of_crank}|)"""
     return Number(-size * _sense(omega, of_crank) + 0.0 * omega)
@@ -183,10 +183,7 @@ def apart_percent(first: Number, second: Number) -> Number:
     return Number(100.0 * np.abs(first - second) / np.abs(np.where(second == 0.0, np.nan, second)))
 
 
-@operation(
-    "Через {through} провести {it} под углом трения к нормали направляющей {guide}.",
-    damps=("normal", "segment", "of_pin"),
-)
+@operation("Через {through} провести {it} под углом трения к нормали направляющей {guide}.")
 def at_friction_angle(
     through: Point, guide: Line, f: Number, normal: Length, segment: Length, of_pin: Length
 ) -> Line:
@@ -211,7 +208,7 @@ def difference_of(first: Number, second: Number) -> Number:
     return Number(first - second)
 
 
-@operation(formula=True, damps=("reaction", "omega", "of_crank"))
+@operation(formula=True)
 def pin_friction(rho: Number, reaction: Number, omega: Number, of_crank: Number) -> Number:
     """−{rho}·{reaction}·sgn({omega}/|{of_crank}|)"""
     return Number(-rho * np.abs(reaction) * _sense(omega, of_crank))
