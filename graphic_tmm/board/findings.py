@@ -117,7 +117,6 @@ def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, An
 def _of_step(
     construction: Construction, step: Step, values: list[Any], result: Any, share: Reals
 ) -> list[Finding]:
-    number = step_number(construction, step)
     there = [undefined(value) for value in values if not isinstance(value, Curve)]
     bad = undefined(result)
     fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros_like(bad), *there))
@@ -125,19 +124,20 @@ def _of_step(
     found = []
     if failed.any():
         gap, amount = _worst_gap(step, values, failed)
-        found.append(Finding("undrawn", step, number, _where(failed), amount, gap))
+        found.append(Finding("undrawn", step, 0, _where(failed), amount, gap))
     touched = np.zeros_like(fine)
     for gap in step.op.gaps:
         room = gap.measure(*values)
         touching = fine & ~failed & (np.abs(room) <= 4 * TANGENT * _size(values))
         touched = touched | touching
         if touching.any():
-            found.append(Finding("touching", step, number, _where(touching), 0.0, gap))
+            found.append(Finding("touching", step, 0, _where(touching), 0.0, gap))
     doubtful = fine & ~failed & ~touched & (share > DOUBTFUL)
     if doubtful.any():
         worst = float(np.max(np.where(doubtful, share, 0.0)))
-        found.append(Finding("doubtful", step, number, _where(doubtful), worst))
-    return found
+        found.append(Finding("doubtful", step, 0, _where(doubtful), worst))
+    # the number is counted for what is told only: a log has thousands of steps
+    return [one._replace(number=step_number(construction, step)) for one in found]
 
 
 def _worst_gap(step: Step, values: list[Any], failed: Any) -> tuple[Gap | None, float]:
