@@ -23,8 +23,11 @@ from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Point, Rea
 
 SHAKE = 64 * EPS
 """More than a step's own rounding, so that a few shakes stand for the worst of it."""
-SHAKES = 2
-"""Each once to and once fro: where one leaves two figures apart, the other brings them together."""
+SHAKES = 4
+"""Each once to and once fro: where one leaves two figures apart, the other brings them together.
+
+Two that cancel each other in one shake seldom do in all of them.
+"""
 
 
 def shares(steps: Sequence[Step], reading: Reading) -> Iterator[tuple[Step, Reals]]:
@@ -33,16 +36,17 @@ def shares(steps: Sequence[Step], reading: Reading) -> Iterator[tuple[Step, Real
     (1, position); infinite where every shake leaves nothing of it; 0 if the step leaves no point.
     """
     reading = reading.trial(0)
-    made = {step.it.slot for step in steps}
-    shakes = _shakes(2 * len(steps) + 3)
     values = {mark.slot: reading[mark] for step in steps for mark in (step.it, *step.uses)}
-    for mark in {mark for step in steps for mark in step.uses if mark.slot not in made}:
+    made = {step.it.slot for step in steps}
+    given = {mark for step in steps for mark in step.uses if mark.slot not in made}
+    shakes = iter(_shakes(len(steps) + len(given)))
+    for mark in sorted(given, key=lambda mark: mark.slot):
         if mark.kind in (Point, Length, Angle):
-            values[mark.slot] = _shaken(values[mark.slot], shakes[mark.slot % len(shakes) - 3 :])
-    for k, step in enumerate(steps):
+            values[mark.slot] = _shaken(values[mark.slot], next(shakes))
+    for step in steps:
         if not step.op.across:
             it = step.op.run(*[values[mark.slot] for mark in step.uses], **step.choice)
-            values[step.it.slot] = it if step.op.leaves is Side else _shaken(it, shakes[2 * k :])
+            values[step.it.slot] = it if step.op.leaves is Side else _shaken(it, next(shakes))
     extents = _extents(steps, values)
     for step in steps:
         point = step.op.leaves is Point and not step.op.across
@@ -51,14 +55,15 @@ def shares(steps: Sequence[Step], reading: Reading) -> Iterator[tuple[Step, Real
 
 
 def _shakes(count: int) -> Reals:
-    """Return so many shakes (shake, trial, 1): no one, then each to and fro, of at least half the size."""
+    """Return shakes (value, part, trial, 1): none in the first trial, then half to whole ones to and fro."""
     random = np.random.default_rng(0)
-    sizes = random.uniform(0.5, 1.0, (count, SHAKES)) * random.choice((-1.0, 1.0), (count, SHAKES))
-    return SHAKE * np.concatenate((np.zeros((count, 1)), sizes, -sizes), axis=1)[:, :, None]
+    shape = (count, 3, SHAKES)
+    sizes = random.uniform(0.5, 1.0, shape) * random.choice((-1.0, 1.0), shape)
+    return SHAKE * np.concatenate((np.zeros((count, 3, 1)), sizes, -sizes), axis=2)[..., None]
 
 
 def _shaken(value: Any, shakes: Reals) -> Any:
-    """Move a value by the first shakes of a row."""
+    """Move the parts of a value."""
     if isinstance(value, Curve):
         return value
     if isinstance(value, Line):

@@ -84,7 +84,8 @@ def test_lines_that_hardly_meet_are_doubtful(bench: Bench) -> None:
     m, n = bench.line("m", 0j, 0.0), bench.line("n", 1j, [10.0, 1e-7, 1e-9])
     (finding,) = bench.examine(bench.draw(meet, "b", m, n))
     assert (finding.kind, finding.positions) == ("doubtful", (1, 2))
-    assert SHAKE < finding.amount * np.radians(1e-9) < 8 * SHAKE
+    # two lines turned by a shake each, and their beginnings moved
+    assert SHAKE / 2 < finding.amount * np.radians(1e-9) < 8 * SHAKE
 
 
 @pytest.mark.parametrize(

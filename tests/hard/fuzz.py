@@ -1,6 +1,6 @@
 """Files changed at random, scenes and readings: each is drawn, or refused with one message; nothing else.
 
-    python tests/hard/fuzz.py --count 20000 [--seed 0] [--jobs 2]
+    python tests/hard/fuzz.py 20000 [--seed 0] [--first 0] [--jobs 2]
 
 A case is told by the seed and its number alone: ``--only N`` runs it again and prints its file.
 """
@@ -35,7 +35,7 @@ LONG = 2.0
 HANG = 30
 """Seconds after which a command is broken off."""
 MEMORY = 2 << 30
-"""Bytes that a process may take (``--count`` only): more is a fault, not a machine that swaps."""
+"""Bytes that a process may take (not with ``--only``): more is a fault, not a machine that swaps."""
 
 
 class Case(NamedTuple):
@@ -184,23 +184,24 @@ def _limited() -> None:
 def _all(count: int, seed: int, jobs: int, first: int) -> int:
     faults: list[Case] = []
     statuses: Counter[int] = Counter()
-    longest = 0.0
+    longest = Case(-1, "", "", 0, 0.0, "")
     with Pool(jobs, _limited, maxtasksperchild=50) as pool:
         work = partial(case, seed=seed)
         for found in pool.imap_unordered(work, range(first, first + count), chunksize=8):
             statuses[found.status] += 1
-            longest = max(longest, found.seconds)
+            longest = max(longest, found, key=lambda one: one.seconds)
             if found.fault:
                 faults.append(found)
                 print(f"{found.number} {found.scene} {found.command}: {found.fault}", flush=True)
     told = ", ".join(f"{n} with status {status}" for status, n in sorted(statuses.items()))
-    print(f"{count} files: {told}; the longest took {longest:.2f} s; {len(faults)} at fault")
+    most = f"{longest.seconds:.2f} s (number {longest.number}: {longest.command} {longest.scene})"
+    print(f"{count} files: {told}; the longest took {most}; {len(faults)} at fault")
     return int(bool(faults))
 
 
 def _main() -> int:
     parser = argparse.ArgumentParser(description="Draw scene files changed at random.")
-    parser.add_argument("--count", type=int, default=20000)
+    parser.add_argument("count", type=int, nargs="?", default=20000)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)
