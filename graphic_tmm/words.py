@@ -5,6 +5,7 @@ The sentences live on the operations; here letters and numbers are put into them
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
@@ -184,11 +185,15 @@ def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
     why = {
         "undrawn": op.fails_ru if language == "ru" else op.fails_en,
         "touching": "касание: оба решения совпадают" if language == "ru" else "the figures touch",
-        "doubtful": "решение неустойчиво" if language == "ru" else "the intersection is uncertain",
+        "doubtful": "точка ненадёжна, верных цифр: {}"
+        if language == "ru"
+        else "the point is uncertain, digits that are sure: {}",
     }[found.kind]
     if found.kind == "undrawn" and found.gap is not None:
         text = (found.gap.ru if language == "ru" else found.gap.en).format(**words)
         why += f" ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
+    if found.kind == "doubtful":
+        why = why.format(max(0, math.floor(-math.log10(found.amount))))
     plan = CAPTIONS[language].get(found.step.it.view, found.step.it.view).lower()
     step = "шаг" if language == "ru" else "step"
     where = CAPTIONS[language]["at positions"]

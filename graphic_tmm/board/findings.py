@@ -2,6 +2,10 @@
 
 A plan runs without a branch; a mark that cannot be drawn is NaN. Only then is the log run once more at the
 positions concerned, to name the step that failed while everything it used was there.
+
+A point is in doubt where rounding alone (see `doubt`) moves it by more than a millionth of its plan; the first
+step of which that is true is named, those that use what it left are not. Where two roots touch, rounding moves
+them by its own root, which is less: that is told as what it is, and what magnifies it further is in doubt.
 """
 
 from __future__ import annotations
@@ -11,19 +15,23 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.doubt import shares
 from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.geometry import TANGENT
 from graphic_tmm.board.grammar import WHOLE_ROW, Gap
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.board.values import Curve, Reals, undefined
 
-DOUBTFUL = 1e8
-"""A step that magnifies errors more than this leaves half of the digits of a float at the best."""
+DOUBTFUL = 1e-6
+"""The share of its plan's extent beyond which a point that rounding moves so far is doubtful."""
 
 
 class Finding(NamedTuple):
-    """``kind``: "undrawn", "touching" or "doubtful"; the step; the positions (indices); mm, or condition."""
+    """``kind``: "undrawn", "touching" or "doubtful"; the step; the positions (indices).
+
+    ``amount``: what is missing, mm; of a doubtful point how far rounding moves it, as a share of its plan.
+    """
 
     kind: str
     step: Step
@@ -59,12 +67,14 @@ def examine(
     found: list[Finding] = []
     with np.errstate(all="ignore"):
         broken: set[str] = set()
-        for step in steps:
+        lost: dict[Mark, Any] = {}
+        for step, share in shares(steps, reading):
             if step.op.across:
                 found += _across(construction, step, reading, broken)
                 continue
+            told, lost[step.it] = _told(step, share, lost)
             values = [reading[mark] for mark in step.uses]
-            found += _of_step(construction, step, values, reading[step.it], reading.positions)
+            found += _of_step(construction, step, values, reading[step.it], told)
     if positions is None:
         return tuple(found)
     return tuple(f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found)
@@ -96,31 +106,38 @@ def _across(
     return [Finding("undrawn", step, step_number(construction, step), places, 0.0)]
 
 
+def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, Any]:
+    """Return the share by which a step is in doubt that used nothing in doubt, and where its mark is lost."""
+    before = np.logical_or.reduce(
+        np.broadcast_arrays(np.zeros((1, 1), bool), *(lost[m] for m in step.uses if m in lost))
+    )
+    return np.where(before, 0.0, share), before | (share > DOUBTFUL)
+
+
 def _of_step(
-    construction: Construction, step: Step, values: list[Any], result: Any, count: int
+    construction: Construction, step: Step, values: list[Any], result: Any, share: Reals
 ) -> list[Finding]:
-    number = step_number(construction, step)
     there = [undefined(value) for value in values if not isinstance(value, Curve)]
-    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, count), bool), *there))
-    failed = fine & undefined(result)
+    bad = undefined(result)
+    fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros_like(bad), *there))
+    failed = fine & bad
     found = []
     if failed.any():
         gap, amount = _worst_gap(step, values, failed)
-        found.append(Finding("undrawn", step, number, _where(failed), amount, gap))
+        found.append(Finding("undrawn", step, 0, _where(failed), amount, gap))
     touched = np.zeros_like(fine)
     for gap in step.op.gaps:
         room = gap.measure(*values)
         touching = fine & ~failed & (np.abs(room) <= 4 * TANGENT * _size(values))
         touched = touched | touching
         if touching.any():
-            found.append(Finding("touching", step, number, _where(touching), 0.0, gap))
-    if step.op.condition is not None:
-        condition = step.op.condition(*values)
-        doubtful = fine & ~failed & ~touched & (condition > DOUBTFUL)
-        if doubtful.any():
-            worst = float(np.max(np.where(doubtful, condition, 0.0)))
-            found.append(Finding("doubtful", step, number, _where(doubtful), worst))
-    return found
+            found.append(Finding("touching", step, 0, _where(touching), 0.0, gap))
+    doubtful = fine & ~failed & ~touched & (share > DOUBTFUL)
+    if doubtful.any():
+        worst = float(np.max(np.where(doubtful, share, 0.0)))
+        found.append(Finding("doubtful", step, 0, _where(doubtful), worst))
+    # the number is counted for what is told only: a log has thousands of steps
+    return [one._replace(number=step_number(construction, step)) for one in found]
 
 
 def _worst_gap(step: Step, values: list[Any], failed: Any) -> tuple[Gap | None, float]:

@@ -29,9 +29,10 @@ def dimension(start: complex, end: complex, offset: float, text: str) -> Dimensi
     """Return the dimension of ``start``–``end`` on a line ``offset`` mm to its left.
 
     The figure stands above the line, or left of a vertical one; where the arrows have no room between the
-    extension lines they stand outside, and the line goes on behind them.
+    extension lines they stand outside, and the line goes on behind them. What has no length is measured
+    along the x axis.
     """
-    way = (end - start) / abs(end - start)
+    way = (end - start) / abs(end - start) if end != start else 1 + 0j
     out = 1j * way * math.copysign(1.0, offset)
     a, b = start + abs(offset) * out, end + abs(offset) * out
     strokes = [line("thin", z, w + BEYOND * out) for z, w in ((start, a), (end, b))]

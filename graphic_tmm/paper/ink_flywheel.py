@@ -25,6 +25,8 @@ HUB = 1.8
 """Diameter of the hub, of that of the shaft."""
 WEB = 0.25
 """Thickness of the web, of the width of the rim."""
+WIDEST = 50.0
+"""Width of a rim at the most, of its diameter: beyond it there is nothing to draw."""
 OVERRUN = 4.0
 """How far a centre line goes on behind an outline, mm."""
 GAP = 30.0
@@ -48,13 +50,18 @@ def draw_flywheel(sizes: Sizes, reduction: float, title: str, language: str) -> 
     Raises
     ------
     SheetError
-        If the hub and the stud holes find no room inside the rim.
+        If the hub and the stud holes find no room inside the rim, or that is no rim but a roll.
     """
     hub = HUB * sizes.shaft
     if not hub + 2.2 * sizes.stud < sizes.inner < sizes.outer:
         raise SheetError(
             f"flywheel: a hub of {1000 * hub:.0f} mm and stud holes of {1000 * sizes.stud:.0f} mm find no room "
             f"inside a rim of {1000 * sizes.inner:.0f} mm: take a smaller shaft, or a larger rim"
+        )
+    if sizes.width > WIDEST * sizes.outer:
+        raise SheetError(
+            f"flywheel: a rim of {1000 * sizes.outer:.4g} mm would be {1000 * sizes.width:.4g} mm wide: "
+            "take a larger D_e"
         )
     draft = _Sketch(sizes, 1000.0 / reduction)
     strokes = [*draft.section(), *draft.view()]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from itertools import combinations
 
@@ -45,12 +46,13 @@ def draw_lever_ink(
     at_pole = ink.at(lever.pole)
     strokes: list[Stroke | Bezier] = []
     images = {m: ink.at(m) for marks in lever.images.values() for m in marks}
+    images = {m: z for m, z in images.items() if cmath.isfinite(z)}
     for z in images.values():
         if abs(z - at_pole) >= LEAST:
             strokes.append(line("medium", at_pole, z))
     for marks in lever.images.values():
         for one, other in combinations(marks, 2):
-            ends = images[one], images[other]
+            ends = images.get(one, at_pole), images.get(other, at_pole)
             if min(abs(ends[0] - ends[1]), *(abs(z - at_pole) for z in ends)) >= LEAST:
                 strokes.append(line("medium", *ends))
     wanted = _letters(images, lever.pole, at_pole)
@@ -125,7 +127,7 @@ class _Ink:
         pen: str = "medium",
     ) -> None:
         """An arrow at its image point; where one goes that way already it comes from the other side."""
-        if abs(vector) < LEAST:
+        if not abs(vector) >= LEAST:  # also where it is not there
             return
         same = any(abs(one.at - at - vector) < 3.0 for one in wanted)
         start = at - vector if same else at
@@ -150,7 +152,7 @@ class _Ink:
             at, along = self.line_of(step.uses[1])
             reach = ((at_pole - at) * along.conjugate()).real
             foot = at + reach * along
-            if along == 0 or abs(foot - at_pole) < 2.0:
+            if along == 0 or not abs(foot - at_pole) >= 2.0:
                 continue
             strokes.append(line("thin", at, foot + along * math.copysign(3.0, reach)))
             letter = markup(step.it.letter.rstrip("′"))

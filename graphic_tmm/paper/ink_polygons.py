@@ -36,6 +36,13 @@ def spot(reading: Reading, mark: Mark, index: int) -> complex:
     return complex(row[index if row.size > 1 else 0])
 
 
+def whole(reading: Reading, polygon: Polygon, reactions: Sequence[Reaction], index: int) -> bool:
+    """Whether all vertices of a polygon are there in one position."""
+    ends = [mark for _, tail, head in polygon.sides for mark in (tail, head)]
+    ends += [mark for one in reactions for mark in (one.tail, one.head)]
+    return all(cmath.isfinite(spot(reading, mark, index)) for mark in ends)
+
+
 def draw_polygon(
     reading: Reading,
     polygon: Polygon,

@@ -136,8 +136,11 @@ def _sketch(drawn: Work, made: Flywheel) -> Drawing:
     assert rim is not None
     order = rim.order
     outer, inner, width = (_value(drawn, mark) for mark in (rim.outer, rim.inner, rim.width))
-    sizes = Sizes(outer, inner, round(width, 3), order.shaft, order.studs, order.stud)
-    reduction = next((r for r in (1, *REDUCTIONS) if 1000 * outer / r <= SKETCH), REDUCTIONS[-1])
+    # made in whole millimetres: the thinnest rim is one
+    width = max(round(width, 3), 0.001)
+    sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
+    large = 1000 * max(outer, width)
+    reduction = next((r for r in (1, *REDUCTIONS) if large / r <= SKETCH), REDUCTIONS[-1])
     title = CAPTIONS[language]["sketch"]
     return captioned(
         draw_flywheel(sizes, reduction, title, language), title, f"1:{number(reduction, language)}"

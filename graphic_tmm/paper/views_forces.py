@@ -10,7 +10,7 @@ from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ink_groups import Detached, Reactive, draw_group
 from graphic_tmm.paper.ink_lever import draw_lever_ink
-from graphic_tmm.paper.ink_polygons import bar, draw_polygon
+from graphic_tmm.paper.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.paper.ink_tables import result_table
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.views_flywheel import cylinder_view
@@ -56,7 +56,9 @@ def _pair(
     place: int,
     lettered: bool,
 ) -> list[Drawing]:
-    """Return the figure of a group and its polygon, captioned."""
+    """Return the figure of a group and its polygon, captioned; neither, where a force is not there."""
+    if not whole(drawn.reading, polygon, reactions, place):
+        return []
     project, language = drawn.project, drawn.scene.language
     words = CAPTIONS[language]
     at = f"{words['position']} {escape(project.names[place])}"

@@ -1,13 +1,14 @@
-"""Scene files changed at random: each is drawn, or refused with one message; nothing else may happen.
+"""Files changed at random, scenes and readings: each is drawn, or refused with one message; nothing else.
 
-    python tests/hard/fuzz.py --count 20000 [--seed 0] [--jobs 2]
+    python tests/hard/fuzz.py 20000 [--seed 0] [--first 0] [--jobs 2]
 
-A case is told by the seed and its number alone: ``--only N`` runs it again and prints its scene file.
+A case is told by the seed and its number alone: ``--only N`` runs it again and prints its file.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import resource
 import shutil
 import signal
@@ -25,7 +26,7 @@ from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
 from click.testing import CliRunner
-from fuzz_changes import changed, scenes
+from fuzz_tasks import COMMANDS, Task, task, unchanged
 
 from graphic_tmm.__main__ import main
 
@@ -34,7 +35,7 @@ LONG = 2.0
 HANG = 30
 """Seconds after which a command is broken off."""
 MEMORY = 2 << 30
-"""Bytes that a process may take (``--count`` only): more is a fault, not a machine that swaps."""
+"""Bytes that a process may take (not with ``--only``): more is a fault, not a machine that swaps."""
 
 
 class Case(NamedTuple):
@@ -69,10 +70,13 @@ def _clock(seconds: int) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-def arguments(command: str, scene: Path, out: Path) -> list[str]:
+def arguments(command: str, scene: Path, csv: Path, out: Path) -> list[str]:
     """Return a command line."""
-    extra = {"draw": ["-o", str(out)], "table": ["-f", "json"], "steps": []}
-    return [command, str(scene), *extra[command]]
+    verb, *options = COMMANDS[command][0]
+    if verb == "draw":
+        options.append(str(out))
+    files = [str(scene), str(csv)] if command == "check" else [str(scene)]
+    return [verb, *files, *options]
 
 
 def _whole(out: Path) -> str:
@@ -88,14 +92,32 @@ def _whole(out: Path) -> str:
     return ""
 
 
-def run(command: str, text: str, folder: Path) -> tuple[int, float, str]:
-    """Run a command on a scene's text in a folder; return its status, seconds, and what is wrong."""
-    scene, out = folder / "scene.toml", folder / "out"
-    scene.write_bytes(text.encode("utf-8", "surrogatepass"))
+def _told(command: str, text: str) -> str:
+    """Return what is wrong with a text printed for machines."""
+    if "json" not in COMMANDS[command][0]:
+        return ""
+    try:
+        json.loads(text, parse_constant=_no_number)
+    except ValueError as error:
+        return f"no JSON: {error}"
+    return ""
+
+
+def _no_number(text: str) -> float:
+    raise ValueError(f"{text} in it")
+
+
+def run(one: Task, folder: Path) -> tuple[int, float, str]:
+    """Run a task in a folder; return its status, seconds, and what is wrong."""
+    scene, csv, out = folder / "scene.toml", folder / "readings.csv", folder / "out"
+    scene.write_bytes(one.text.encode("utf-8", "surrogatepass"))
+    if one.readings is not None:
+        csv.write_bytes(one.readings)
+    before = sorted(folder.iterdir())
     start = time.process_time()
     try:
         with _clock(HANG):
-            result = CliRunner().invoke(main, arguments(command, scene, out))
+            result = CliRunner().invoke(main, arguments(one.command, scene, csv, out))
     except _Hang:
         return -1, float(HANG), f"hangs for {HANG} s"
     seconds = time.process_time() - start
@@ -105,47 +127,52 @@ def run(command: str, text: str, folder: Path) -> tuple[int, float, str]:
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         told = "".join(traceback.format_exception(result.exception)[-3:])
         return status, seconds, f"traceback: {told}"
-    if status not in (0, 2):
+    if status not in ((0, 1, 2) if one.command == "check" else (0, 2)):
         return status, seconds, f"exit status {status}"
     if status == 2 and not result.stderr.startswith("graphic-tmm: "):
         return status, seconds, f"no message: {result.stderr[:200]!r}"
     if status == 2 and (out.exists() or result.stdout):
         return status, seconds, "refused, but something was written"
-    if sorted(folder.iterdir()) not in ([scene], [out, scene]):
+    if sorted(set(folder.iterdir()) - {out}) != before:
         return status, seconds, "wrote beside its folder"
-    return status, seconds, _whole(out)
+    return (
+        status,
+        seconds,
+        _whole(out) or (_told(one.command, result.stdout) if status != 2 else ""),
+    )
 
 
 @cache
 def usual(name: str, command: str) -> float:
-    """Return the seconds a command takes on the scene as it comes."""
-    folder = Path(tempfile.mkdtemp())
-    try:
-        run(command, scenes()[name], folder)
-        shutil.rmtree(folder / "out", ignore_errors=True)
-        return run(command, scenes()[name], folder)[1]
-    finally:
-        shutil.rmtree(folder)
+    """Return the seconds a command takes on the scene as it comes, the second time."""
+    for _ in range(2):
+        folder = Path(tempfile.mkdtemp())
+        try:
+            seconds = run(unchanged(name, command), folder)[1]
+        finally:
+            shutil.rmtree(folder)
+    return seconds
 
 
 def case(number_: int, seed: int = 0, names: tuple[str, ...] = ()) -> Case:
     """Run one case."""
-    name, text, command = changed(seed, number_, names)
+    one = task(seed, number_, names)
     folder = Path(tempfile.mkdtemp())
     try:
-        status, seconds, fault = run(command, text, folder)
+        status, seconds, fault = run(one, folder)
     finally:
         shutil.rmtree(folder)
-    if not fault and seconds > LONG and seconds > LONG + usual(name, command):
-        fault = f"takes {seconds:.1f} s, unchanged {usual(name, command):.1f} s"
-    return Case(number_, name, command, status, seconds, fault)
+    if not fault and seconds > LONG and seconds > LONG + usual(one.scene, one.command):
+        fault = f"takes {seconds:.1f} s, unchanged {usual(one.scene, one.command):.1f} s"
+    return Case(number_, one.scene, one.command, status, seconds, fault)
 
 
 # ---------------------------------------------------------------- the command
 
 
 def _only(number_: int, seed: int) -> int:
-    print(changed(seed, number_)[1])
+    one = task(seed, number_)
+    print(one.readings.decode("utf-8", "backslashreplace") if one.readings else one.text)
     print(found := case(number_, seed))
     return int(bool(found.fault))
 
@@ -157,23 +184,24 @@ def _limited() -> None:
 def _all(count: int, seed: int, jobs: int, first: int) -> int:
     faults: list[Case] = []
     statuses: Counter[int] = Counter()
-    longest = 0.0
+    longest = Case(-1, "", "", 0, 0.0, "")
     with Pool(jobs, _limited, maxtasksperchild=50) as pool:
         work = partial(case, seed=seed)
         for found in pool.imap_unordered(work, range(first, first + count), chunksize=8):
             statuses[found.status] += 1
-            longest = max(longest, found.seconds)
+            longest = max(longest, found, key=lambda one: one.seconds)
             if found.fault:
                 faults.append(found)
                 print(f"{found.number} {found.scene} {found.command}: {found.fault}", flush=True)
     told = ", ".join(f"{n} with status {status}" for status, n in sorted(statuses.items()))
-    print(f"{count} files: {told}; the longest took {longest:.2f} s; {len(faults)} at fault")
+    most = f"{longest.seconds:.2f} s (number {longest.number}: {longest.command} {longest.scene})"
+    print(f"{count} files: {told}; the longest took {most}; {len(faults)} at fault")
     return int(bool(faults))
 
 
 def _main() -> int:
     parser = argparse.ArgumentParser(description="Draw scene files changed at random.")
-    parser.add_argument("--count", type=int, default=20000)
+    parser.add_argument("count", type=int, nargs="?", default=20000)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)

@@ -9,7 +9,6 @@ from functools import cache
 from pathlib import Path
 
 SHEETS = Path(__file__).parents[2] / "sheets"
-COMMANDS = ("draw", "table", "steps")
 
 NUMBER = re.compile(r"(?<![\w.\"#])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.])")
 AMOUNT = re.compile(r'"[-+]?\d+(?:\.\d+)? ?[^"\n]{0,8}"')
@@ -33,7 +32,9 @@ SECTIONS = (
 Change = Callable[[random.Random, str], str]
 
 
-def _at(source: random.Random, text: str, what: re.Pattern[str], by: Callable[[str], str]) -> str:
+def at_one(
+    source: random.Random, text: str, what: re.Pattern[str], by: Callable[[str], str]
+) -> str:
     found = list(what.finditer(text))
     if not found:
         return text
@@ -50,7 +51,7 @@ def _nudge(source: random.Random, old: str) -> str:
 
 
 def number(source: random.Random, text: str) -> str:
-    return _at(source, text, NUMBER, lambda old: _nudge(source, old))
+    return at_one(source, text, NUMBER, lambda old: _nudge(source, old))
 
 
 def amount(source: random.Random, text: str) -> str:
@@ -60,18 +61,18 @@ def amount(source: random.Random, text: str) -> str:
             unit = source.choice(UNITS)
         return f'"{_nudge(source, value)} {unit}"'
 
-    return _at(source, text, AMOUNT, by)
+    return at_one(source, text, AMOUNT, by)
 
 
 def strange(source: random.Random, text: str) -> str:
-    return _at(
+    return at_one(
         source, text, source.choice((NUMBER, AMOUNT, WORD)), lambda _: source.choice(STRANGE)
     )
 
 
 def swap_words(source: random.Random, text: str) -> str:
     words = WORD.findall(text)
-    return _at(source, text, WORD, lambda _: source.choice(words)) if words else text
+    return at_one(source, text, WORD, lambda _: source.choice(words)) if words else text
 
 
 def _lines(text: str) -> list[str]:
@@ -151,12 +152,10 @@ def scenes() -> dict[str, str]:
     return {path.parent.name: path.read_text(encoding="utf-8") for path in paths}
 
 
-def changed(seed: int, number_: int, names: tuple[str, ...] = ()) -> tuple[str, str, str]:
-    """Return the name of the scene, the changed text and the command of a case."""
-    source = random.Random(f"{seed}:{number_}")
-    name = source.choice(names or sorted(scenes()))
+def changed_scene(source: random.Random, name: str) -> str:
+    """Return the text of a scene with one to three changes."""
     text = scenes()[name]
     ways, weights = zip(*CHANGES, strict=True)
     for way in source.choices(ways, weights, k=source.choice((1, 1, 2, 3))):
         text = way(source, text)
-    return name, text, source.choice(COMMANDS)
+    return text

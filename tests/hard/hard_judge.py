@@ -44,12 +44,22 @@ class Exact(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """Of one position: errors as shares of their bounds by name, conditions by plan, findings by kind."""
+    """Of one position: errors as shares of their bounds by name, conditions by plan, findings by kind.
+
+    ``sizes``: the largest quantity of each name, against which an error counts.
+    """
 
     shares: dict[str, float]
     bounds: dict[str, float]
+    sizes: dict[str, float]
     conditions: tuple[float, float, float]
     findings: tuple[Finding, ...]
+
+    @property
+    def off(self) -> float:
+        """The largest error of what is there, as a share of the largest quantity of its name."""
+        there = (name for name, share in self.shares.items() if np.isfinite(share))
+        return max((self.shares[n] * self.bounds[n] / self.sizes[n] for n in there), default=0.0)
 
     @property
     def kinds(self) -> set[str]:
@@ -132,7 +142,10 @@ def _legs(sheet: Board, reading: Any, mechanism: Mechanism) -> tuple[float, floa
     return (short if np.isfinite(short) else 1.0), reach
 
 
-def _bounds(sheet: Board, reading: Any, due: Exact, kappa: tuple[float, ...]) -> dict[str, float]:
+def _bounds(
+    sheet: Board, reading: Any, due: Exact, kappa: tuple[float, ...]
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Return the bounds of all errors and the largest quantities, both by name."""
     u = 8 * EPS * len(sheet.log.steps)
     mechanism = sheet.mechanism
     own = max(abs(z) for link in mechanism.links for z in link.points.values())
@@ -154,14 +167,18 @@ def _bounds(sheet: Board, reading: Any, due: Exact, kappa: tuple[float, ...]) ->
     e_a = (rate**2 + turning + s * pull) * e_p + 2 * rate * e_v + 2 * s * arm * fast * e_w
     e_a = kappa[2] * (u * pull + e_a)
     e_e = (2 * e_a + turning * e_p) / arm + u * turning
+    crank = abs(mechanism.drive.speed)
+    sizes = {"r": size, "v": fast, "a": pull, "omega": max(rate, crank)}
+    sizes["epsilon"] = max(turning, sizes["omega"] ** 2)
     # a translated frame: what is read is the sum of two places
-    return {
+    bounds = {
         "r": g * e_p + 4 * EPS * abs(o),
         "v": g * e_v,
         "a": g * e_a,
         "omega": e_w,
         "epsilon": e_e,
     }
+    return bounds, sizes
 
 
 def _slides(sheet: Board) -> list[int]:
@@ -191,10 +208,10 @@ def judge(
         try:
             due = exactly(mechanism, degrees)
         except oracle.OracleError:
-            return Verdict({}, {}, kappa, findings)
+            return Verdict({}, {}, {}, kappa, findings)
     if due is None:
-        return Verdict({}, {}, kappa, findings)
-    bounds = _bounds(sheet, reading, due, kappa)
+        return Verdict({}, {}, {}, kappa, findings)
+    bounds, sizes = _bounds(sheet, reading, due, kappa)
     shares = dict.fromkeys(bounds, 0.0)
     for (letter, number), motion in due.points.items():
         if number == mechanism.frame.number:
@@ -207,7 +224,7 @@ def judge(
         for number, value in row.items():
             at = read[name].get(number, np.zeros(1))
             shares[name] = max(shares[name], _share(at, value, bounds[name]))
-    return Verdict(shares, bounds, kappa, findings)
+    return Verdict(shares, bounds, sizes, kappa, findings)
 
 
 def _share(found: Any, due: Any, bound: float) -> float:

@@ -59,9 +59,6 @@ def test_a_position_that_lost_its_digits_is_named(name: str) -> None:
         assert named(found) or not lost, (off, found.bounds, found.conditions)
 
 
-@pytest.mark.xfail(
-    reason="a step is doubted by its own condition only: κ of a velocity enters κ² …"
-)
 def test_an_acceleration_that_lost_its_digits_is_named() -> None:
     """At 1e-6 rad of l = r the acceleration (about 0.8 m/s²) is off by its whole size, and more."""
     found = judge(slider_crank(0.1, 0.1, flips=(90.0, 270.0)), 90.0 + math.degrees(1e-6))

@@ -52,6 +52,14 @@ def test_arrows_stand_outside_where_they_have_no_room() -> None:
     assert [arrow.path[1][0] > arrow.path[0][0] for arrow in first] == [True, False]
 
 
+def test_what_has_no_length_has_a_dimension_still() -> None:
+    made = dimension(3 + 4j, 3 + 4j, -10.0, "0")
+    tips = [complex(*s.path[0][:2]) for s in made.strokes if s.filled]
+    assert tips == [3 - 6j, 3 - 6j]
+    assert made.label.turn == 0
+    assert all(box(made.label).distance(shape(stroke)) > 0.3 for stroke in made.strokes)
+
+
 def test_a_shelf_is_as_long_as_its_text() -> None:
     made = shelf(0j, 20 - 10j, "3 отв. ⌀12")
     (leader, arrow) = made.strokes

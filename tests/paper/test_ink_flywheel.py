@@ -64,3 +64,8 @@ def test_the_key_is_the_one_of_its_shaft() -> None:
 def test_parts_that_find_no_room_are_refused(sizes: Sizes) -> None:
     with pytest.raises(SheetError, match="smaller shaft"):
         draw_flywheel(sizes, 4.0, "x", "ru")
+
+
+def test_a_rim_that_would_be_a_roll_is_refused() -> None:
+    with pytest.raises(SheetError, match="larger D_e"):
+        draw_flywheel(A2._replace(width=23.0), 4.0, "x", "ru")
