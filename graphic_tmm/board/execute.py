@@ -15,7 +15,7 @@ import numpy as np
 
 from graphic_tmm.board.hand import EXACT, TRIALS, Hand, Slip, Slipping, slip_of
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve
+from graphic_tmm.board.values import Curve, arrays
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.errors import ConstructionError
 
@@ -281,27 +281,73 @@ def _in_blocks(
     kept: frozenset[int],
     slipping: Slipping | None,
 ) -> None:
-    read = None if hand.ruler is None else hand.read
     # in a block of one position a value that varies would look like one that does not
     block = max(block, 2)
+    if count > block:
+        still, calls = parted(calls, values)
+        _at_once(still, values, hand, slipping, slice(None))
     if count <= block:
-        if slipping is None:
-            _run(calls, values, read)
-        else:
-            _slip(calls, values, slipping, slice(None))
+        _at_once(calls, values, hand, slipping, slice(None))
         return
+    dying = _last_uses(calls, values, kept)
+    takes = {i for call in calls for i in call.takes}
+    entering = {i: value for i, value in values.items() if i in takes}
     whole: Values = {}
     for start in range(0, count, block):
         part = slice(start, min(start + block, count))
-        local = {i: _part(value, part) for i, value in values.items()}
-        if slipping is None:
-            _run(calls, local, read)
-        else:
-            _slip(calls, local, slipping, part)
-        for call in calls:
+        local = {i: _part(value, part) for i, value in entering.items()}
+        for call, dead in zip(calls, dying, strict=True):
+            value = call.run(*[local[i] for i in call.takes])
+            if slipping is not None:
+                value = value if call.slip is None else slipping.apply(call.slip, value, part)
+            elif call.reads:
+                value = hand.read(value)
+            local[call.fills] = value
             if call.fills in kept:
-                _keep(whole, call.fills, local[call.fills], part, count)
+                _keep(whole, call.fills, value, part, count)
+            for i in dead:
+                del local[i]
     values.update(whole)
+
+
+def _at_once(
+    calls: Calls, values: Values, hand: Hand, slipping: Slipping | None, part: slice
+) -> None:
+    if slipping is not None:
+        _slip(calls, values, slipping, part)
+    else:
+        _run(calls, values, None if hand.ruler is None else hand.read)
+
+
+def parted(calls: Calls, values: Values) -> tuple[Calls, Calls]:
+    """Return the calls whose results are the same at all positions, and the others."""
+    still = {i for i, value in values.items() if not varies(value)}
+    first, second = [], []
+    for call in calls:
+        if still.issuperset(call.takes):
+            still.add(call.fills)
+            first.append(call)
+        else:
+            second.append(call)
+    return tuple(first), tuple(second)
+
+
+def varies(value: Any) -> bool:
+    """Whether a value has a position axis; a curve is the same at all positions."""
+    if isinstance(value, Curve):
+        return False
+    return any(array.shape[1] > 1 for array in arrays(value))
+
+
+def _last_uses(calls: Calls, values: Values, kept: frozenset[int]) -> list[tuple[int, ...]]:
+    """Return which values are used for the last time by each call: their memory is still in cache."""
+    seen: set[int] = set()
+    found: list[tuple[int, ...]] = []
+    for call in reversed(calls):
+        dying = {call.fills, *call.takes} - seen
+        seen |= dying
+        found.append(tuple(dying))
+    return found[::-1]
 
 
 def _part(value: Any, part: slice) -> Any:
