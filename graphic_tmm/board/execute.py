@@ -19,8 +19,8 @@ from graphic_tmm.board.values import Curve, arrays
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.errors import ConstructionError
 
-BLOCK = 4096
-"""Positions in one block: some fifty arrays of it fit into a second-level cache."""
+BLOCK = 16384
+"""Positions in one block: what numpy's calls cost is little against it, and the arrays in use stay in cache."""
 
 Values = dict[int, Any]
 
@@ -99,6 +99,23 @@ class Program(NamedTuple):
     strata: tuple[tuple[Calls, Calls], ...]
     wanted: frozenset[int]
     given: tuple[Mark, ...]
+    fast: bool = False
+
+    def compiled(self) -> Program:
+        """Return the same program, whose pointwise steps run in loops compiled by numba.
+
+        Its first run compiles (seconds). The numbers are the same to rounding. Hands that slip, or keep few
+        digits, run as ever.
+
+        Raises
+        ------
+        ConstructionError
+            If numba is not installed.
+        """
+        from graphic_tmm.board.scalars import numba
+
+        numba()
+        return self._replace(fast=True)
 
     def run(
         self,
@@ -138,7 +155,13 @@ class Program(NamedTuple):
     ) -> None:
         with np.errstate(all="ignore"):
             for pointwise, across in self.strata:
-                _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise), slipping)
+                kept = self._kept(pointwise)
+                if self.fast and slipping is None:
+                    from graphic_tmm.board.compiled import in_loops
+
+                    in_loops(pointwise, values, count, block, hand, kept)
+                else:
+                    in_blocks(pointwise, values, count, block, hand, kept, slipping)
                 for call in across:
                     value = call.run(*[_spread(values[i], count) for i in call.takes])
                     if slipping is not None and call.slip is not None:
@@ -187,6 +210,7 @@ def execute(
     hand: Hand = EXACT,
     positions: Sequence[int] | None = None,
     block: int = BLOCK,
+    fast: bool = False,
 ) -> Reading:
     """Return the numbers of the wanted marks.
 
@@ -204,13 +228,18 @@ def execute(
         Indices of the positions to run at; None for all. Not for steps across positions.
     block
         Positions a block.
+    fast
+        Whether numba compiles the steps; see `Program.compiled`.
 
     Raises
     ------
     ConstructionError
-        If a value is missing, or a curve across positions is asked for at some positions only.
+        If a value is missing, a curve across positions is asked for at some positions only, or ``fast`` is
+        asked for without numba.
     """
     program = prepare(construction, wanted)
+    if fast:
+        program = program.compiled()
     places, whole = None, None
     if positions is not None:
         if len(program.strata) > 1:
@@ -272,7 +301,7 @@ def _slip(calls: Calls, values: Values, slipping: Slipping, part: slice) -> None
         values[fills] = value if slip is None else slipping.apply(slip, value, part)
 
 
-def _in_blocks(
+def in_blocks(
     calls: Calls,
     values: Values,
     count: int,
@@ -281,13 +310,14 @@ def _in_blocks(
     kept: frozenset[int],
     slipping: Slipping | None,
 ) -> None:
+    """Run pointwise calls at ``count`` positions, in blocks; values of the slots ``kept`` are left behind."""
     # in a block of one position a value that varies would look like one that does not
     block = max(block, 2)
     if count > block:
         still, calls = parted(calls, values)
-        _at_once(still, values, hand, slipping, slice(None))
+        at_once(still, values, hand, slipping)
     if count <= block:
-        _at_once(calls, values, hand, slipping, slice(None))
+        at_once(calls, values, hand, slipping)
         return
     dying = _last_uses(calls, values, kept)
     takes = {i for call in calls for i in call.takes}
@@ -295,7 +325,7 @@ def _in_blocks(
     whole: Values = {}
     for start in range(0, count, block):
         part = slice(start, min(start + block, count))
-        local = {i: _part(value, part) for i, value in entering.items()}
+        local = {i: part_of(value, part) for i, value in entering.items()}
         for call, dead in zip(calls, dying, strict=True):
             value = call.run(*[local[i] for i in call.takes])
             if slipping is not None:
@@ -310,11 +340,10 @@ def _in_blocks(
     values.update(whole)
 
 
-def _at_once(
-    calls: Calls, values: Values, hand: Hand, slipping: Slipping | None, part: slice
-) -> None:
+def at_once(calls: Calls, values: Values, hand: Hand, slipping: Slipping | None = None) -> None:
+    """Run calls at all positions of the values at once; everything is left behind."""
     if slipping is not None:
-        _slip(calls, values, slipping, part)
+        _slip(calls, values, slipping, slice(None))
     else:
         _run(calls, values, None if hand.ruler is None else hand.read)
 
@@ -350,12 +379,13 @@ def _last_uses(calls: Calls, values: Values, kept: frozenset[int]) -> list[tuple
     return found[::-1]
 
 
-def _part(value: Any, part: slice) -> Any:
+def part_of(value: Any, part: slice, trials: slice = slice(None)) -> Any:
+    """Return a value at some positions, for some trials; a curve is whole."""
     if isinstance(value, Curve):
         return value
     if isinstance(value, tuple):
-        return type(value)(*(_part(array, part) for array in value))
-    return value if value.shape[1] == 1 else value[:, part]
+        return type(value)(*(part_of(array, part, trials) for array in value))
+    return value[trials] if value.shape[1] == 1 else value[trials, part]
 
 
 def _keep(whole: Values, index: int, value: Any, part: slice, count: int) -> None:

@@ -1,6 +1,6 @@
 """Arithmetic of the plane that stays accurate in hard cases, on complex arrays.
 
-What `vector`, `quadrant`, `some` and `pick` do is done to one number as well, in other words: `compiled` has
+What `vector`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other words: `scalars` has
 these, and runs everything else here as it stands on single numbers.
 """
 
@@ -36,6 +36,12 @@ def quadrant(quarters: Reals) -> Complexes:
     return _QUADRANTS[quarters.astype(np.intp) & 3]
 
 
+def sine(x: Reals) -> Reals:
+    """Return the sine of angles up to 45°, in radians."""
+    found: Reals = np.sin(x)
+    return found
+
+
 def some(mask: NDArray[np.bool_]) -> bool:
     """Whether a mask is true anywhere."""
     return np.count_nonzero(mask) > 0
@@ -56,8 +62,8 @@ def cis(degrees: Reals) -> Complexes:
     """Return e^{iφ} of an angle in degrees; exact at every multiple of 90°."""
     quarters = np.rint(degrees / 90.0)
     # within 45° of a quarter the cosine is known as well from the sine as by itself
-    sine = np.sin((degrees - 90.0 * quarters) * RADIAN)
-    return quadrant(quarters) * vector(np.sqrt((1.0 - sine) * (1.0 + sine)), sine)
+    y = sine((degrees - 90.0 * quarters) * RADIAN)
+    return quadrant(quarters) * vector(np.sqrt((1.0 - y) * (1.0 + y)), y)
 
 
 def degrees(z: Complexes) -> Reals:

@@ -26,6 +26,13 @@ TRIALS = 512
 """Trials in one block of random numbers."""
 
 
+def rounded(length: Reals, division: float) -> Reals:
+    """Return a length in whole divisions of a ruler; ties go up and do not depend on the last bit."""
+    whole = np.floor(np.abs(length) / division + (0.5 + 1e-9)) * division
+    # no reading is −0
+    return np.copysign(whole, length) + 0.0
+
+
 class Hand(NamedTuple):
     """How far a hand slips: standard deviations in mm, ``swing`` in degrees; 0 for no slip.
 
@@ -49,10 +56,7 @@ class Hand(NamedTuple):
 
     def read(self, length: Reals) -> Reals:
         """Return a length as read off the ruler; ties go up and do not depend on the last bit."""
-        if self.ruler is None:
-            return length
-        divisions = np.floor(np.abs(length) / self.ruler + (0.5 + 1e-9))
-        return np.asarray(np.copysign(divisions * self.ruler, length) + 0.0)
+        return length if self.ruler is None else rounded(length, self.ruler)
 
     def calculate(self, number: Reals) -> Reals:
         """Return a calculated number with so many digits as the hand keeps."""
