@@ -12,11 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Call, Calls, Values, at_once, in_blocks, parted, part_of
+from graphic_tmm.board.blocks import Call, Calls, Values, in_blocks, part_of, parted, run
 from graphic_tmm.board.hand import Hand, rounded
 from graphic_tmm.board.scalars import NotCompiled, numba, scalar
 from graphic_tmm.board.values import Curve, arrays
-
 
 STRIP = 256
 """Positions that a compiled loop takes at a time: their numbers stay in the first-level cache."""
@@ -35,16 +34,16 @@ def in_loops(
 ) -> None:
     """Run pointwise calls at ``count`` positions as `in_blocks` does, in compiled loops where these exist."""
     still, moving = parted(calls, values)
-    at_once(still, values, hand)
+    run(still, values, hand)
     if not moving:
         return
     sample = {i: part_of(value, slice(0, 2), slice(0, 2)) for i, value in values.items()}
-    at_once(moving, sample, hand)
+    run(moving, sample, hand)
     for part in _parts(moving, sample, kept):
         if part.compiled:
             _loop(part, values, sample, count, hand)
         else:
-            in_blocks(part.calls, values, count, block, hand, part.leaves, None)
+            in_blocks(part.calls, values, count, block, hand, part.leaves)
 
 
 def _parts(calls: Calls, sample: Values, kept: frozenset[int]) -> Iterator[Part]:
@@ -75,14 +74,14 @@ def _compiles(call: Call, sample: Values) -> bool:
         return False
     function, choices = _function(call)
     *types, due = map(_type, values)
-    return _result(function, (*types, *map(numba().typeof, choices))) == due
+    return bool(_result(function, (*types, *map(numba().typeof, choices))) == due)
 
 
 def _function(call: Call) -> tuple[Callable[..., Any], tuple[int, ...]]:
     """Return the function of an operation and its choices in the order of its arguments."""
-    if not isinstance(call.run, partial):
-        return call.run, defaults(call.run, {})
-    return call.run.func, defaults(call.run.func, call.run.keywords)
+    if not isinstance(call.op, partial):
+        return call.op, defaults(call.op, {})
+    return call.op.func, defaults(call.op.func, call.op.keywords)
 
 
 def defaults(function: Callable[..., Any], choice: dict[str, int]) -> tuple[int, ...]:
@@ -204,7 +203,7 @@ class _Text:
         for k, array in enumerate(arrays(value)):
             name = f"o{slot}_{k}"
             self.argument(name)
-            field = f"v{slot}.{value._fields[k]}" if isinstance(value, tuple) else f"v{slot}"
+            field = f"v{slot}[{k}]" if isinstance(value, tuple) else f"v{slot}"
             at = f"{name}[at + i]" if array.shape[1] > 1 else f"{name}[0]"
             if np.iscomplexobj(array):
                 x, y = self.place(), self.place()

@@ -6,23 +6,21 @@ that works across positions (a French curve) runs on whole arrays, between two s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.hand import EXACT, TRIALS, Hand, Slip, Slipping, slip_of
+from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
+from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve, arrays
+from graphic_tmm.board.values import Curve
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.errors import ConstructionError
 
 BLOCK = 16384
 """Positions in one block: what numpy's calls cost is little against it, and the arrays in use stay in cache."""
-
-Values = dict[int, Any]
 
 
 @dataclass(frozen=True)
@@ -80,19 +78,6 @@ def needed(construction: Construction, wanted: Iterable[Mark]) -> tuple[Step, ..
     return tuple(reversed(kept))
 
 
-class Call(NamedTuple):
-    """A step made ready to run: the operation with its choice, the slots it takes, the slot it fills."""
-
-    run: Callable[..., Any]
-    takes: tuple[int, ...]
-    fills: int
-    reads: bool
-    slip: Slip | None = None
-
-
-Calls = tuple[Call, ...]
-
-
 class Program(NamedTuple):
     """A slice of a log made ready to run: strata of pointwise steps, each ended by steps across positions."""
 
@@ -140,15 +125,19 @@ class Program(NamedTuple):
         if not hand.slips and hand.digits is None:
             self._run(values, count, block, hand, None)
             return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
-        at = np.arange(count) if places is None else places
-        found: list[Values] = []
-        for number, start in enumerate(range(0, hand.trials, TRIALS)):
-            trials = min(TRIALS, hand.trials - start)
-            slipping = Slipping(hand, number, trials, whole or count, at)
+        streams, found = Streams(hand), Values()
+        whole = whole or count
+        most = trials_in_block(whole)
+        for start in range(0, hand.trials, most):
+            trials = min(most, hand.trials - start)
+            number = (hand.first + start) // most
+            slipping = Slipping(hand, streams, number, trials, whole, places)
             local = dict(values)
             self._run(local, count, block, hand, slipping)
-            found.append({i: v for i, v in local.items() if i in self.wanted})
-        return Reading(_joined(found), count)
+            part = slice(start, start + trials)
+            for i in self.wanted & local.keys():
+                found[i] = stored(found.get(i), local[i], part, hand.trials)
+        return Reading(found, count)
 
     def _run(
         self, values: Values, count: int, block: int, hand: Hand, slipping: Slipping | None
@@ -163,7 +152,7 @@ class Program(NamedTuple):
                 else:
                     in_blocks(pointwise, values, count, block, hand, kept, slipping)
                 for call in across:
-                    value = call.run(*[_spread(values[i], count) for i in call.takes])
+                    value = call.op(*[spread(values[i], count) for i in call.takes])
                     if slipping is not None and call.slip is not None:
                         value = slipping.apply(call.slip, value, slice(None))
                     values[call.fills] = value
@@ -197,7 +186,7 @@ def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) ->
     for n in range(max(level.values(), default=0) + 1):
         pointwise = (s for s in steps if not s.op.across and level[s.it.slot] == n)
         across = (s for s in steps if s.op.across and level[s.it.slot] == n + 1)
-        strata.append((tuple(map(_call, pointwise)), tuple(map(_call, across))))
+        strata.append((tuple(map(ready, pointwise)), tuple(map(ready, across))))
     alive = asked | {mark.slot for step in steps for mark in step.uses}
     return Program(tuple(strata), asked, tuple(m for m in construction.given if m.slot in alive))
 
@@ -240,172 +229,22 @@ def execute(
     program = prepare(construction, wanted)
     if fast:
         program = program.compiled()
-    places, whole = None, None
-    if positions is not None:
-        if len(program.strata) > 1:
-            raise ConstructionError("a curve across positions needs all positions of its row")
-        at = places = np.asarray(positions, dtype=np.intp)
-        whole = max(
-            (v.shape[1] for v in given.values() if isinstance(v, np.ndarray) and v.ndim == 2),
-            default=1,
-        )
-        given = {
-            mark: value[:, at]
-            if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1
-            else value
-            for mark, value in given.items()
-        }
-    return program.run(given, hand=hand, block=block, places=places, whole=whole)
-
-
-def _call(step: Step) -> Call:
-    run = partial(step.op.run, **step.choice) if step.choice else step.op.run
-    slip = slip_of(step.op, step.it.view, step.it.letter)
-    return Call(run, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads, slip)
-
-
-def _joined(blocks: list[Values]) -> Values:
-    """Return the values of all blocks of trials in one; what does not vary by trial is kept once."""
-    if len(blocks) == 1:
-        return blocks[0]
-    joined: Values = {}
-    for i, first in blocks[0].items():
-        rows = [block[i] for block in blocks]
-        if isinstance(first, Curve):
-            knots, tangents = (
-                np.concatenate([getattr(r, n) for r in rows]) for n in ("knots", "tangents")
-            )
-            joined[i] = Curve(knots, tangents, first.closed)
-        elif isinstance(first, tuple):
-            joined[i] = type(first)(*(_column([r[k] for r in rows]) for k in range(len(first))))
-        else:
-            joined[i] = _column(rows)
-    return joined
-
-
-def _column(rows: list[Any]) -> Any:
-    if all(row.shape[0] == 1 for row in rows):
-        return rows[0]
-    return np.concatenate(rows)
-
-
-def _run(calls: Calls, values: Values, read: Callable[[Any], Any] | None) -> None:
-    for run, takes, fills, reads, _ in calls:
-        value = run(*[values[i] for i in takes])
-        values[fills] = read(value) if reads and read is not None else value
-
-
-def _slip(calls: Calls, values: Values, slipping: Slipping, part: slice) -> None:
-    for run, takes, fills, _, slip in calls:
-        value = run(*[values[i] for i in takes])
-        values[fills] = value if slip is None else slipping.apply(slip, value, part)
-
-
-def in_blocks(
-    calls: Calls,
-    values: Values,
-    count: int,
-    block: int,
-    hand: Hand,
-    kept: frozenset[int],
-    slipping: Slipping | None,
-) -> None:
-    """Run pointwise calls at ``count`` positions, in blocks; values of the slots ``kept`` are left behind."""
-    # in a block of one position a value that varies would look like one that does not
-    block = max(block, 2)
-    if count > block:
-        still, calls = parted(calls, values)
-        at_once(still, values, hand, slipping)
-    if count <= block:
-        at_once(calls, values, hand, slipping)
-        return
-    dying = _last_uses(calls, values, kept)
-    takes = {i for call in calls for i in call.takes}
-    entering = {i: value for i, value in values.items() if i in takes}
-    whole: Values = {}
-    for start in range(0, count, block):
-        part = slice(start, min(start + block, count))
-        local = {i: part_of(value, part) for i, value in entering.items()}
-        for call, dead in zip(calls, dying, strict=True):
-            value = call.run(*[local[i] for i in call.takes])
-            if slipping is not None:
-                value = value if call.slip is None else slipping.apply(call.slip, value, part)
-            elif call.reads:
-                value = hand.read(value)
-            local[call.fills] = value
-            if call.fills in kept:
-                _keep(whole, call.fills, value, part, count)
-            for i in dead:
-                del local[i]
-    values.update(whole)
-
-
-def at_once(calls: Calls, values: Values, hand: Hand, slipping: Slipping | None = None) -> None:
-    """Run calls at all positions of the values at once; everything is left behind."""
-    if slipping is not None:
-        _slip(calls, values, slipping, slice(None))
-    else:
-        _run(calls, values, None if hand.ruler is None else hand.read)
-
-
-def parted(calls: Calls, values: Values) -> tuple[Calls, Calls]:
-    """Return the calls whose results are the same at all positions, and the others."""
-    still = {i for i, value in values.items() if not varies(value)}
-    first, second = [], []
-    for call in calls:
-        if still.issuperset(call.takes):
-            still.add(call.fills)
-            first.append(call)
-        else:
-            second.append(call)
-    return tuple(first), tuple(second)
-
-
-def varies(value: Any) -> bool:
-    """Whether a value has a position axis; a curve is the same at all positions."""
-    if isinstance(value, Curve):
-        return False
-    return any(array.shape[1] > 1 for array in arrays(value))
-
-
-def _last_uses(calls: Calls, values: Values, kept: frozenset[int]) -> list[tuple[int, ...]]:
-    """Return which values are used for the last time by each call: their memory is still in cache."""
-    seen: set[int] = set()
-    found: list[tuple[int, ...]] = []
-    for call in reversed(calls):
-        dying = {call.fills, *call.takes} - seen
-        seen |= dying
-        found.append(tuple(dying))
-    return found[::-1]
-
-
-def part_of(value: Any, part: slice, trials: slice = slice(None)) -> Any:
-    """Return a value at some positions, for some trials; a curve is whole."""
-    if isinstance(value, Curve):
-        return value
-    if isinstance(value, tuple):
-        return type(value)(*(part_of(array, part, trials) for array in value))
-    return value[trials] if value.shape[1] == 1 else value[trials, part]
-
-
-def _keep(whole: Values, index: int, value: Any, part: slice, count: int) -> None:
-    """Put a block of a value into its whole array; a value that does not vary is kept as it is."""
-    if isinstance(value, tuple):
-        columns = [{} if index not in whole else {0: array} for array in whole.get(index, value)]
-        for column, array in zip(columns, value, strict=True):
-            _keep(column, 0, array, part, count)
-        whole[index] = type(value)(*(column[0] for column in columns))
-        return
-    if index not in whole:
-        varies = value.shape[1] > 1
-        whole[index] = np.empty((value.shape[0], count), value.dtype) if varies else value
-    if whole[index].shape[1] > 1:
-        whole[index][:, part] = value
-
-
-def _spread(value: Any, count: int) -> Any:
-    if isinstance(value, tuple):
-        return (
-            value if isinstance(value, Curve) else type(value)(*(_spread(v, count) for v in value))
-        )
-    return np.broadcast_to(value, (value.shape[0], count))
+    if positions is None:
+        return program.run(given, hand=hand, block=block)
+    if len(program.strata) > 1:
+        raise ConstructionError("a curve across positions needs all positions of its row")
+    rows = {
+        mark: value
+        for mark, value in given.items()
+        if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1
+    }
+    whole = max((value.shape[1] for value in rows.values()), default=1)
+    at = np.asarray(positions, dtype=np.intp)
+    # a single one stands twice, so that what varies along the row is seen to vary, and slips as it does there
+    alone = at.size == 1 < whole and hand.slips
+    at = np.repeat(at, 2) if alone else at
+    cut = {**given, **{mark: value[:, at] for mark, value in rows.items()}}
+    found = program.run(cut, hand=hand, block=block, places=at, whole=whole)
+    if not alone:
+        return found
+    return Reading({i: part_of(value, slice(0, 1)) for i, value in found.values.items()}, 1)

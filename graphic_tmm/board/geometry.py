@@ -1,7 +1,7 @@
 """Arithmetic of the plane that stays accurate in hard cases, on complex arrays.
 
-What `vector`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other words: `scalars` has
-these, and runs everything else here as it stands on single numbers.
+What `vector`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other words: `scalars`
+has these, and runs everything else here as it stands on single numbers.
 """
 
 from __future__ import annotations
@@ -33,7 +33,8 @@ def vector(x: Reals, y: Reals) -> Complexes:
 
 def quadrant(quarters: Reals) -> Complexes:
     """Return i to the power of a whole number; of a NaN, one of the four."""
-    return _QUADRANTS[quarters.astype(np.intp) & 3]
+    found: Complexes = _QUADRANTS[quarters.astype(np.intp) & 3]
+    return found
 
 
 def sine(x: Reals) -> Reals:
@@ -44,7 +45,7 @@ def sine(x: Reals) -> Reals:
 
 def some(mask: NDArray[np.bool_]) -> bool:
     """Whether a mask is true anywhere."""
-    return np.count_nonzero(mask) > 0
+    return bool(np.count_nonzero(mask))
 
 
 def pick(mask: NDArray[np.bool_], first: Any, second: Any) -> Any:

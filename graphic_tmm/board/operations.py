@@ -41,7 +41,7 @@ def ray(start: Point, angle: Angle) -> Line:
 @operation("Через {through} провести {it} параллельно {to}.")
 def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} parallel to {to}."""
-    return Line(through, to.along if sense > 0 else to.along * -1.0)
+    return Line(through, to.along if sense > 0 else -to.along)
 
 
 @operation("Через {through} провести {it} перпендикулярно {to}.")

@@ -21,7 +21,6 @@ from graphic_tmm.board import geometry
 from graphic_tmm.errors import ConstructionError
 
 
-
 def numba() -> Any:
     """Return numba.
 
@@ -67,7 +66,9 @@ _SINE = (
 def _sine(x: Any) -> Any:
     square = x * x
     s5, s4, s3, s2, s1, s0 = _SINE
-    series = square * (s0 + square * (s1 + square * (s2 + square * (s3 + square * (s4 + square * s5)))))
+    series = square * (
+        s0 + square * (s1 + square * (s2 + square * (s3 + square * (s4 + square * s5))))
+    )
     return x + x * series
 
 
@@ -172,18 +173,18 @@ class _Plain(ast.NodeTransformer):
             ast.Call(ast.Name("_divide", ast.Load()), [node.left, node.right], []), node
         )
 
-
     def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
         """Divide as numpy does, here too."""
         if not isinstance(node.op, ast.Div) or not isinstance(node.target, ast.Name):
             self.generic_visit(node)
             return node
         whole = ast.BinOp(ast.Name(node.target.id, ast.Load()), ast.Div(), node.value)
-        return self.visit(ast.copy_location(ast.Assign([node.target], whole), node))
+        found: ast.AST = self.visit(ast.copy_location(ast.Assign([node.target], whole), node))
+        return found
 
 
 class NotCompiled(Exception):
-    """This function cannot be compiled."""
+    """A function cannot be compiled."""
 
 
 @cache

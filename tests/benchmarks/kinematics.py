@@ -1,7 +1,7 @@
 """A million positions: the executed and the compiled log against hand-written numpy and numba.
 
-The log draws its plans with stable intersections and takes its rates from readings; the hand-written functions of
-`bare` compute the same numbers in closed form. Both return new arrays; all are checked against one another
+The log draws its plans with stable intersections and takes its rates from readings; the hand-written functions
+of `bare` compute the same numbers in closed form. Both return new arrays; all are checked against one another
 before anything is timed. A row is one mechanism; its ratios are of medians taken in turns.
 """
 
@@ -117,13 +117,13 @@ def case(form: bare.Bare, count: int = COUNT) -> Case:
 
 def numbers(one: Case, reading: Reading) -> list[Any]:
     """Return what a reading says in SI, in the order of the hand-written function."""
-    points, links = ORDERS[one.form.name]
+    points, _ = ORDERS[one.form.name]
     found = []
     for k in range(0, 3 * len(points), 3):
         values = [reading[m][0] * mu for m, mu in zip(one.marks[k : k + 3], SCALES, strict=True)]
         both = [(value.real, value.imag) for value in values]
         # the slider's own ordinates do not change
-        plane = one.form.name == "four-bar" or k == 0 and one.form.name != "slider-crank"
+        plane = one.form.name == "four-bar" or (k == 0 and one.form.name != "slider-crank")
         found += [part for pair in both for part in pair[: 2 if plane else 1]]
     rates = [reading[mark][0] for mark in one.marks[3 * len(points) :]]
     speeds, others = rates[::2], rates[1::2]
@@ -182,12 +182,11 @@ def show() -> None:
         numpy = min(each for name, each in seconds.items() if name.startswith("numpy"))
         for name, each in seconds.items():
             rate = COUNT / each / 1e6
-            print(f"{form.name:<18}{name:<30}{rate:>7.1f}{numpy / each:>8.2f}{seconds['numba'] / each:>8.2f}")
+            print(
+                f"{form.name:<18}{name:<30}{rate:>7.1f}{numpy / each:>8.2f}{seconds['numba'] / each:>8.2f}"
+            )
         print(f"{form.name:<18}{'   compiling the log, s':<30}{compiling:>7.1f}")
 
 
 if __name__ == "__main__":
-    import sys
-    from pathlib import Path
-
     show()
