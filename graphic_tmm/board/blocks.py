@@ -31,6 +31,8 @@ class Call(NamedTuple):
 
 Calls = tuple[Call, ...]
 ALL = slice(None)
+KEPT = 1 << 21
+"""An array of so many numbers, made and dropped untouched, raises the size that glibc keeps for itself."""
 
 
 def ready(step: Step) -> Call:
@@ -76,6 +78,8 @@ def in_blocks(
     if count <= block:
         run(calls, values, hand, slipping)
         return
+    # so that glibc keeps what the blocks free, and does not hand it back to the system each time
+    np.empty(KEPT)
     still, moving = parted(calls, values)
     run(still, values, hand, slipping)
     dying = _last_uses(moving)

@@ -1,7 +1,7 @@
 """Arithmetic of the plane that stays accurate in hard cases, on complex arrays.
 
-What `vector`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other words: `scalars`
-has these, and runs everything else here as it stands on single numbers.
+What `vector`, `reverse`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other
+words: `scalars` has these, and runs everything else here as it stands on single numbers.
 """
 
 from __future__ import annotations
@@ -29,6 +29,14 @@ def vector(x: Reals, y: Reals) -> Complexes:
     found.real = x
     found.imag = y
     return found
+
+
+def reverse(z: Complexes) -> Complexes:
+    """Return −z."""
+    if z.strides[-1] != z.itemsize:
+        return -z
+    # numpy turns the signs of real numbers several at a time
+    return np.negative(z.view(np.float64)).view(np.complex128)
 
 
 def quadrant(quarters: Reals) -> Complexes:
@@ -63,7 +71,9 @@ def cis(degrees: Reals) -> Complexes:
     """Return e^{iφ} of an angle in degrees; exact at every multiple of 90°."""
     quarters = np.rint(degrees / 90.0)
     # within 45° of a quarter the cosine is known as well from the sine as by itself
-    y = sine((degrees - 90.0 * quarters) * RADIAN)
+    rest = degrees - 90.0 * quarters
+    rest *= RADIAN
+    y = sine(rest)
     return quadrant(quarters) * vector(np.sqrt((1.0 - y) * (1.0 + y)), y)
 
 

@@ -41,9 +41,15 @@ def trials_in_block(positions: int) -> int:
 
 def rounded(length: Reals, division: float) -> Reals:
     """Return a length in whole divisions of a ruler; ties go up and do not depend on the last bit."""
-    whole = np.floor(np.abs(length) / division + (0.5 + 1e-9)) * division
+    whole = np.abs(length)
+    whole /= division
+    whole += 0.5 + 1e-9
+    whole = np.floor(whole)
+    whole *= division
+    whole = np.copysign(whole, length)
     # no reading is −0
-    return np.copysign(whole, length) + 0.0
+    whole += 0.0
+    return whole
 
 
 class Hand(NamedTuple):

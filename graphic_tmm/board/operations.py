@@ -14,6 +14,7 @@ from graphic_tmm.board.geometry import (
     cis,
     degrees,
     pick,
+    reverse,
     root,
     some,
     unit,
@@ -41,7 +42,7 @@ def ray(start: Point, angle: Angle) -> Line:
 @operation("Через {through} провести {it} параллельно {to}.")
 def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} parallel to {to}."""
-    return Line(through, to.along if sense > 0 else -to.along)
+    return Line(through, to.along if sense > 0 else reverse(to.along))
 
 
 @operation("Через {through} провести {it} перпендикулярно {to}.")
@@ -100,10 +101,11 @@ def meet(base: Line, other: Line) -> Point:
     parallel_ = np.abs(sine) <= PARALLEL
     if some(parallel_):
         sine = np.where(parallel_, np.nan, sine)
-    t, s = wedge(between, other.along) / sine, wedge(between, base.along) / sine
-    nearer = np.abs(t) <= np.abs(s)
-    way = pick(nearer, t, s) * pick(nearer, base.along, other.along)
-    return Point(pick(nearer, base.at, other.at) + way)
+    # both ways are these by the sine: the shorter shows before
+    first, second = wedge(between, other.along), wedge(between, base.along)
+    nearer = np.abs(first) <= np.abs(second)
+    way = pick(nearer, first, second) / sine
+    return Point(pick(nearer, base.at, other.at) + way * pick(nearer, base.along, other.along))
 
 
 def _cut_gap(line: Line, arc: Arc, side: Side) -> Reals:

@@ -76,6 +76,10 @@ def _vector(x: Any, y: Any) -> Any:
     return complex(x, y)
 
 
+def _reverse(z: Any) -> Any:
+    return -z
+
+
 def _quadrant(quarters: Any) -> Any:
     rest = quarters - 4.0 * np.floor(quarters * 0.25)
     x = 1.0 if rest == 0.0 else (-1.0 if rest == 2.0 else 0.0)
@@ -111,6 +115,7 @@ def _names() -> _Names:
     functions = {
         geometry.sine: njit(_sine),
         geometry.vector: njit(_vector),
+        geometry.reverse: njit(_reverse),
         geometry.quadrant: njit(_quadrant),
         geometry.some: itself,
         geometry.pick: where,
