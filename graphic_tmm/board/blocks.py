@@ -11,12 +11,32 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.hand import Hand, Slip, Slipping, slip_of
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Curve, arrays
 
 Values = dict[int, Any]
+
+
+class Room:
+    """Room for results, taken from the system in large pieces: those it gives in huge pages, quickly."""
+
+    def __init__(self) -> None:
+        self._rest = np.empty(0, np.uint8)
+
+    def empty(self, shape: tuple[int, int], dtype: Any) -> NDArray[Any]:
+        """Return an array that holds nothing yet."""
+        size = shape[0] * shape[1] * np.dtype(dtype).itemsize
+        if size < LARGE:
+            return np.empty(shape, dtype)
+        taken = -(-size // ALIGNED) * ALIGNED
+        if taken > self._rest.size:
+            # what is never written to takes no memory
+            self._rest = np.empty(PIECE * taken, np.uint8)
+        mine, self._rest = self._rest[:size], self._rest[taken:]
+        return mine.view(dtype).reshape(shape)
 
 
 class Call(NamedTuple):
@@ -33,6 +53,8 @@ Calls = tuple[Call, ...]
 ALL = slice(None)
 KEPT = 1 << 21
 """An array of so many numbers, made and dropped untouched, raises the size that glibc keeps for itself."""
+LARGE, ALIGNED, PIECE = 1 << 20, 64, 8
+"""Bytes of a result that is worth a piece of its own room, its alignment, such results in one piece."""
 
 
 def ready(step: Step) -> Call:
@@ -86,6 +108,7 @@ def in_blocks(
     takes = {i for call in moving for i in call.takes}
     entering = {i: value for i, value in values.items() if i in takes}
     whole: Values = {}
+    room = Room()
     # nor is there a last block of one position
     starts = range(0, count - 1, block)
     for start in starts:
@@ -94,7 +117,7 @@ def in_blocks(
         for call, dead in zip(moving, dying, strict=True):
             run((call,), local, hand, slipping, part)
             if call.fills in kept:
-                _keep(whole, call.fills, local[call.fills], part, count)
+                _keep(whole, call.fills, local[call.fills], part, count, room)
             for i in dead:
                 del local[i]
     values.update(whole)
@@ -140,17 +163,17 @@ def part_of(value: Any, part: slice, trials: slice = slice(None)) -> Any:
     return value[trials] if value.shape[1] == 1 else value[trials, part]
 
 
-def _keep(whole: Values, index: int, value: Any, part: slice, count: int) -> None:
+def _keep(whole: Values, index: int, value: Any, part: slice, count: int, room: Room) -> None:
     """Put a block of a value into its whole array; a value that does not vary is kept as it is."""
     if isinstance(value, tuple):
         columns = [{} if index not in whole else {0: array} for array in whole.get(index, value)]
         for column, array in zip(columns, value, strict=True):
-            _keep(column, 0, array, part, count)
+            _keep(column, 0, array, part, count, room)
         whole[index] = type(value)(*(column[0] for column in columns))
         return
     if index not in whole:
         varies = value.shape[1] > 1
-        whole[index] = np.empty((value.shape[0], count), value.dtype) if varies else value
+        whole[index] = room.empty((value.shape[0], count), value.dtype) if varies else value
     if whole[index].shape[1] > 1:
         whole[index][:, part] = value
 

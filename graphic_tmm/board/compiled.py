@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.blocks import Call, Calls, Values, in_blocks, part_of, parted, run
+from graphic_tmm.board.blocks import Call, Calls, Room, Values, in_blocks, part_of, parted, run
 from graphic_tmm.board.hand import Hand, rounded
 from graphic_tmm.board.scalars import NotCompiled, numba, scalar
 from graphic_tmm.board.values import Curve, arrays
@@ -126,10 +126,11 @@ def _loop(part: Part, values: Values, sample: Values, count: int, hand: Hand) ->
     for i in leaves:
         text.leave(i, sample[i])
     entering = [np.ascontiguousarray(array) for i in takes for array in arrays(values[i])]
+    room = Room()
     trials = max((array.shape[0] for array in entering), default=1)
     for i in leaves:
         found = [
-            np.empty((trials if a.shape[0] > 1 else 1, count if a.shape[1] > 1 else 1), a.dtype)
+            room.empty((trials if a.shape[0] > 1 else 1, count if a.shape[1] > 1 else 1), a.dtype)
             for a in arrays(sample[i])
         ]
         values[i] = type(sample[i])(*found) if isinstance(sample[i], tuple) else found[0]

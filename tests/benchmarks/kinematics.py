@@ -7,14 +7,15 @@ before anything is timed. A row is one mechanism; its ratios are of medians take
 
 from __future__ import annotations
 
-import statistics
 import time
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-import bare
 import numpy as np
-from drawn import Board, board
+from clock import Row, in_turns, show  # first: it finds the tests' other modules
+
+import bare  # isort: skip
+from drawn import Board, board  # isort: skip
 
 from graphic_tmm.board.execute import Program, Reading, prepare
 from graphic_tmm.board.hand import EXACT, Hand
@@ -138,55 +139,69 @@ def agree(first: Sequence[Any], second: Sequence[Any]) -> None:
             raise AssertionError(f"number {k} is off by {off:.1e}")
 
 
-def in_turns(calls: dict[str, Callable[[], object]], rounds: int = 9) -> dict[str, float]:
-    """Median seconds of calls that take turns, so that a noisy minute falls on all of them."""
-    times: dict[str, list[float]] = {name: [] for name in calls}
-    for _ in range(rounds + 1):
-        for name, call in calls.items():
-            start = time.perf_counter()
-            call()
-            times[name].append(time.perf_counter() - start)
-    return {name: statistics.median(each[1:]) for name, each in times.items()}
+def worst(first: Reading, second: Reading, marks: Sequence[Mark]) -> float:
+    """Return how far two readings are apart, in shares of the largest number of a mark."""
+    return max(
+        float(np.max(np.abs(first[m] - second[m])) / (np.max(np.abs(second[m])) or 1.0)) for m in marks
+    )
 
 
-def row(form: bare.Bare) -> tuple[dict[str, float], float]:
-    """Return the seconds of each road for one mechanism, and those of compiling its log."""
+def rows(form: bare.Bare) -> list[Row]:
+    """Return the lines of one mechanism."""
     one = case(form)
     loop = bare.looped(form.form)
     start = time.perf_counter()
     fast = one.program.compiled()
-    exact = fast.run({**one.given, one.drawn.positions.phi: np.linspace(0.0, 9.0, 99)[None, :]})
+    fast.run({**one.given, one.drawn.positions.phi: np.linspace(0.0, 9.0, 99)[None, :]})
     compiling = time.perf_counter() - start
-    assert exact.positions == 99
-    due = one.numpy(8192)
+    due, plain = one.numpy(8192), one.log(one.program)
     agree(one.by_numba(loop), due)
-    agree(numbers(one, one.log(one.program)), due)
-    agree(numbers(one, one.log(fast)), due)
-    calls: dict[str, Callable[[], object]] = {
-        "numpy, blocks of 4096": lambda: one.numpy(4096),
-        "numpy, blocks of 8192": lambda: one.numpy(8192),
-        "log, exact hand": lambda: one.log(one.program),
-        "log, ruler 0.1 mm": lambda: one.log(one.program, RULER),
-        "numba": lambda: one.by_numba(loop),
-        "compiled log, exact hand": lambda: one.log(fast),
-        "compiled log, ruler 0.1 mm": lambda: one.log(fast, RULER),
-    }
-    return in_turns(calls), compiling
+    agree(numbers(one, plain), due)
+    off = worst(one.log(fast), plain, one.marks)
+    assert off < 1e-12, off
+    del due, plain
+    seconds = in_turns(
+        {
+            "numpy 4096": lambda: one.numpy(4096),
+            "numpy 8192": lambda: one.numpy(8192),
+            "numpy 16384": lambda: one.numpy(16384),
+            "log": lambda: one.log(one.program),
+            "log read": lambda: one.log(one.program, RULER),
+            "numba": lambda: one.by_numba(loop),
+            "fast": lambda: one.log(fast),
+            "fast read": lambda: one.log(fast, RULER),
+        }
+    )
+    numpy = min(each for name, each in seconds.items() if name.startswith("numpy"))
+    numba = seconds["numba"]
+
+    def line(what: str, name: str, against: float, wanted: float | None = None) -> Row:
+        ratio = against / seconds[name]
+        found = f"{COUNT / seconds[name] / 1e6:.1f} M/s, ratio {ratio:.2f}"
+        if wanted is None:
+            return Row(f"{form.name}: {what}", found)
+        return Row(f"{form.name}: {what}", found, f"≥ {wanted}", ratio >= wanted)
+
+    return [
+        Row(f"{form.name}: hand-written numpy, blocked", f"{COUNT / numpy / 1e6:.1f} M/s"),
+        line("log, exact / numpy", "log", numpy),
+        line("log with readings / numpy", "log read", numpy, 0.6),
+        line("compiled log with readings / numpy", "fast read", numpy, 0.6),
+        Row(f"{form.name}: hand-written numba", f"{COUNT / numba / 1e6:.1f} M/s"),
+        line("compiled log, exact / numba", "fast", numba, 0.7),
+        line("compiled log with readings / numba", "fast read", numba, 0.7),
+        Row(f"{form.name}: compiled against executed", f"{off:.0e}", "≤ 1e-12", off <= 1e-12),
+        Row(f"{form.name}: compiling, once", f"{compiling:.1f} s"),
+    ]
 
 
-def show() -> None:
-    """Print M positions/s, and the ratios to hand-written numpy (the faster blocks) and numba."""
-    print(f"{'1 000 000 positions':<18}{'road':<30}{'M/s':>7}{'/numpy':>8}{'/numba':>8}")
-    for form in bare.BARE:
-        seconds, compiling = row(form)
-        numpy = min(each for name, each in seconds.items() if name.startswith("numpy"))
-        for name, each in seconds.items():
-            rate = COUNT / each / 1e6
-            print(
-                f"{form.name:<18}{name:<30}{rate:>7.1f}{numpy / each:>8.2f}{seconds['numba'] / each:>8.2f}"
-            )
-        print(f"{form.name:<18}{'   compiling the log, s':<30}{compiling:>7.1f}")
+def main() -> None:
+    """Print the table: M positions/s, ratios of medians taken in turns."""
+    show(
+        "1 000 000 positions: places, velocities, accelerations",
+        [row for form in bare.BARE for row in rows(form)],
+    )
 
 
 if __name__ == "__main__":
-    show()
+    main()
