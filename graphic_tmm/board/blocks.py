@@ -36,7 +36,8 @@ class Room:
             # what is never written to takes no memory
             self._rest = np.empty(PIECE * taken, np.uint8)
         mine, self._rest = self._rest[:size], self._rest[taken:]
-        return mine.view(dtype).reshape(shape)
+        found: NDArray[Any] = mine.view(dtype).reshape(shape)
+        return found
 
 
 class Call(NamedTuple):

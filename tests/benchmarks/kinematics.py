@@ -142,7 +142,8 @@ def agree(first: Sequence[Any], second: Sequence[Any]) -> None:
 def worst(first: Reading, second: Reading, marks: Sequence[Mark]) -> float:
     """Return how far two readings are apart, in shares of the largest number of a mark."""
     return max(
-        float(np.max(np.abs(first[m] - second[m])) / (np.max(np.abs(second[m])) or 1.0)) for m in marks
+        float(np.max(np.abs(first[m] - second[m])) / (np.max(np.abs(second[m])) or 1.0))
+        for m in marks
     )
 
 
