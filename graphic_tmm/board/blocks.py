@@ -21,20 +21,21 @@ Values = dict[int, Any]
 
 
 class Room:
-    """Room for results, taken from the system in large pieces: those it gives in huge pages, quickly."""
+    """Room for so many results, taken in large pieces: the system gives those in huge pages, quickly."""
 
-    def __init__(self) -> None:
-        self._rest = np.empty(0, np.uint8)
+    def __init__(self, results: int) -> None:
+        self._rest, self._left = np.empty(0, np.uint8), results
 
     def empty(self, shape: tuple[int, int], dtype: Any) -> NDArray[Any]:
         """Return an array that holds nothing yet."""
         size = shape[0] * shape[1] * np.dtype(dtype).itemsize
+        self._left -= 1
         if size < LARGE:
             return np.empty(shape, dtype)
         taken = -(-size // ALIGNED) * ALIGNED
         if taken > self._rest.size:
             # what is never written to takes no memory
-            self._rest = np.empty(PIECE * taken, np.uint8)
+            self._rest = np.empty(min(PIECE, max(self._left, 0) + 1) * taken, np.uint8)
         mine, self._rest = self._rest[:size], self._rest[taken:]
         found: NDArray[Any] = mine.view(dtype).reshape(shape)
         return found
@@ -55,7 +56,7 @@ ALL = slice(None)
 KEPT = 1 << 21
 """An array of so many numbers, made and dropped untouched, raises the size that glibc keeps for itself."""
 LARGE, ALIGNED, PIECE = 1 << 20, 64, 8
-"""Bytes of a result that is worth a piece of its own room, its alignment, such results in one piece."""
+"""Bytes of a result for which pages matter, its alignment, the most results in one piece."""
 
 
 def ready(step: Step) -> Call:
@@ -109,7 +110,7 @@ def in_blocks(
     takes = {i for call in moving for i in call.takes}
     entering = {i: value for i, value in values.items() if i in takes}
     whole: Values = {}
-    room = Room()
+    room = Room(len(kept & {call.fills for call in moving}))
     # nor is there a last block of one position
     starts = range(0, count - 1, block)
     for start in starts:
@@ -206,4 +207,4 @@ def spread(value: Any, count: int) -> Any:
         return (
             value if isinstance(value, Curve) else type(value)(*(spread(v, count) for v in value))
         )
-    return np.broadcast_to(value, (value.shape[0], count))
+    return value if value.shape[1] == count else np.broadcast_to(value, (value.shape[0], count))

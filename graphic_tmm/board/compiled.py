@@ -126,7 +126,7 @@ def _loop(part: Part, values: Values, sample: Values, count: int, hand: Hand) ->
     for i in leaves:
         text.leave(i, sample[i])
     entering = [np.ascontiguousarray(array) for i in takes for array in arrays(values[i])]
-    room = Room()
+    room = Room(sum(len(arrays(sample[i])) for i in leaves))
     trials = max((array.shape[0] for array in entering), default=1)
     for i in leaves:
         found = [

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -171,11 +172,26 @@ class Program(NamedTuple):
 
 def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
     """Slice the log to what ``wanted`` needs (everything if None) and sort it into strata."""
-    asked = (
-        frozenset(range(construction.size))
-        if wanted is None
-        else frozenset(mark.slot for mark in wanted)
-    )
+    slots = range(construction.size) if wanted is None else (mark.slot for mark in wanted)
+    return _prepared(_Log(construction), frozenset(slots))
+
+
+class _Log:
+    """A log that is known by being this one: comparing two would take longer than to prepare them."""
+
+    def __init__(self, construction: Construction) -> None:
+        self.construction = construction
+
+    def __hash__(self) -> int:
+        return id(self.construction)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Log) and self.construction is other.construction
+
+
+@lru_cache(maxsize=64)
+def _prepared(log: _Log, asked: frozenset[int]) -> Program:
+    construction = log.construction
     everything = (*construction.given, *(step.it for step in construction.steps))
     steps = needed(construction, (mark for mark in everything if mark.slot in asked))
     level: dict[int, int] = {}

@@ -77,7 +77,8 @@ def cold() -> list[Row]:
         both = (
             "from pathlib import Path; from graphic_tmm.scene.read import read;"
             "from graphic_tmm.studio import sheet_files; from graphic_tmm.files import write;"
-            f"[write(Path({out!r}) / name, sheet_files(read(Path('sheets') / name))[1]) for name in {PROJECT!r}]"
+            f"[write(Path({out!r}) / name, sheet_files(read(Path('sheets') / name))[1])"
+            f" for name in {PROJECT!r}]"
         )
         calls: dict[str, Callable[[], object]] = {
             "pass": process("-c", "pass"),

@@ -86,7 +86,7 @@ def rows() -> list[Row]:
         svg(compose(made.scene, made)[0])
 
     names = {
-        f"{len(plain.paths)} paths, {len(plain.words)} texts through svgwrite": lambda: plain.write(debug=False),
+        f"{len(plain.paths)} paths, {len(plain.words)} texts, svgwrite": lambda: plain.write(debug=False),
         "a full A1 sheet of the windrower: composed, placed, written": whole,
         "the same, no label remembered": forgetting,
         "of it, composed and placed": lambda: compose(made.scene, made),
