@@ -124,7 +124,7 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
     the sheets too.
     """
-    from graphic_tmm.paper.compose import compose
+    from graphic_tmm.paper.compose import needed
 
     project = record(scene)
     tried: dict[tuple[float, ...], float] = {}
@@ -135,7 +135,7 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
         factors = tuple(scale.value for scale in made.scales.values())
         if factors not in tried:
             try:
-                tried[factors] = len(compose(scene, made, parts, lettered=False))
+                tried[factors] = needed(scene, made, parts)
             except SheetError:
                 tried[factors] = math.inf
         return tried[factors]

@@ -6,23 +6,22 @@ that works across positions (a French curve) runs on whole arrays, between two s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.hand import EXACT, Hand, Slip, Slipping, Streams, slip_of, trials_in_block
+from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
+from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.errors import ConstructionError
 
-BLOCK = 4096
-"""Positions in one block: some fifty arrays of it fit into a second-level cache."""
-
-Values = dict[int, Any]
+BLOCK = 16384
+"""Positions in one block: what numpy's calls cost is little against it, and the arrays in use stay in cache."""
 
 
 @dataclass(frozen=True)
@@ -80,25 +79,29 @@ def needed(construction: Construction, wanted: Iterable[Mark]) -> tuple[Step, ..
     return tuple(reversed(kept))
 
 
-class Call(NamedTuple):
-    """A step made ready to run: the operation with its choice, the slots it takes, the slot it fills."""
-
-    run: Callable[..., Any]
-    takes: tuple[int, ...]
-    fills: int
-    reads: bool
-    slip: Slip | None = None
-
-
-Calls = tuple[Call, ...]
-
-
 class Program(NamedTuple):
     """A slice of a log made ready to run: strata of pointwise steps, each ended by steps across positions."""
 
     strata: tuple[tuple[Calls, Calls], ...]
     wanted: frozenset[int]
     given: tuple[Mark, ...]
+    fast: bool = False
+
+    def compiled(self) -> Program:
+        """Return the same program, whose pointwise steps run in loops compiled by numba.
+
+        Its first run compiles (seconds). The numbers are the same to rounding. Hands that slip, or keep few
+        digits, run as ever.
+
+        Raises
+        ------
+        ConstructionError
+            If numba is not installed.
+        """
+        from graphic_tmm.board.scalars import numba
+
+        numba()
+        return self._replace(fast=True)
 
     def run(
         self,
@@ -134,7 +137,7 @@ class Program(NamedTuple):
             self._run(local, count, block, hand, slipping)
             part = slice(start, start + trials)
             for i in self.wanted & local.keys():
-                found[i] = _stored(found.get(i), local[i], part, hand.trials)
+                found[i] = stored(found.get(i), local[i], part, hand.trials)
         return Reading(found, count)
 
     def _run(
@@ -142,9 +145,15 @@ class Program(NamedTuple):
     ) -> None:
         with np.errstate(all="ignore"):
             for pointwise, across in self.strata:
-                _in_blocks(pointwise, values, count, block, hand, self._kept(pointwise), slipping)
+                kept = self._kept(pointwise)
+                if self.fast and slipping is None:
+                    from graphic_tmm.board.compiled import in_loops
+
+                    in_loops(pointwise, values, count, block, hand, kept)
+                else:
+                    in_blocks(pointwise, values, count, block, hand, kept, slipping)
                 for call in across:
-                    value = call.run(*[_spread(values[i], count) for i in call.takes])
+                    value = call.op(*[spread(values[i], count) for i in call.takes])
                     if slipping is not None and call.slip is not None:
                         value = slipping.apply(call.slip, value, slice(None))
                     values[call.fills] = value
@@ -163,11 +172,26 @@ class Program(NamedTuple):
 
 def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
     """Slice the log to what ``wanted`` needs (everything if None) and sort it into strata."""
-    asked = (
-        frozenset(range(construction.size))
-        if wanted is None
-        else frozenset(mark.slot for mark in wanted)
-    )
+    slots = range(construction.size) if wanted is None else (mark.slot for mark in wanted)
+    return _prepared(_Log(construction), frozenset(slots))
+
+
+class _Log:
+    """A log that is known by being this one: comparing two would take longer than to prepare them."""
+
+    def __init__(self, construction: Construction) -> None:
+        self.construction = construction
+
+    def __hash__(self) -> int:
+        return id(self.construction)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Log) and self.construction is other.construction
+
+
+@lru_cache(maxsize=64)
+def _prepared(log: _Log, asked: frozenset[int]) -> Program:
+    construction = log.construction
     everything = (*construction.given, *(step.it for step in construction.steps))
     steps = needed(construction, (mark for mark in everything if mark.slot in asked))
     level: dict[int, int] = {}
@@ -178,7 +202,7 @@ def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) ->
     for n in range(max(level.values(), default=0) + 1):
         pointwise = (s for s in steps if not s.op.across and level[s.it.slot] == n)
         across = (s for s in steps if s.op.across and level[s.it.slot] == n + 1)
-        strata.append((tuple(map(_call, pointwise)), tuple(map(_call, across))))
+        strata.append((tuple(map(ready, pointwise)), tuple(map(ready, across))))
     alive = asked | {mark.slot for step in steps for mark in step.uses}
     return Program(tuple(strata), asked, tuple(m for m in construction.given if m.slot in alive))
 
@@ -191,6 +215,7 @@ def execute(
     hand: Hand = EXACT,
     positions: Sequence[int] | None = None,
     block: int = BLOCK,
+    fast: bool = False,
 ) -> Reading:
     """Return the numbers of the wanted marks.
 
@@ -208,13 +233,18 @@ def execute(
         Indices of the positions to run at; None for all. Not for steps across positions.
     block
         Positions a block.
+    fast
+        Whether numba compiles the steps; see `Program.compiled`.
 
     Raises
     ------
     ConstructionError
-        If a value is missing, or a curve across positions is asked for at some positions only.
+        If a value is missing, a curve across positions is asked for at some positions only, or ``fast`` is
+        asked for without numba.
     """
     program = prepare(construction, wanted)
+    if fast:
+        program = program.compiled()
     if positions is None:
         return program.run(given, hand=hand, block=block)
     if len(program.strata) > 1:
@@ -233,108 +263,4 @@ def execute(
     found = program.run(cut, hand=hand, block=block, places=at, whole=whole)
     if not alone:
         return found
-    return Reading({i: _part(value, slice(0, 1)) for i, value in found.values.items()}, 1)
-
-
-def _call(step: Step) -> Call:
-    run = partial(step.op.run, **step.choice) if step.choice else step.op.run
-    slip = slip_of(step.op, step.it.view, step.it.letter)
-    return Call(run, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads, slip)
-
-
-def _stored(kept: Any, value: Any, part: slice, trials: int) -> Any:
-    """Put a block of trials of a value into its whole array; what does not vary by trial is kept once."""
-    if isinstance(value, tuple):
-        parts = (None,) * len(value) if kept is None else kept
-        whole: Any = type(value)
-        # whether a curve is closed is no array
-        return whole(
-            *(
-                one if isinstance(one, bool) else _stored(old, one, part, trials)
-                for old, one in zip(parts, value, strict=True)
-            )
-        )
-    if kept is None:
-        if value.shape[0] == 1 or value.shape[0] == trials:
-            return value
-        kept = np.empty((trials, *value.shape[1:]), value.dtype)
-    if kept.shape[0] > 1:
-        kept[part] = value
-    return kept
-
-
-def _run(calls: Calls, values: Values, read: Callable[[Any], Any] | None) -> None:
-    for run, takes, fills, reads, _ in calls:
-        value = run(*[values[i] for i in takes])
-        values[fills] = read(value) if reads and read is not None else value
-
-
-def _slip(calls: Calls, values: Values, slipping: Slipping, part: slice) -> None:
-    for run, takes, fills, _, slip in calls:
-        value = run(*[values[i] for i in takes])
-        values[fills] = value if slip is None else slipping.apply(slip, value, part)
-
-
-def _in_blocks(
-    calls: Calls,
-    values: Values,
-    count: int,
-    block: int,
-    hand: Hand,
-    kept: frozenset[int],
-    slipping: Slipping | None,
-) -> None:
-    read = None if hand.ruler is None else hand.read
-    # a value that varies would look in a block of one position like one that does not
-    block = max(block, 2)
-    if count <= block:
-        if slipping is None:
-            _run(calls, values, read)
-        else:
-            _slip(calls, values, slipping, slice(None))
-        return
-    whole: Values = {}
-    # nor is there a last block of one position
-    starts = range(0, count - 1, block)
-    for start in starts:
-        part = slice(start, count if start == starts[-1] else start + block)
-        local = {i: _part(value, part) for i, value in values.items()}
-        if slipping is None:
-            _run(calls, local, read)
-        else:
-            _slip(calls, local, slipping, part)
-        for call in calls:
-            if call.fills in kept:
-                _keep(whole, call.fills, local[call.fills], part, count)
-    values.update(whole)
-
-
-def _part(value: Any, part: slice) -> Any:
-    if isinstance(value, Curve):
-        return value
-    if isinstance(value, tuple):
-        return type(value)(*(_part(array, part) for array in value))
-    return value if value.shape[1] == 1 else value[:, part]
-
-
-def _keep(whole: Values, index: int, value: Any, part: slice, count: int) -> None:
-    """Put a block of a value into its whole array; a value that does not vary is kept as it is."""
-    if isinstance(value, tuple):
-        columns = [{} if index not in whole else {0: array} for array in whole.get(index, value)]
-        for column, array in zip(columns, value, strict=True):
-            _keep(column, 0, array, part, count)
-        whole[index] = type(value)(*(column[0] for column in columns))
-        return
-    if index not in whole:
-        varies = value.shape[1] > 1
-        whole[index] = np.empty((value.shape[0], count), value.dtype) if varies else value
-    if whole[index].shape[1] > 1:
-        whole[index][:, part] = value
-
-
-def _spread(value: Any, count: int) -> Any:
-    if isinstance(value, tuple):
-        return (
-            value if isinstance(value, Curve) else type(value)(*(_spread(v, count) for v in value))
-        )
-    return np.broadcast_to(value, (value.shape[0], count))
+    return Reading({i: part_of(value, slice(0, 1)) for i, value in found.values.items()}, 1)

@@ -1,8 +1,15 @@
-"""Arithmetic of the plane on complex arrays that stays accurate in hard cases."""
+"""Arithmetic of the plane that stays accurate in hard cases, on complex arrays.
+
+What `vector`, `reverse`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other
+words: `scalars` has these, and runs everything else here as it stands on single numbers.
+"""
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 
@@ -11,15 +18,63 @@ TANGENT = 16 * EPS
 """A gap negative by less than this share of the lengths is rounding: the figures touch."""
 PARALLEL = 4 * EPS
 """Two unit directions whose wedge is not larger than this are parallel: their rounding alone reaches it."""
+RADIAN = np.pi / 180.0
 _QUADRANTS = np.array([1, 1j, -1, -1j])
+
+
+def vector(x: Reals, y: Reals) -> Complexes:
+    """Return x + iy."""
+    shape = x.shape if x.shape == y.shape else np.broadcast_shapes(x.shape, y.shape)
+    found = np.empty(shape, np.complex128)
+    found.real = x
+    found.imag = y
+    return found
+
+
+def reverse(z: Complexes) -> Complexes:
+    """Return −z."""
+    if z.strides[-1] != z.itemsize:
+        return -z
+    # numpy turns the signs of real numbers several at a time
+    return np.negative(z.view(np.float64)).view(np.complex128)
+
+
+def quadrant(quarters: Reals) -> Complexes:
+    """Return i to the power of a whole number; of a NaN, one of the four."""
+    found: Complexes = _QUADRANTS[quarters.astype(np.intp) & 3]
+    return found
+
+
+def sine(x: Reals) -> Reals:
+    """Return the sine of angles up to 45°, in radians."""
+    found: Reals = np.sin(x)
+    return found
+
+
+def some(mask: NDArray[np.bool_]) -> bool:
+    """Whether a mask is true anywhere."""
+    return bool(np.count_nonzero(mask))
+
+
+def pick(mask: NDArray[np.bool_], first: Any, second: Any) -> Any:
+    """Return ``first`` where the mask is true, ``second`` elsewhere.
+
+    Where it is true, or false, all over, that one is returned in the shape it has.
+    """
+    true = np.count_nonzero(mask)
+    if true == mask.size:
+        return first
+    return np.where(mask, first, second) if true else second
 
 
 def cis(degrees: Reals) -> Complexes:
     """Return e^{iφ} of an angle in degrees; exact at every multiple of 90°."""
-    quarter = np.rint(degrees / 90.0)
-    rest = np.radians(degrees - 90.0 * quarter)
-    # a NaN becomes some whole number here, and stays NaN in the rest
-    return np.asarray(_QUADRANTS[quarter.astype(np.intp) & 3] * np.exp(1j * rest))
+    quarters = np.rint(degrees / 90.0)
+    # within 45° of a quarter the cosine is known as well from the sine as by itself
+    rest = degrees - 90.0 * quarters
+    rest *= RADIAN
+    y = sine(rest)
+    return quadrant(quarters) * vector(np.sqrt((1.0 - y) * (1.0 + y)), y)
 
 
 def degrees(z: Complexes) -> Reals:
@@ -33,17 +88,21 @@ def degrees(z: Complexes) -> Reals:
 
 def wedge(a: Complexes, b: Complexes) -> Reals:
     """Return the signed area of the parallelogram of two vectors."""
-    return np.asarray(a.real * b.imag - a.imag * b.real)
+    area: Reals = a.real * b.imag
+    area -= a.imag * b.real
+    return area
 
 
 def along(a: Complexes, unit: Complexes) -> Reals:
     """Return the component of ``a`` along a unit direction."""
-    return np.asarray(a.real * unit.real + a.imag * unit.imag)
+    part: Reals = a.real * unit.real
+    part += a.imag * unit.imag
+    return part
 
 
 def unit(a: Complexes) -> Complexes:
     """Return the direction of ``a``; NaN where it has no length."""
-    return np.asarray(a / np.abs(a))
+    return a * (1.0 / np.abs(a))
 
 
 def root(product: Reals, gap: Reals, scale: Reals) -> Reals:
@@ -51,5 +110,8 @@ def root(product: Reals, gap: Reals, scale: Reals) -> Reals:
 
     ``gap`` is the factor of ``product`` that becomes negative where two figures no longer meet.
     """
-    touching = (gap < 0) & (gap >= -TANGENT * scale)
-    return np.asarray(np.sqrt(np.where(touching, 0.0, product)))
+    negative = gap < 0.0
+    if some(negative):
+        product = np.where(negative & (gap >= -TANGENT * scale), 0.0, product)
+    found: Reals = np.sqrt(product)
+    return found

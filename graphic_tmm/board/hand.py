@@ -39,6 +39,19 @@ def trials_in_block(positions: int) -> int:
     return min(1 << max(SIZE // max(positions, 1), 2).bit_length() - 1, MOST)
 
 
+def rounded(length: Reals, division: float) -> Reals:
+    """Return a length in whole divisions of a ruler; ties go up and do not depend on the last bit."""
+    whole = np.abs(length)
+    whole /= division
+    whole += 0.5 + 1e-9
+    whole = np.floor(whole)
+    whole *= division
+    whole = np.copysign(whole, length)
+    # no reading is −0
+    whole += 0.0
+    return whole
+
+
 class Hand(NamedTuple):
     """How far a hand slips: standard deviations in mm, ``swing`` in degrees; 0 for no slip.
 
@@ -64,10 +77,7 @@ class Hand(NamedTuple):
 
     def read(self, length: Reals) -> Reals:
         """Return a length as read off the ruler; ties go up and do not depend on the last bit."""
-        if self.ruler is None:
-            return length
-        divisions = np.floor(np.abs(length) / self.ruler + (0.5 + 1e-9))
-        return np.asarray(np.copysign(divisions * self.ruler, length) + 0.0)
+        return length if self.ruler is None else rounded(length, self.ruler)
 
     def calculate(self, number: Reals) -> Reals:
         """Return a calculated number with so many digits as the hand keeps."""

@@ -8,7 +8,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.geometry import PARALLEL, along, cis, degrees, root, unit, wedge
+from graphic_tmm.board.geometry import (
+    PARALLEL,
+    along,
+    cis,
+    degrees,
+    pick,
+    reverse,
+    root,
+    some,
+    unit,
+    vector,
+    wedge,
+)
 from graphic_tmm.board.grammar import Gap, operation
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Reals, Side
 
@@ -30,7 +42,7 @@ def ray(start: Point, angle: Angle) -> Line:
 @operation("Через {through} провести {it} параллельно {to}.")
 def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} parallel to {to}."""
-    return Line(through, to.along if sense > 0 else -to.along)
+    return Line(through, to.along if sense > 0 else reverse(to.along))
 
 
 @operation("Через {through} провести {it} перпендикулярно {to}.")
@@ -48,7 +60,7 @@ def incline(through: Point, to: Line, by: Angle) -> Line:
 @operation("Параллельно {to} на расстоянии {by} слева от неё провести {it}.")
 def shift(to: Line, by: Length) -> Line:
     """Parallel to {to}, at the distance {by} to its left, draw {it}."""
-    return Line(to.at + 1j * by * to.along, to.along)
+    return Line(to.at + by * (1j * to.along), to.along)
 
 
 @operation("На {on} от её начала отложить {length}; отметить {it}.")
@@ -60,7 +72,7 @@ def lay_off(on: Line, length: Length) -> Point:
 @operation("На {on} от её начала отложить {x} и перпендикулярно к ней влево {y}; отметить {it}.")
 def place(on: Line, x: Length, y: Length) -> Point:
     """On {on} lay off {x} from its beginning and, square to it to the left, {y}; mark {it}."""
-    return Point(on.at + (x + 1j * y) * on.along)
+    return Point(on.at + vector(x, y) * on.along)
 
 
 @operation("Из {centre} раствором циркуля {radius} провести дугу {it}.")
@@ -86,10 +98,14 @@ def meet(base: Line, other: Line) -> Point:
     """
     between = other.at - base.at
     sine = wedge(base.along, other.along)
-    sine[np.abs(sine) <= PARALLEL] = np.nan
-    t, s = wedge(between, other.along) / sine, wedge(between, base.along) / sine
-    nearer = np.abs(t) <= np.abs(s)
-    return Point(np.where(nearer, base.at + t * base.along, other.at + s * other.along))
+    parallel_ = np.abs(sine) <= PARALLEL
+    if some(parallel_):
+        sine = np.where(parallel_, np.nan, sine)
+    # both ways are these by the sine: the shorter shows before
+    first, second = wedge(between, other.along), wedge(between, base.along)
+    nearer = np.abs(first) <= np.abs(second)
+    way = pick(nearer, first, second) / sine
+    return Point(pick(nearer, base.at, other.at) + way * pick(nearer, base.along, other.along))
 
 
 def _cut_gap(line: Line, arc: Arc, side: Side) -> Reals:
@@ -172,10 +188,13 @@ def cross(first: Arc, second: Arc, side: Side) -> Point:
     c = np.minimum(low, d)
     a = np.maximum(high, d)
     b = np.maximum(low, np.minimum(high, d))
-    gap = c - (a - b)
-    area = root((a + (b + c)) * gap * (c + (a - b)) * (a + (b - c)), gap, a)
-    foot = 0.5 * d + 0.5 * (r - s) / d * (r + s)
-    return Point(first.centre + (foot + 1j * side * (0.5 * area / d)) * (base / d))
+    between = a - b
+    gap = c - between
+    area = root((a + (b + c)) * gap * (c + between) * (a + (b - c)), gap, a)
+    # foot and height as shares of the base
+    square = d * d
+    foot = 0.5 + 0.5 * ((r - s) * (r + s)) / square
+    return Point(first.centre + base * vector(foot, side * (0.5 * area / square)))
 
 
 def _tangent_gap(through: Point, centre: Point, radius: Length, side: Side) -> Reals:
@@ -214,7 +233,7 @@ def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
     d = np.abs(base)
     gap = d - np.abs(radius)
     half = root(gap * (d + np.abs(radius)), gap, d)
-    return Line(through, base / d * ((side * half - 1j * radius) / d))
+    return Line(through, base * (1.0 / d) * vector(side * half / d, -radius / d))
 
 
 def _rocker_gap(pivot: Point, stone: Point) -> Reals:
@@ -279,7 +298,8 @@ def touch(start: Point, arc: Arc, side: Side) -> Point:
     d = np.abs(base)
     gap = d - arc.radius
     half = root(gap * (d + arc.radius), gap, d)
-    return Point(arc.centre + arc.radius * ((arc.radius - 1j * side * half) / d) * (base / d))
+    touching = vector(arc.radius / d, -side * half / d)
+    return Point(arc.centre + arc.radius * touching * (base * (1.0 / d)))
 
 
 @operation("На {base_a}{base_b} построить фигуру, подобную {A}{B}{S}; отметить {it}.")

@@ -78,4 +78,5 @@ def undefined(value: Any) -> NDArray[np.bool_]:
 def given(value: object, kind: Kind) -> Any:
     """Return plain numbers as a value of ``kind`` with axes (trial, position): a scalar becomes (1, 1)."""
     dtype = np.complex128 if kind is Point else np.float64
-    return np.array(value, dtype=dtype, ndmin=2)
+    found = np.asarray(value, dtype=dtype)
+    return found if found.ndim > 1 else np.array(found, ndmin=2)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.frame import SIZES, drawing_area, frame
-from graphic_tmm.paper.layout import Room, pack
+from graphic_tmm.paper.layout import Room, bounds, pack
 from graphic_tmm.paper.views import FREE_VIEWS, PART_VIEWS, VIEWS
 from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -14,21 +14,12 @@ from graphic_tmm.words import number
 from graphic_tmm.work import Work
 
 
-def compose(
-    scene: Scene, drawn: Work | None, parts: Sequence[Part] = (), *, lettered: bool = True
-) -> tuple[Sheet, ...]:
+def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tuple[Sheet, ...]:
     """Return the sheets of a scene, each order followed by the sheets it spills onto.
 
-    ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it. Unlettered plans only
-    take the room that they will need: layout is tried with them.
+    ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it.
     """
-    laid: list[tuple[str, list[Drawing]]] = []
-    for order in scene.sheets:
-        views = [
-            view for plan in order.place for view in _views(plan, scene, drawn, parts, lettered)
-        ]
-        rooms = (_room(order, scene, not laid), _room(order, scene, False))
-        laid += [(order.format, placed) for placed in pack(views, rooms, order.format)]
+    laid = _laid(scene, drawn, parts, True)
     count = len(laid)
     sheets = []
     for index, (format, placed) in enumerate(laid):
@@ -44,6 +35,27 @@ def compose(
         width, height = SIZES[format]
         sheets.append(Sheet(name, scene.title, format, width, height, (edge, *placed)))
     return tuple(sheets)
+
+
+def needed(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> int:
+    """Return how many sheets a scene takes: tried with plans that only take the room they will need."""
+    return len(_laid(scene, drawn, parts, False))
+
+
+def _laid(
+    scene: Scene, drawn: Work | None, parts: Sequence[Part], lettered: bool
+) -> list[tuple[str, list[Drawing]]]:
+    """Return the views placed, sheet by sheet, with the formats of the sheets."""
+    laid: list[tuple[str, list[Drawing]]] = []
+    for order in scene.sheets:
+        views = [
+            view for plan in order.place for view in _views(plan, scene, drawn, parts, lettered)
+        ]
+        if not lettered:
+            views = [Drawing(view.name, view.title, cell=bounds(view)) for view in views]
+        rooms = (_room(order, scene, not laid), _room(order, scene, False))
+        laid += [(order.format, placed) for placed in pack(views, rooms, order.format)]
+    return laid
 
 
 def _views(

@@ -50,28 +50,31 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
     """
     sheets: list[list[Drawing]] = []
     free: list[Box] = []
-    waiting = list(views)
+    # measured once: what has been placed takes the box that it was given
+    waiting = [(view, bounds(view)) for view in views]
     while waiting:
         room = rooms[1 if sheets else 0]
         free = _free(room)
         placed: list[Drawing] = []
-        left: list[Drawing] = []
-        for view in waiting:
-            spot = _take(free, view, placed) if not left or _small(view) else None
-            if spot is None:
-                left.append(view)
-            else:
-                placed.append(spot)
+        edge = 0.0
+        left: list[tuple[Drawing, Box]] = []
+        for view, extent in waiting:
+            by = _take(free, view, extent, edge) if not left or _small(view) else None
+            if by is None:
+                left.append((view, extent))
+                continue
+            placed.append(view.moved(by))
+            if view.name == "positions":
+                edge = max(edge, extent[2] + by.real + GAP)
         if not placed:
-            raise SheetError(_too_large(left[0], room, format))
+            raise SheetError(_too_large(left[0][0], room, format))
         sheets.append(placed)
         waiting = left
     return sheets
 
 
-def _beside(free: Sequence[Box], placed: Sequence[Drawing]) -> list[Box]:
+def _beside(free: Sequence[Box], edge: float) -> list[Box]:
     """Return what of the free rectangles stands beside the plan of positions, not below it."""
-    edge = max((bounds(v)[2] + GAP for v in placed if v.name == "positions"), default=0.0)
     return [(max(f[0], edge), *f[1:]) for f in free]
 
 
@@ -88,9 +91,9 @@ def _free(room: Room) -> list[Box]:
     return free
 
 
-def _take(free: list[Box], view: Drawing, placed: Sequence[Drawing]) -> Drawing | None:
-    """Place a view in a free rectangle that holds it; None if none does."""
-    left, bottom, right, top = bounds(view)
+def _take(free: list[Box], view: Drawing, extent: Box, edge: float) -> complex | None:
+    """Return by how much a view moves into a free rectangle that holds it; None if none does."""
+    left, bottom, right, top = extent
     width, height = right - left, top - bottom
 
     def fitting(boxes: Sequence[Box]) -> list[Box]:
@@ -104,11 +107,11 @@ def _take(free: list[Box], view: Drawing, placed: Sequence[Drawing]) -> Drawing 
         x, y = best[0], best[1]
     else:
         order = (0, 3) if view.name == "positions" else (3, 0)
-        fits = fitting(_beside(free, placed)) or fits
+        fits = fitting(_beside(free, edge)) or fits
         best = min(fits, key=lambda f: [round(f[k] if k == 0 else -f[k], 3) for k in order])
         x, y = best[0], best[3] - height
     free[:] = _without(free, (x - GAP, y - GAP, x + width + GAP, y + height + GAP))
-    return view.moved(complex(x - left, y - bottom))
+    return complex(x - left, y - bottom)
 
 
 def _without(free: Sequence[Box], taken: Box) -> list[Box]:

@@ -77,12 +77,15 @@ class Lettering(NamedTuple):
         right at their tops, see `right`).
     pen, size : float
         Width of the pen (size/10) and height of a capital.
+    ink : tuple of float
+        Left, lower, right and upper edge of the ink, pen included; zeros where there is none.
     """
 
     parts: tuple[tuple[float, float, Form], ...]
     width: float
     pen: float
     size: float
+    ink: tuple[float, float, float, float]
 
     @property
     def strokes(self) -> tuple[Stroke, ...]:
@@ -107,22 +110,22 @@ class Lettering(NamedTuple):
     @property
     def ascent(self) -> float:
         """Reach of the ink above the base line, pen included."""
-        return _ink(self.parts)[3]
+        return self.ink[3]
 
     @property
     def descent(self) -> float:
         """Reach of the ink below the base line, pen included; negative for ink wholly above it."""
-        return 0.0 - _ink(self.parts)[1]
+        return 0.0 - self.ink[1]
 
     @property
     def left(self) -> float:
         """Least x of the ink, pen included."""
-        return _ink(self.parts)[0]
+        return self.ink[0]
 
     @property
     def right(self) -> float:
         """Largest x of the ink, pen included."""
-        return _ink(self.parts)[2]
+        return self.ink[2]
 
 
 def missing(text: str) -> str:
@@ -158,7 +161,8 @@ def compose(text: str, *, size: float = 5.0, inclined: bool = True) -> Lettering
     size = float(size)
     setter = _Setter(inclined)
     width = setter.put(parse_markup(text), 0.0, 0.0, 0.0, size)
-    return Lettering(tuple(setter.parts), width, size / 10.0, size)
+    parts = tuple(setter.parts)
+    return Lettering(parts, width, size / 10.0, size, _ink(parts))
 
 
 def width(text: str, *, size: float = 5.0) -> float:

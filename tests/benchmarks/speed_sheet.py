@@ -1,4 +1,4 @@
-"""What the paper costs: lettering, a full A1 sheet against plain svgwrite, and a cold start."""
+"""What the paper costs: lettering, and a full A1 sheet against plain svgwrite."""
 
 from __future__ import annotations
 
@@ -6,13 +6,11 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import islice, permutations
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 from xml.etree import ElementTree
 
 import svgwrite
-from clock import Row, median, process
+from clock import ROOT, Row, in_turns, show
 
 from graphic_tmm.paper import letters, placing
 from graphic_tmm.paper.compose import compose
@@ -21,7 +19,7 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import fitted
 
-WINDROWER = Path(__file__).resolve().parent.parent.parent / "sheets" / "windrower"
+WINDROWER = ROOT / "sheets" / "windrower"
 NS = "{http://www.w3.org/2000/svg}"
 
 
@@ -42,18 +40,6 @@ def letter_all(texts: list[str], put: Callable[..., letters.Lettering]) -> None:
         assert written.strokes
         for pen in written.pens:
             letters.svg_path(written, 0.7 * k, 0.5 * k, pen=pen)
-
-
-def lettering(unit: float) -> list[Row]:
-    """Time 800 labels: each of them new, and all of them met before."""
-    texts = labels()
-    assert len(set(texts)) == 800
-    new = median(lambda: letter_all(texts, letters.compose))
-    again = median(lambda: letter_all(texts, letters.letter))
-    return [
-        ("800 different labels to strokes and path data", new, unit),
-        ("   the same again, remembered whole", again, unit),
-    ]
 
 
 class Plain(NamedTuple):
@@ -80,46 +66,41 @@ class Plain(NamedTuple):
         return str(page.tostring())
 
 
-def sheet() -> list[Row]:
-    """Time the windrower's A1 sheet after its construction, against plain svgwrite."""
+def rows() -> list[Row]:
+    """Return the lines of the table: the windrower's A1 sheet behind its construction, and plain svgwrite."""
     scene = read(WINDROWER)
     full = (*scene.sheets[0].place, "results")
     scene = replace(scene, diagrams=None, sheets=(SheetOrder("A1", full),))
     made = fitted(scene)
     (composed,) = compose(made.scene, made)
     plain = Plain.of(svg(composed))
-    paths, words = len(plain.paths), len(plain.words)
-    bare = median(plain.write, 3.0)
+    texts = labels()
+    assert len(set(texts)) == 800
 
-    def whole(*forget: Callable[[], None]) -> None:
-        for each in forget:
-            each()
-        for one in compose(made.scene, made):
-            svg(one)
+    def forgetting() -> None:
+        letters.letter.cache_clear()
+        placing.box.cache_clear()
+        svg(compose(made.scene, made)[0])
 
-    forget = (letters.letter.cache_clear, placing.box.cache_clear)
-    return [
-        (f"{paths} paths, {words} texts through svgwrite, checked", bare, bare),
-        ("   the same with debug=False", median(lambda: plain.write(debug=False)), bare),
-        ("windrower's A1 sheet: composed, placed, written", median(whole, 3.0), bare),
-        ("   the same, no label remembered", median(lambda: whole(*forget), 3.0), bare),
-        ("   of it, composed and placed", median(lambda: compose(made.scene, made)), bare),
-        ("   of it, written as SVG", median(lambda: svg(composed)), bare),
-    ]
+    def whole() -> None:
+        svg(compose(made.scene, made)[0])
+
+    names = {
+        f"{len(plain.paths)} paths, {len(plain.words)} texts, svgwrite": lambda: plain.write(debug=False),
+        "a full A1 sheet of the windrower: composed, placed, written": whole,
+        "the same, no label remembered": forgetting,
+        "of it, composed and placed": lambda: compose(made.scene, made),
+        "of it, written as SVG": lambda: svg(composed),
+        "800 labels to strokes, each of them new": lambda: letter_all(texts, letters.compose),
+        "the same labels remembered": lambda: letter_all(texts, letters.letter),
+    }  # fmt: skip
+    return [Row(name, f"{s * 1e3:.0f} ms") for name, s in in_turns(names, rounds=7).items()]
 
 
-def cold() -> list[Row]:
-    """Time fresh processes, down to a drawn sheet."""
-    empty = process("-c", "pass")
-    packages = process("-c", "import numpy, shapely, svgwrite")
-    with TemporaryDirectory() as out:
-        draw = process("-m", "graphic_tmm", "draw", "-o", out)
-    light = process("-c", "import numpy, shapely, svgwrite, pydantic, click")
-    return [
-        ("python -c pass (the unit of what follows)", empty, empty),
-        ("import numpy, shapely, svgwrite, pydantic, click", light, empty),
-        ("graphic-tmm --help", process("-m", "graphic_tmm", "--help"), empty),
-        ("graphic-tmm draw (windrower, A1)", draw, empty),
-        ("import numpy, shapely, svgwrite", packages, packages),
-        ("graphic-tmm draw (windrower, A1) against that", draw, packages),
-    ]
+def main() -> None:
+    """Print the table."""
+    show("a sheet, warm", rows())
+
+
+if __name__ == "__main__":
+    main()

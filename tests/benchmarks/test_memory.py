@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-import runpy
+import sys
 from pathlib import Path
 
 import pytest
 
+sys.path.append(str(Path(__file__).parent))
+
 
 @pytest.mark.slow
 def test_a_million_positions_take_less_than_500_mb() -> None:
-    run = runpy.run_path(str(Path(__file__).with_name("run.py")))
-    _, peak = run["peak_of_million"]()
-    assert peak < 500
+    import growth
+
+    assert growth.peak_of_million() < 500
+
+
+def test_memory_beyond_the_results_does_not_grow() -> None:
+    import growth
+
+    assert growth.beyond(1 << 19) < 1.1 * growth.beyond(1 << 17)

@@ -1,0 +1,148 @@
+"""How cost grows: time and memory with positions and trials, writing a sheet with its elements."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tracemalloc
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from clock import HERE, ROOT, Row, in_turns, show, slope
+
+import bare  # isort: skip
+import kinematics  # isort: skip
+
+from graphic_tmm.board.blocks import Room  # isort: skip
+from graphic_tmm.board.execute import prepare  # isort: skip
+from graphic_tmm.board.hand import HANDS  # isort: skip
+from graphic_tmm.board.values import Number  # isort: skip
+from graphic_tmm.paper.compose import compose
+from graphic_tmm.paper.svg import svg
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import fitted
+from graphic_tmm.work import work
+
+POSITIONS = tuple(1 << k for k in range(18, 22))
+TRIALS = tuple(1000 << k for k in range(6))
+COPIES = (1, 2, 4, 8, 16)
+NEAR = 0.05
+
+
+def line(what: str, sizes: tuple[int, ...], seconds: dict[str, float]) -> Row:
+    """Return the line of a slope."""
+    found = slope(sizes, [seconds[str(n)] for n in sizes])
+    each = f"{seconds[str(sizes[-1])]:.2f} s for {sizes[-1]}"
+    return Row(
+        f"time by {what}, {sizes[0]} to {sizes[-1]}: slope in log–log",
+        f"{found:.3f} ({each})",
+        f"1 ± {NEAR}",
+        abs(found - 1.0) <= NEAR,
+    )
+
+
+def positions() -> Row:
+    """Return the line of a four-bar by positions."""
+    cases = {str(n): kinematics.case(bare.BARE[0], n) for n in POSITIONS}
+    calls = {n: partial(one.log, one.program, kinematics.RULER) for n, one in cases.items()}
+    return line("positions (four-bar, three plans, readings)", POSITIONS, in_turns(calls))
+
+
+def trials() -> Row:
+    """Return the line of the windrower by trials."""
+    made = work(
+        replace(read(ROOT / "sheets" / "windrower"), diagrams=None, flywheel=None, forces=None)
+    )
+    log = made.project.construction
+    marks = [step.it for step in log.steps if step.it.view == "accelerations"]
+    program = prepare(log, [mark for mark in marks if mark.kind is Number])
+    hand = HANDS["student"]
+    calls = {str(n): partial(program.run, made.given, hand=hand._replace(trials=n)) for n in TRIALS}
+    return line("trials (windrower, student's hand)", TRIALS, in_turns(calls, rounds=5))
+
+
+def elements() -> Row:
+    """Return the line of writing a sheet on which everything stands several times."""
+    made = fitted(read(ROOT / "sheets" / "windrower"))
+    sheet = compose(made.scene, made)[0]
+    sheets = {n: sheet._replace(drawings=sheet.drawings * n) for n in COPIES}
+    counts = {n: svg(one).count("<") // 2 for n, one in sheets.items()}
+    seconds = in_turns({str(counts[n]): partial(svg, one) for n, one in sheets.items()}, rounds=7)
+    return line("elements of a sheet (written as SVG)", tuple(counts.values()), seconds)
+
+
+def beyond(count: int) -> float:
+    """Return the most MB held at once beyond what is given and the results, by a run at many positions.
+
+    Pieces of results are reserved whole and used as far as needed: what is reserved is not held.
+    """
+    one = kinematics.case(bare.BARE[0], count)
+    reserved = 0
+    taken = Room.empty
+
+    def noted(self: Room, shape: tuple[int, int], dtype: Any) -> Any:
+        nonlocal reserved
+        before = self._rest
+        found = taken(self, shape, dtype)
+        reserved += found.base.nbytes if self._rest.base is not before.base else 0
+        return found
+
+    Room.empty = noted  # type: ignore[method-assign]
+    tracemalloc.start()
+    try:
+        reading = one.log(one.program, kinematics.RULER)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+        Room.empty = taken  # type: ignore[method-assign]
+    assert reading.positions == count
+    return (peak - reserved) / 1e6
+
+
+def peak_of_million(count: int = 1_000_000) -> float:
+    """Return the most memory, MB, that a process of its own has held which runs many positions."""
+    code = (
+        f"import sys; sys.path[:0] = [{str(HERE)!r}]; import clock, bare, kinematics, growth;"
+        f"one = kinematics.case(bare.BARE[0], {count}); one.log(one.program); print(growth.most_held())"
+    )
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return float(out.stdout)
+
+
+def most_held() -> float:
+    """Return the most memory this process has held, MB.
+
+    Not ru_maxrss where there is better: a process starts with that of the one that started it.
+    """
+    status = Path("/proc/self/status")
+    if status.exists():
+        words = next(line for line in status.read_text().splitlines() if "VmHWM" in line).split()
+        return int(words[1]) / 1024
+    import resource
+
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def memory() -> list[Row]:
+    """Return the lines of memory."""
+    sizes = POSITIONS[0], POSITIONS[-1]
+    held = [beyond(n) for n in sizes]
+    flat = held[-1] < 1.1 * held[0]
+    told = " and ".join(f"{mb:.1f} MB at {n} positions" for n, mb in zip(sizes, held, strict=True))
+    return [
+        Row("memory held at once beyond the results, in blocks", told, "flat", flat),
+        Row(
+            "most memory of a process that runs 1 000 000 positions", f"{peak_of_million():.0f} MB"
+        ),
+    ]
+
+
+def main() -> None:
+    """Print the table."""
+    show("growth", [positions(), trials(), elements(), *memory()])
+
+
+if __name__ == "__main__":
+    main()

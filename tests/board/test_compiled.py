@@ -1,0 +1,160 @@
+"""A compiled log says what the executed one says; what numba cannot compile runs as ever."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from drawn import board
+from mechanisms import sample
+
+from graphic_tmm.board import compiled
+from graphic_tmm.board.calculations import rate
+from graphic_tmm.board.curve import french_curve
+from graphic_tmm.board.execute import Reading, execute, prepare
+from graphic_tmm.board.hand import HANDS, Hand
+from graphic_tmm.board.operations import cross, join, lay_off, measure, ray, strike
+from graphic_tmm.board.record import Board, Construction, Mark
+from graphic_tmm.board.values import Angle, Length, Number, Point, Side, arrays
+from graphic_tmm.errors import ConstructionError
+
+ANGLES = np.linspace(0.0, 360.0, 601)[None, :]
+TOLERANCE = 1e-12
+"""Of the largest number of a mark: sines and complex quotients are computed by other series and formulas."""
+
+
+class Fourbar:
+    """A four-bar's plan of positions with a reading; the last positions do not assemble."""
+
+    def __init__(self, *, curve: bool = False, closed: bool = False) -> None:
+        draft = Board()
+        draft.open("positions")
+        self.marks: dict[str, Mark] = {}
+        self.given: dict[Mark, Any] = {}
+        lengths = np.where(ANGLES > 350.0, 1.0, 80.0)
+        for letter, kind, value in (
+            ("O", Point, 0j),
+            ("C", Point, 90 + 10j),
+            ("φ", Angle, ANGLES),
+            ("OA", Length, 30.0),
+            ("AB", Length, lengths),
+            ("CB", Length, 70.0),
+            ("±", Side, 1.0),
+            ("μ", Number, 0.002),
+        ):
+            self.marks[letter] = draft.take(kind, letter)
+            self.given[self.marks[letter]] = value
+        scale = 1.0
+
+        def free(start: Point, end: Point) -> Length:
+            return Length(scale * np.abs(end - start))
+
+        steps: list[tuple[Any, ...]] = [
+            ("(OA)", ray, "O", "φ"),
+            ("A", lay_off, "(OA)", "OA"),
+            ("(A)", strike, "A", "AB"),
+            ("(C)", strike, "C", "CB"),
+            ("B", cross, "(A)", "(C)", "±"),
+            ("(AB)", join, "A", "B"),
+            ("OB", measure._replace(run=free) if closed else measure, "O", "B"),
+            ("ω", rate, "OB", "μ", "OA", "μ"),
+        ]
+        for letter, op, *uses in steps:
+            self.marks[letter] = draft.draw(op, letter, *(self.marks[name] for name in uses))
+        if curve:
+            self.marks["(B–B)"] = draft.draw(french_curve, "(B–B)", self.marks["B"], row=600)
+        self.log: Construction = draft.construction()
+
+    def both(self, **options: Any) -> tuple[Reading, Reading]:
+        """The log executed and compiled."""
+        plain = execute(self.log, self.given, **options)
+        return plain, execute(self.log, self.given, fast=True, **options)
+
+
+def same(log: Construction, plain: Reading, fast: Reading, within: float = TOLERANCE) -> None:
+    """All numbers are the same within a share of the largest of their mark, in the same shapes."""
+    steps = [step for step in log.steps if step.it in plain]
+    assert steps
+    for step in steps:
+        for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
+            assert one.shape == other.shape, step.it
+            assert one.dtype == other.dtype, step.it
+            drawn = np.isfinite(one)
+            np.testing.assert_array_equal(drawn, np.isfinite(other), err_msg=str(step.it))
+            if drawn.any():
+                top = np.abs(one[drawn]).max()
+                assert np.abs(one[drawn] - other[drawn]).max() <= within * top, step.it
+
+
+def test_three_plans_of_two_groups() -> None:
+    """A crank behind a stone on a rocker: kinds 3 and 2, with their Coriolis terms and readings."""
+    drawn = next(d for d in sample(60, seed=4, dyads=(2, 2)) if set(d.kinds) == {"RPR", "RRP"})
+    one = board(drawn.mechanism, mu=(0.01, 0.1, 1.0))
+    wanted = [*one.velocities.rates.values(), *one.accelerations.rates.values()]
+    last = drawn.mechanism.links[-1]
+    images = one.accelerations.images.by_letter[last.number]
+    wanted += [images[letter] for letter in last.points]
+    given = one.given | {one.positions.phi: ANGLES}
+    program = prepare(one.log, wanted)
+    same(one.log, program.run(given), program.compiled().run(given), 1e-11)
+
+
+def test_a_reading_rounds_alike() -> None:
+    bar = Fourbar()
+    plain, fast = bar.both(hand=Hand(ruler=0.5))
+    same(bar.log, plain, fast)
+    assert not np.array_equal(fast[bar.marks["OB"]], bar.both()[1][bar.marks["OB"]])
+    halves = fast[bar.marks["OB"]][0, :500] / 0.5
+    np.testing.assert_array_equal(halves, np.rint(halves))
+
+
+def test_what_fails_is_undefined_there_only() -> None:
+    bar = Fourbar()
+    _, fast = bar.both()
+    bad = np.flatnonzero(np.isnan(fast[bar.marks["B"]][0]))
+    np.testing.assert_array_equal(bad, np.flatnonzero(ANGLES[0] > 350.0))
+
+
+def test_trials_run_in_the_loop_too() -> None:
+    bar = Fourbar()
+    bar.given[bar.marks["OA"]] = np.array([[28.0], [30.0], [32.0]])
+    plain, fast = bar.both()
+    assert fast[bar.marks["B"]].shape == (3, ANGLES.size)
+    same(bar.log, plain, fast)
+
+
+def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    bar = Fourbar()
+    bar.given |= {bar.marks["φ"]: 40.0, bar.marks["AB"]: 80.0}
+    monkeypatch.setattr(compiled, "_compile", None)
+    plain, fast = bar.both()
+    for step in bar.log.steps:
+        for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
+            np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("hand", [HANDS["student"]._replace(trials=2), Hand(ruler=0.1, digits=4)])
+def test_a_hand_that_slips_draws_the_very_same(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    bar = Fourbar()
+    monkeypatch.setattr(compiled, "_compile", None)
+    plain, fast = bar.both(hand=hand)
+    for step in bar.log.steps:
+        for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
+            np.testing.assert_array_equal(one, other)
+
+
+def test_what_cannot_be_compiled_runs_between_the_loops() -> None:
+    """A step across positions, and one whose function is bound to its surroundings."""
+    bar = Fourbar(curve=True, closed=True)
+    plain, fast = bar.both(block=100)
+    same(bar.log, plain, fast, 1e-10)
+    curve = fast[bar.marks["(B–B)"]]
+    np.testing.assert_array_equal(curve.knots, fast[bar.marks["B"]][:, :600])
+
+
+def test_without_numba_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "numba", None)
+    with pytest.raises(ConstructionError, match=r"pip install 'graphic-tmm\[fast\]'"):
+        prepare(Fourbar().log).compiled()
