@@ -31,6 +31,7 @@ class Hand(NamedTuple):
 
     ``ruler``: its division in mm, None for readings without rounding; ``digits``: significant digits of a
     calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn.
+    ``alone``: keys of slips of which but one slips in each trial, in turn, and nothing else; () for all of them.
     """
 
     ruler: float | None = None
@@ -41,6 +42,7 @@ class Hand(NamedTuple):
     digits: int | None = None
     seed: int = 0
     trials: int = 1
+    alone: tuple[str, ...] = ()
 
     @property
     def slips(self) -> bool:
@@ -114,13 +116,24 @@ class Slipping(NamedTuple):
     whole: int
     places: Any
 
-    def normal(self, slip: Slip, width: int, part: slice) -> Reals:
-        """Return standard normal numbers (trial, position); one a trial where a value does not vary."""
-        found = stream(self.hand, slip.key, self.block)
+    def normal(self, slip: Slip, width: int, part: slice, way: str = "") -> Reals:
+        """Return standard normal numbers (trial, position); one a trial where a value does not vary.
+
+        ``way``: which of several independent slips of the step.
+        """
+        found = stream(self.hand, slip.key + way, self.block)
         if width == 1:
-            return found.standard_normal((self.trials, 1))
-        drawn = found.standard_normal((self.trials, self.whole))
-        return np.asarray(drawn[:, self.places][:, part])
+            drawn = found.standard_normal((self.trials, 1))
+        else:
+            drawn = found.standard_normal((self.trials, self.whole))[:, self.places][:, part]
+        return np.asarray(drawn * self._turns(slip) if self.hand.alone else drawn)
+
+    def _turns(self, slip: Slip) -> Reals:
+        """Return 1 in the trials (trial, 1) in which this step slips alone, 0 in those in which another does."""
+        alone = self.hand.alone
+        own = alone.index(slip.key) if slip.key in alone else -1
+        trials = self.block * TRIALS + np.arange(self.trials)
+        return np.asarray(trials % len(alone) == own, dtype=np.float64)[:, None]
 
     def apply(self, slip: Slip, value: Any, part: slice) -> Any:
         """Return the result of a step as this hand leaves it."""
@@ -135,7 +148,7 @@ class Slipping(NamedTuple):
             if hand.prick == 0.0:
                 return value
             width = value.shape[1]
-            across = self.normal(slip._replace(key=slip.key + "|y"), width, part)
+            across = self.normal(slip, width, part, "|y")
             return value + hand.prick * (self.normal(slip, width, part) + 1j * across)
         if slip.kind == "compass":
             if hand.compass == 0.0:
