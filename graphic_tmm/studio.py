@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.errors import SheetError
 from graphic_tmm.parts import Part, draw_parts
 from graphic_tmm.plans.cam import Cam
@@ -268,12 +268,14 @@ def scene_columns(made: Made) -> list[Column]:
 
 
 def drawings(made: Made, hand: Hand) -> Iterator[Made]:
-    """Yield the drawings that a hand makes, one a trial."""
-    work = made.work.drawn_by(hand) if made.work is not None else None
-    parts = [part.drawn_by(hand) for part in made.parts]
-    for k in range(hand.trials):
-        own = work.trial(k) if work is not None else None
-        yield Made(made.scene, own, tuple(part.trial(k) for part in parts))
+    """Yield the drawings that a hand makes, one a trial; so many as a block has are held at a time."""
+    for first in range(0, hand.trials, MOST):
+        some = hand._replace(first=hand.first + first, trials=min(MOST, hand.trials - first))
+        work = made.work.drawn_by(some) if made.work is not None else None
+        parts = [part.drawn_by(some) for part in made.parts]
+        for k in range(some.trials):
+            own = work.trial(k) if work is not None else None
+            yield Made(made.scene, own, tuple(part.trial(k) for part in parts))
 
 
 def _structure(made: Made) -> dict[str, Any]:

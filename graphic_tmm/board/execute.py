@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.hand import EXACT, TRIALS, Hand, Slip, Slipping, slip_of
+from graphic_tmm.board.hand import EXACT, Hand, Slip, Slipping, Streams, slip_of, trials_in_block
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.board.values import given as as_value
@@ -123,15 +123,19 @@ class Program(NamedTuple):
         if not hand.slips and hand.digits is None:
             self._run(values, count, block, hand, None)
             return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
-        at = np.arange(count) if places is None else places
-        found: list[Values] = []
-        for number, start in enumerate(range(0, hand.trials, TRIALS)):
-            trials = min(TRIALS, hand.trials - start)
-            slipping = Slipping(hand, number, trials, whole or count, at)
+        streams, found = Streams(hand), Values()
+        whole = whole or count
+        most = trials_in_block(whole)
+        for start in range(0, hand.trials, most):
+            trials = min(most, hand.trials - start)
+            number = (hand.first + start) // most
+            slipping = Slipping(hand, streams, number, trials, whole, places)
             local = dict(values)
             self._run(local, count, block, hand, slipping)
-            found.append({i: v for i, v in local.items() if i in self.wanted})
-        return Reading(_joined(found), count)
+            part = slice(start, start + trials)
+            for i in self.wanted & local.keys():
+                found[i] = _stored(found.get(i), local[i], part, hand.trials)
+        return Reading(found, count)
 
     def _run(
         self, values: Values, count: int, block: int, hand: Hand, slipping: Slipping | None
@@ -211,22 +215,25 @@ def execute(
         If a value is missing, or a curve across positions is asked for at some positions only.
     """
     program = prepare(construction, wanted)
-    places, whole = None, None
-    if positions is not None:
-        if len(program.strata) > 1:
-            raise ConstructionError("a curve across positions needs all positions of its row")
-        at = places = np.asarray(positions, dtype=np.intp)
-        whole = max(
-            (v.shape[1] for v in given.values() if isinstance(v, np.ndarray) and v.ndim == 2),
-            default=1,
-        )
-        given = {
-            mark: value[:, at]
-            if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1
-            else value
-            for mark, value in given.items()
-        }
-    return program.run(given, hand=hand, block=block, places=places, whole=whole)
+    if positions is None:
+        return program.run(given, hand=hand, block=block)
+    if len(program.strata) > 1:
+        raise ConstructionError("a curve across positions needs all positions of its row")
+    rows = {
+        mark: value
+        for mark, value in given.items()
+        if isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1
+    }
+    whole = max((value.shape[1] for value in rows.values()), default=1)
+    at = np.asarray(positions, dtype=np.intp)
+    # a single one stands twice, so that what varies along the row is seen to vary, and slips as it does there
+    alone = at.size == 1 < whole and hand.slips
+    at = np.repeat(at, 2) if alone else at
+    cut = {**given, **{mark: value[:, at] for mark, value in rows.items()}}
+    found = program.run(cut, hand=hand, block=block, places=at, whole=whole)
+    if not alone:
+        return found
+    return Reading({i: _part(value, slice(0, 1)) for i, value in found.values.items()}, 1)
 
 
 def _call(step: Step) -> Call:
@@ -235,29 +242,25 @@ def _call(step: Step) -> Call:
     return Call(run, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads, slip)
 
 
-def _joined(blocks: list[Values]) -> Values:
-    """Return the values of all blocks of trials in one; what does not vary by trial is kept once."""
-    if len(blocks) == 1:
-        return blocks[0]
-    joined: Values = {}
-    for i, first in blocks[0].items():
-        rows = [block[i] for block in blocks]
-        if isinstance(first, Curve):
-            knots, tangents = (
-                np.concatenate([getattr(r, n) for r in rows]) for n in ("knots", "tangents")
+def _stored(kept: Any, value: Any, part: slice, trials: int) -> Any:
+    """Put a block of trials of a value into its whole array; what does not vary by trial is kept once."""
+    if isinstance(value, tuple):
+        parts = (None,) * len(value) if kept is None else kept
+        whole: Any = type(value)
+        # whether a curve is closed is no array
+        return whole(
+            *(
+                one if isinstance(one, bool) else _stored(old, one, part, trials)
+                for old, one in zip(parts, value, strict=True)
             )
-            joined[i] = Curve(knots, tangents, first.closed)
-        elif isinstance(first, tuple):
-            joined[i] = type(first)(*(_column([r[k] for r in rows]) for k in range(len(first))))
-        else:
-            joined[i] = _column(rows)
-    return joined
-
-
-def _column(rows: list[Any]) -> Any:
-    if all(row.shape[0] == 1 for row in rows):
-        return rows[0]
-    return np.concatenate(rows)
+        )
+    if kept is None:
+        if value.shape[0] == 1 or value.shape[0] == trials:
+            return value
+        kept = np.empty((trials, *value.shape[1:]), value.dtype)
+    if kept.shape[0] > 1:
+        kept[part] = value
+    return kept
 
 
 def _run(calls: Calls, values: Values, read: Callable[[Any], Any] | None) -> None:
@@ -282,7 +285,7 @@ def _in_blocks(
     slipping: Slipping | None,
 ) -> None:
     read = None if hand.ruler is None else hand.read
-    # in a block of one position a value that varies would look like one that does not
+    # a value that varies would look in a block of one position like one that does not
     block = max(block, 2)
     if count <= block:
         if slipping is None:
@@ -291,8 +294,10 @@ def _in_blocks(
             _slip(calls, values, slipping, slice(None))
         return
     whole: Values = {}
-    for start in range(0, count, block):
-        part = slice(start, min(start + block, count))
+    # nor is there a last block of one position
+    starts = range(0, count - 1, block)
+    for start in starts:
+        part = slice(start, count if start == starts[-1] else start + block)
         local = {i: _part(value, part) for i, value in values.items()}
         if slipping is None:
             _run(calls, local, read)

@@ -9,6 +9,7 @@ order of links change nothing.
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,16 +23,29 @@ KEPT = frozenset(
     {"coincide", "at_zero", "following", "farthest", "highest", "lowest", "next_satellite", "stand"}
 )
 """Operations that name what stands there already: nothing is drawn anew."""
-TRIALS = 512
-"""Trials in one block of random numbers."""
+SIZE = 16_384
+"""Trials times positions in one block: few enough for the cache, enough to pay for the calls."""
+MOST = 1024
+"""Trials in one block at the most."""
+CHUNK = 4096
+"""Positions that share one random stream."""
+
+
+def trials_in_block(positions: int) -> int:
+    """Return how many trials of a row of positions are drawn in one block: a power of two.
+
+    At least two: in a block of one what varies by trial would look like what does not.
+    """
+    return min(1 << max(SIZE // max(positions, 1), 2).bit_length() - 1, MOST)
 
 
 class Hand(NamedTuple):
     """How far a hand slips: standard deviations in mm, ``swing`` in degrees; 0 for no slip.
 
     ``ruler``: its division in mm, None for readings without rounding; ``digits``: significant digits of a
-    calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn.
-    ``alone``: keys of slips of which but one slips in each trial, in turn, and nothing else; () for all of them.
+    calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn;
+    ``first``: the number of the first of them, a multiple of `MOST`. ``alone``: keys of slips of which but one
+    slips in each trial, in turn, and nothing else is left to chance; () for all of them.
     """
 
     ruler: float | None = None
@@ -42,6 +56,7 @@ class Hand(NamedTuple):
     digits: int | None = None
     seed: int = 0
     trials: int = 1
+    first: int = 0
     alone: tuple[str, ...] = ()
 
     @property
@@ -60,11 +75,22 @@ class Hand(NamedTuple):
         """Return a calculated number with so many digits as the hand keeps."""
         if self.digits is None:
             return number
-        size = np.abs(number)
-        fine = np.isfinite(size) & (size > 0.0)
-        places = np.floor(np.log10(np.where(fine, size, 1.0))) - (self.digits - 1)
-        unit = 10.0**places
-        return np.where(fine, np.round(number / unit) * unit, number)
+        unit = np.take(_TENS, _ten(number) + (_LEAST - self.digits + 1), mode="clip")
+        return np.asarray(np.round(number / unit) * unit)
+
+
+_LEAST = 307
+_TENS = np.array([float(f"1e{k}") for k in range(-_LEAST, 309)])
+"""Powers of ten by their exponent + 307."""
+_BY_TWO = np.floor(np.arange(-1076, 1025) * np.log10(2.0)).astype(np.intp)
+"""The exponent of ten of the least number with a given exponent of two (as frexp counts, less one)."""
+
+
+def _ten(number: Reals) -> Any:
+    """Return the exponent of ten of each number (of those that are not finite or zero: any)."""
+    size = np.abs(number)
+    least = np.take(_BY_TWO, np.frexp(size)[1] + 1075)
+    return np.asarray(least + (size >= np.take(_TENS, least + (_LEAST + 1), mode="clip")))
 
 
 EXACT = Hand()
@@ -100,65 +126,115 @@ def slip_of(op: Operation, view: str, letter: str) -> Slip | None:
     return None if kind is None else Slip(kind, f"{view}|{letter}|{kind}")
 
 
-def stream(hand: Hand, key: str, block: int) -> np.random.Generator:
-    """Return the random stream of a step in a block of trials."""
-    text = f"{hand.seed}|{key}|{block}".encode()
-    words = np.frombuffer(hashlib.blake2b(text, digest_size=16).digest(), dtype=np.uint64)
-    return np.random.Generator(np.random.Philox(key=words))
+class Streams:
+    """The random streams of a hand: one generator, set to the key of a step whenever it is asked."""
+
+    def __init__(self, hand: Hand) -> None:
+        self.seed = hand.seed
+        self._bits = np.random.Philox(key=np.zeros(2, np.uint64))
+        self._begin = self._bits.state
+        self._generator = np.random.Generator(self._bits)
+
+    def normal(self, key: str, block: int, chunk: int, shape: tuple[int, int]) -> Reals:
+        """Return standard normal numbers from the beginning of a stream."""
+        text = f"{self.seed}|{key}|{block}|{chunk}".encode()
+        words = hashlib.blake2b(text, digest_size=16).digest()
+        self._begin["state"]["key"] = np.frombuffer(words, dtype=np.uint64)
+        self._bits.state = self._begin
+        return self._generator.standard_normal(shape)
 
 
 class Slipping(NamedTuple):
-    """A hand at work in one block of trials, at some positions out of the ``whole`` row."""
+    """A hand at work in one block of trials, at some positions (None: all) out of the ``whole`` row."""
 
     hand: Hand
+    streams: Streams
     block: int
     trials: int
     whole: int
     places: Any
 
-    def normal(self, slip: Slip, width: int, part: slice, way: str = "") -> Reals:
-        """Return standard normal numbers (trial, position); one a trial where a value does not vary.
+    def normal(self, slip: Slip, width: int, part: slice, axes: int = 1) -> Reals:
+        """Return standard normal numbers (trial, position·axes); one a trial where a value does not vary."""
+        if not self.hand.alone:
+            return self._drawn(slip, width, part, axes)
+        if slip.key not in self.hand.alone:
+            return np.zeros((1, width * axes))
+        return self._drawn(slip, width, part, axes) * self._turns(slip.key)
 
-        ``way``: which of several independent slips of the step.
-        """
-        found = stream(self.hand, slip.key + way, self.block)
-        if width == 1:
-            drawn = found.standard_normal((self.trials, 1))
-        else:
-            drawn = found.standard_normal((self.trials, self.whole))[:, self.places][:, part]
-        return np.asarray(drawn * self._turns(slip) if self.hand.alone else drawn)
-
-    def _turns(self, slip: Slip) -> Reals:
+    def _turns(self, key: str) -> Reals:
         """Return 1 in the trials (trial, 1) in which this step slips alone, 0 in those in which another does."""
         alone = self.hand.alone
-        own = alone.index(slip.key) if slip.key in alone else -1
-        trials = self.block * TRIALS + np.arange(self.trials)
-        return np.asarray(trials % len(alone) == own, dtype=np.float64)[:, None]
+        trials = self.block * trials_in_block(self.whole) + np.arange(self.trials)
+        return np.asarray(trials % len(alone) == alone.index(key), dtype=np.float64)[:, None]
+
+    def _drawn(self, slip: Slip, width: int, part: slice, axes: int) -> Reals:
+        if width == 1:
+            return self.streams.normal(slip.key, self.block, 0, (self.trials, axes))
+        if self.places is None and part == slice(None) and self.whole <= CHUNK:
+            return self._chunk(slip, 0, axes)
+        at = (np.arange(self.whole) if self.places is None else self.places)[part]
+        row = np.empty((self.trials, at.size, axes))
+        for chunk in np.unique(at // CHUNK):
+            mine = at // CHUNK == chunk
+            drawn = self._chunk(slip, int(chunk), axes).reshape(self.trials, -1, axes)
+            row[:, mine] = drawn[:, at[mine] - chunk * CHUNK]
+        return row.reshape(self.trials, -1)
+
+    def _chunk(self, slip: Slip, chunk: int, axes: int) -> Reals:
+        long = min(CHUNK, self.whole - chunk * CHUNK)
+        return self.streams.normal(slip.key, self.block, chunk, (self.trials, long * axes))
 
     def apply(self, slip: Slip, value: Any, part: slice) -> Any:
         """Return the result of a step as this hand leaves it."""
+        return _APPLIED[slip.kind](self, slip, value, part)
+
+    def digits(self, slip: Slip, value: Any, part: slice) -> Any:
+        """Return a calculated number with the digits that the hand keeps."""
+        return self.hand.calculate(value)
+
+    def reading(self, slip: Slip, value: Any, part: slice) -> Any:
+        """Return a length as this hand reads it."""
         hand = self.hand
-        if slip.kind == "digits":
-            return hand.calculate(value)
-        if slip.kind == "reading":
-            if hand.reading > 0.0:
-                value = value + hand.reading * self.normal(slip, value.shape[1], part)
-            return hand.read(value)
-        if slip.kind == "prick":
-            if hand.prick == 0.0:
-                return value
-            width = value.shape[1]
-            across = self.normal(slip, width, part, "|y")
-            return value + hand.prick * (self.normal(slip, width, part) + 1j * across)
-        if slip.kind == "compass":
-            if hand.compass == 0.0:
-                return value
-            wide = max(value.centre.shape[1], value.radius.shape[1])
-            return Arc(value.centre, value.radius + hand.compass * self.normal(slip, wide, part))
-        if hand.swing == 0.0:
+        if hand.reading > 0.0:
+            off = self.normal(slip, value.shape[1], part)
+            off *= hand.reading
+            value = value + off
+        return hand.read(value)
+
+    def prick(self, slip: Slip, value: Any, part: slice) -> Any:
+        """Return a point beside its place."""
+        if self.hand.prick == 0.0:
+            return value
+        off = self.normal(slip, value.shape[1], part, axes=2)
+        off *= self.hand.prick
+        return value + off.view(np.complex128)
+
+    def compass(self, slip: Slip, value: Any, part: slice) -> Any:
+        """Return an arc of a slightly different opening."""
+        if self.hand.compass == 0.0:
+            return value
+        wide = max(value.centre.shape[1], value.radius.shape[1])
+        return Arc(value.centre, value.radius + self.hand.compass * self.normal(slip, wide, part))
+
+    def swing(self, slip: Slip, value: Any, part: slice) -> Any:
+        """Return a ray turned a little about the point it goes through."""
+        if self.hand.swing == 0.0:
             return value
         wide = max(value.at.shape[1], value.along.shape[1])
-        turn = np.radians(hand.swing) * self.normal(slip, wide, part)
-        # (1 + i·t/2)/(1 − i·t/2) has the length 1 and, of a turn so small, the angle t
-        half = 0.5j * turn
-        return Line(value.at, value.along * ((1.0 + half) / (1.0 - half)))
+        # tan(t/2) = t/2 for a turn so small; with it the factor has the length 1
+        half = (0.5 * np.radians(self.hand.swing)) * self.normal(slip, wide, part)
+        share = 2.0 / (1.0 + half * half)
+        turn = np.empty(half.shape, dtype=np.complex128)
+        turn.real = share - 1.0
+        turn.imag = half * share
+        return Line(value.at, value.along * turn)
+
+
+_APPLIED: dict[str, Callable[[Slipping, Slip, Any, slice], Any]] = {
+    "digits": Slipping.digits,
+    "reading": Slipping.reading,
+    "prick": Slipping.prick,
+    "compass": Slipping.compass,
+    "swing": Slipping.swing,
+}

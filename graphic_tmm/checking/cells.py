@@ -17,11 +17,15 @@ POINTED = ("positions", "velocities", "accelerations")
 
 
 class Cell(NamedTuple):
-    """One figure: mm on the sheet (None where nothing is drawn), the quantity, its unit."""
+    """One figure: mm on the sheet (None where nothing is drawn), the quantity, its unit.
+
+    ``spot``: of a point, where it stands, mm from the pole of its plan.
+    """
 
     mm: float | None
     value: float | None
     unit: str
+    spot: complex | None = None
 
 
 def position_names(made: Made) -> tuple[str, ...]:
@@ -83,3 +87,9 @@ def points(made: Made) -> dict[Key, complex]:
             if cmath.isfinite(z):
                 found[plan, step.it.letter, project.names[place]] = z
     return found
+
+
+def cells_and_points(made: Made) -> dict[Key, Cell]:
+    """Return every figure that a scene has, and every point of its plans."""
+    spots = {key: Cell(None, None, "mm", spot) for key, spot in points(made).items()}
+    return spots | cells(made)

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.judge import Limits, judge
+from graphic_tmm.checking.judge import judge, refuse_unknown, yardstick
 from graphic_tmm.checking.mistakes import likely
 from graphic_tmm.checking.records import Report, Taken
+from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, scene_name
 
@@ -36,8 +37,10 @@ def check(
     """
     made = make(scene, exact=True)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-    judged, spread = judge(made, readings, drawing, limits, source)
-    found = likely(made, judged, spread, scene.language)
+    refuse_unknown(made, readings, source)
+    by = yardstick(made, readings, drawing, limits)
+    judged = judge(made, readings, by)
+    found = likely(made, judged, by.spread, scene.language)
     name = scene_name(scene.source)
     return Report(name, scene.title, scene.language, hand, judged, found)
 

@@ -7,55 +7,21 @@ once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
-
-import numpy as np
 
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.checking.cells import Cell, Key, cells, longest, points
 from graphic_tmm.checking.own import OwnErrors
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Taken
+from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
+from graphic_tmm.checking.scatter import Limits, Scatter, scatter
+from graphic_tmm.checking.usual import Usual, usual_errors
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.scene.quantities import UNITS, plain
-from graphic_tmm.studio import Made, drawings
+from graphic_tmm.studio import Made
 
-OWN_TRIALS = 150
-"""How often the hand draws to tell what errors its steps make by themselves."""
 LEAST = 1e-9
 """A deviation below this share of the plan is none."""
-
-
-class Limits(NamedTuple):
-    """``doubtful``: the quantile of the hand's deviations; ``wrong``: how many times their root mean square.
-
-    A reading is never wrong within ``beyond`` times the farthest of the hand's own drawings.
-    """
-
-    doubtful: float = 0.97
-    wrong: float = 5.0
-    beyond: float = 1.2
-
-
-class Scatter(NamedTuple):
-    """How far the hand's drawings are off a figure: sorted deviations, the limits that follow."""
-
-    sorted: np.ndarray
-    doubtful: float
-    wrong: float
-
-    def quantile(self, deviation: float) -> float:
-        """Return the share of the hand's drawings that are farther off."""
-        if not self.sorted.size:
-            return 1.0
-        below = int(np.searchsorted(self.sorted, deviation, side="left"))
-        return float(self.sorted.size - below) / self.sorted.size
-
-    def verdict(self, deviation: float) -> str:
-        """Return what a deviation is."""
-        if deviation > self.wrong:
-            return WRONG
-        return DOUBTFUL if deviation > self.doubtful else FINE
 
 
 def amount(cell: Cell, taken: Taken) -> float:
@@ -92,71 +58,24 @@ def taken_figure(taken: Taken, cell: Cell) -> float:
     return taken.value * float(own.factor) / factor
 
 
-def scatter(
-    made: Made, hand: Hand, wanted: Mapping[Key, Iterable[bool]], limits: Limits
-) -> dict[tuple[Key, bool], Scatter]:
-    """Return how the hand's drawings scatter, by figure and whether it is in mm."""
-    due = cells(made)
-    spots = points(made)
-    rows: dict[tuple[Key, bool], list[float]] = {
-        (key, in_mm): [] for key, kinds in wanted.items() for in_mm in kinds if key in due
-    }
-    placed: dict[Key, list[float]] = {key: [] for key in wanted if key not in due}
-    for drawn in drawings(made, hand):
-        where = points(drawn) if placed else {}
-        for key, deviations in placed.items():
-            if key in where:
-                deviations.append(abs(where[key] - spots[key]))
-        found = cells(drawn) if rows else {}
-        for (key, in_mm), deviations in rows.items():
-            one = found.get(key)
-            figure = None if one is None else (one.mm if in_mm else one.value)
-            goal = due[key].mm if in_mm else due[key].value
-            if figure is not None and goal is not None:
-                deviations.append(abs(abs(figure) - abs(goal)))
-    every = rows | {(key, True): deviations for key, deviations in placed.items()}
-    return {at: _limits(np.sort(np.array(d)), limits) for at, d in every.items()}
+class Yardstick(NamedTuple):
+    """By what readings are judged: how the hand's drawings scatter, and what errors its own steps make."""
+
+    spread: Mapping[tuple[Key, bool], Scatter]
+    usual: Mapping[Key, Usual]
 
 
-def _own_scatter(
-    made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits
-) -> dict[Key, Scatter]:
-    """Return how far off the hand's own steps are, where earlier readings are taken as found."""
-    rows: dict[Key, list[float]] = {}
-    for drawn in drawings(made, hand._replace(trials=min(hand.trials, OWN_TRIALS))):
-        figures, where = cells(drawn), points(drawn)
-        again = []
-        for taken in readings:
-            key = (taken.plan, taken.segment, taken.position)
-            if _pointed(taken) and key in where:
-                z = where[key]
-                again.append(taken._replace(x=z.real, y=z.imag))
-            elif taken.mm is not None and key in figures and figures[key].mm is not None:
-                again.append(taken._replace(mm=abs(figures[key].mm or 0.0)))
-        errors = OwnErrors(made, again)
-        for taken in again:
-            mine = errors.of(taken)
-            if mine is not None:
-                key = (taken.plan, taken.segment, taken.position)
-                rows.setdefault(key, []).append(abs(mine))
-    return {key: _limits(np.sort(np.array(row)), limits) for key, row in rows.items()}
+def yardstick(made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits) -> Yardstick:
+    """Return by what readings of these figures are judged. ``made``: drawn by the exact hand."""
+    wanted: dict[Key, set[bool]] = {}
+    for taken in readings:
+        wanted.setdefault(taken.key, set()).add(taken.in_mm)
+    spread = scatter(made, hand, wanted, limits)
+    return Yardstick(spread, usual_errors(made, readings, hand, limits))
 
 
-def _limits(deviations: np.ndarray, limits: Limits) -> Scatter:
-    if not deviations.size:
-        return Scatter(deviations, np.inf, np.inf)
-    root = float(np.sqrt(np.mean(deviations**2)))
-    doubtful = float(np.quantile(deviations, limits.doubtful))
-    wrong = max(limits.wrong * root, limits.beyond * float(deviations[-1]))
-    return Scatter(deviations, doubtful, max(wrong, doubtful))
-
-
-def judge(
-    made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits, source: str
-) -> tuple[tuple[Judged, ...], dict[tuple[Key, bool], Scatter]]:
-    """Return every reading with its verdict, and the scatter that it was judged by.
-
-    ``made``: drawn by the exact hand.
+def refuse_unknown(made: Made, readings: Sequence[Taken], source: str) -> None:
+    """Raise what is wrong with the names of readings.
 
     Raises
     ------
@@ -164,57 +83,58 @@ def judge(
         If readings name what the scene does not have; all of them at once.
     """
     due, spots = cells(made), points(made)
-    faults, known = [], []
+    faults = []
     for taken in readings:
-        key = (taken.plan, taken.segment, taken.position)
-        says = "" if _pointed(taken) and key in spots else _unknown(key, taken, due)
+        says = "" if taken.pointed and taken.key in spots else _unknown(taken.key, taken, due)
         if says:
             faults.append(Fault("", taken.line, says))
-        else:
-            known.append((key, taken))
     if faults:
         raise SceneError(source, tuple(faults[:20]))
-    wanted: dict[Key, set[bool]] = {}
-    for key, taken in known:
-        wanted.setdefault(key, set()).add(taken.mm is not None or _pointed(taken))
-    spread = scatter(made, hand, wanted, limits)
-    most, own = longest(due), OwnErrors(made, [taken for _, taken in known])
-    usual = _own_scatter(made, [taken for _, taken in known], hand, limits)
+
+
+def judge(made: Made, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged, ...]:
+    """Return every reading with its verdict. ``made``: drawn by the exact hand."""
+    due, spots = cells(made), points(made)
+    most, own = longest(due), OwnErrors(made, readings)
     judged = []
-    for key, taken in known:
-        in_mm = taken.mm is not None or _pointed(taken)
-        if _pointed(taken):
-            found, goal, of = abs(_spot(taken)), abs(spots[key]), "mm"
-            deviation = signed = abs(_spot(taken) - spots[key])
+    for taken in readings:
+        key = taken.key
+        if taken.pointed:
+            found, goal, of = abs(spot_of(taken)), abs(spots[key]), "mm"
+            deviation = signed = abs(spot_of(taken) - spots[key])
         else:
             cell = due[key]
             found, goal = taken_figure(taken, cell), amount(cell, taken)
-            signed, of = apart(found, goal), "mm" if in_mm else cell.unit
+            signed, of = apart(found, goal), "mm" if taken.in_mm else cell.unit
             deviation = abs(signed)
-        seen = spread[key, in_mm]
+        seen = by.spread[key, taken.in_mm]
         whole = most.get((taken.plan, taken.position), 0.0)
-        share = 100.0 * deviation / whole if in_mm and whole else 0.0
-        mine = own.of(taken)
-        counted = deviation
-        if mine is not None and key in usual:
-            counted, seen = abs(mine), usual[key]
-        if counted <= LEAST * max(whole, abs(goal)):
+        share = 100.0 * deviation / whole if taken.in_mm and whole else 0.0
+        errors = own.of(taken)
+        counted, of_it, blamed, mine = deviation, deviation, errors[-1:], None
+        if errors and key in by.usual:
+            times, worst = by.usual[key].worst(errors)
+            mine = worst.error
+            # a length that is right is not wrong because an earlier one was copied wrongly
+            if taken.pointed or _milder(by.usual[key].scatter, times, seen, deviation):
+                counted, seen = times, by.usual[key].scatter
+                of_it, blamed = worst.error, (worst,)
+        if abs(of_it) <= LEAST * max(whole, abs(goal)):
             counted = 0.0
         verdict = seen.verdict(counted)
-        blamed = own.step(taken) if verdict != FINE else ""
+        step = own.named(blamed[0].step) if blamed and verdict != FINE else ""
         quantile = seen.quantile(counted)
-        judged.append(
-            Judged(taken, found, goal, signed, share, quantile, verdict, of, blamed, mine)
-        )
-    return tuple(judged), spread
+        judged.append(Judged(taken, found, goal, signed, share, quantile, verdict, of, step, mine))
+    return tuple(judged)
 
 
-def _pointed(taken: Taken) -> bool:
-    """Whether a reading gives the coordinates of a point."""
-    return taken.mm is None and taken.x is not None and taken.y is not None
+def _milder(one: Scatter, deviation: float, other: Scatter, by: float) -> bool:
+    """Whether the first verdict is not more severe than the second."""
+    return VERDICTS.index(one.verdict(deviation)) <= VERDICTS.index(other.verdict(by))
 
 
-def _spot(taken: Taken) -> complex:
+def spot_of(taken: Taken) -> complex:
+    """Return where a reading says that a point stands."""
     assert taken.x is not None
     assert taken.y is not None
     return complex(taken.x, taken.y)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.checking.catalogue import CATALOGUE, Figures
+from graphic_tmm.checking.alterations import Figures
+from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, POSITION
 from graphic_tmm.checking.cells import Cell, Key, cells
-from graphic_tmm.checking.judge import Scatter, amount, apart
+from graphic_tmm.checking.judge import amount, apart, spot_of
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Likely
+from graphic_tmm.checking.scatter import Scatter
 from graphic_tmm.studio import Made
 
 SEGMENT = (
@@ -23,6 +27,9 @@ FACTOR = (
     "all figures are {factor:.4g} times too large: the scale or the pole distance is another",
     "все величины в {factor:.4g} раза больше: взят другой масштаб или другое полюсное расстояние",
 )
+BELIED = 0.3
+"""What a mistake loses of its score that befalls some of the drawing only."""
+NOWHERE = complex(np.nan, np.nan)
 LEAST = 0.6
 """A mistake has to explain this share of the wrong readings of its plans."""
 
@@ -35,7 +42,7 @@ class Tried(NamedTuple):
     lines: tuple[int, ...]
     score: float
     rest: float
-    effect: tuple[float, ...]
+    effect: tuple[complex, ...]
 
 
 def likely(
@@ -45,14 +52,13 @@ def likely(
     language: str,
 ) -> tuple[Likely, ...]:
     """Return the mistakes that explain wrong readings, the best first; those of the same effect together."""
-    judged = [one for one in judged if one.taken.mm is not None or one.taken.value is not None]
     wrong = [one for one in judged if one.verdict == WRONG]
     if not wrong:
         return ()
     tried = [one for one in _tried(made, judged, spread, language) if one.lines]
     tried.sort(key=lambda one: (-one.score, one.rest, one.name))
     found: list[Likely] = []
-    effects: list[tuple[float, ...]] = []
+    effects: list[tuple[complex, ...]] = []
     for one in tried:
         if one.score <= 0.0 or len(one.lines) < LEAST * min(len(wrong), 3):
             continue
@@ -65,7 +71,7 @@ def likely(
     return tuple(found)
 
 
-def _same(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
+def _same(one: tuple[complex, ...], other: tuple[complex, ...]) -> bool:
     a, b = np.array(one), np.array(other)
     return bool(np.allclose(a, b, rtol=1e-6, atol=1e-9, equal_nan=True))
 
@@ -80,7 +86,7 @@ def _tried(
         says = mistake.ru if language == "ru" else mistake.en
         best: Tried | None = None
         for figures in mistake.figures(made):
-            one = _compared(mistake.name, says, figures, judged, spread)
+            one = _compared(mistake.name, says, figures, judged, spread, mistake.reach)
             if best is None or (one.score, -one.rest) > (best.score, -best.rest):
                 best = one
         if best is not None:
@@ -95,28 +101,68 @@ def _compared(
     figures: Figures,
     judged: Sequence[Judged],
     spread: Mapping[tuple[Key, bool], Scatter],
+    reach: str = EVERYWHERE,
 ) -> Tried:
-    """Compare all readings with the figures that a mistake leads to."""
-    lines, score, left, whole, effect = [], 0.0, 0.0, 0.0, []
+    """Compare all readings with the figures that a mistake leads to.
+
+    Where it may befall some positions or readings only, it is counted where it explains more than it belies.
+    """
+    groups: dict[tuple[str, ...], _Group] = defaultdict(_Group)
+    effect: list[complex] = []
     for one in judged:
-        key = _key(one)
-        cell = figures.get(key)
-        due = None if cell is None else _due(cell, one)
-        if due is None:
-            effect.append(float("nan"))
-            continue
+        group = groups[_place(one, reach)]
+        cell = figures.get(one.taken.key)
+        moved, due = (None, NOWHERE) if cell is None else _moved(one, cell)
         effect.append(due)
-        limit, moved = spread[key, one.taken.mm is not None], abs(apart(one.found, due))
-        room = _room(limit, due, one.due)
         if one.verdict == WRONG:
-            left, whole = left + moved**2, whole + one.deviation**2
+            group.whole += one.deviation**2
+        if moved is None:
+            group.left += one.deviation**2 if one.verdict == WRONG else 0.0
+            continue
+        limit = spread[one.taken.key, one.taken.in_mm]
+        room = _room(limit, abs(due), one.due)
+        if one.verdict == WRONG:
+            group.left += moved**2
             if moved <= room:
-                lines.append(one.taken.line)
-                score += 1.0
+                group.lines.append(one.taken.line)
         elif one.verdict == FINE and moved > max(limit.wrong, room):
-            score -= 1.0
-    rest = left / whole if whole else 1.0
-    return Tried(name, says, tuple(lines), score, rest, tuple(effect))
+            group.belied += 1
+    said = [group for group in groups.values() if len(group.lines) > group.belied]
+    lines = [line for group in said for line in group.lines]
+    score = float(sum(len(group.lines) - group.belied for group in said))
+    if any(group.belied or (group.whole and not group.lines) for group in groups.values()):
+        score -= BELIED
+    whole = sum(group.whole for group in groups.values())
+    left = sum(group.left if group in said else group.whole for group in groups.values())
+    return Tried(name, says, tuple(lines), score, left / whole if whole else 1.0, tuple(effect))
+
+
+@dataclass
+class _Group:
+    """Readings that a mistake befalls together: lines explained, fine readings belied, squares left."""
+
+    lines: list[int] = field(default_factory=list)
+    belied: int = 0
+    left: float = 0.0
+    whole: float = 0.0
+
+
+def _place(one: Judged, reach: str) -> tuple[str, ...]:
+    if reach == EVERYWHERE:
+        return ()
+    return (one.taken.position,) if reach == POSITION else one.taken.key
+
+
+def _moved(one: Judged, cell: Cell) -> tuple[float | None, complex]:
+    """Return how far a reading is from a figure, and that figure (of a point: where it stands)."""
+    if one.taken.pointed:
+        if cell.spot is None:
+            return None, NOWHERE
+        return abs(spot_of(one.taken) - cell.spot), cell.spot
+    due = _due(cell, one)
+    if due is None:
+        return None, NOWHERE
+    return abs(apart(one.found, due)), complex(due)
 
 
 def _room(limit: Scatter, due: float, was: float) -> float:
@@ -125,10 +171,6 @@ def _room(limit: Scatter, due: float, was: float) -> float:
         return 0.03 * abs(due)
     growth = max(1.0, abs(due) / abs(was)) if was else 1.0
     return 0.7 * limit.wrong * growth
-
-
-def _key(one: Judged) -> Key:
-    return (one.taken.plan, one.taken.segment, one.taken.position)
 
 
 def _due(cell: Cell, one: Judged) -> float | None:
@@ -140,16 +182,16 @@ def _factor(
 ) -> Iterator[Tried]:
     """One factor between all figures of a segment and their dues."""
     for plan in dict.fromkeys(one.taken.plan for one in judged):
-        wrong = [o for o in judged if o.taken.plan == plan and o.verdict == WRONG and o.due]
+        rows = [o for o in judged if o.taken.plan == plan and not o.taken.pointed]
+        wrong = [o for o in rows if o.verdict == WRONG and o.due]
         if len(wrong) < 3:
             continue
         factor = float(np.median([one.found / abs(one.due) for one in wrong]))
         if not 0.02 < factor < 50.0 or abs(factor - 1.0) < 0.05:
             continue
         figures = {
-            _key(one): Cell(abs(one.due) * factor, abs(one.due) * factor, one.unit)
-            for one in judged
-            if one.taken.plan == plan
+            one.taken.key: Cell(abs(one.due) * factor, abs(one.due) * factor, one.unit)
+            for one in rows
         }
         says = FACTOR[2 if language == "ru" else 1].format(factor=factor)
         found = _compared(FACTOR[0], says, figures, judged, spread)
@@ -167,20 +209,22 @@ def _other_segments(
     by_place: dict[tuple[str, str], list[tuple[str, Cell]]] = {}
     for (plan, segment, position), cell in due.items():
         by_place.setdefault((plan, position), []).append((segment, cell))
-    lines, left, whole, effect = [], 0.0, 0.0, []
+    lines, left, whole = [], 0.0, 0.0
+    effect: list[complex] = []
     for one in judged:
-        if one.verdict != WRONG:
-            effect.append(float("nan"))
+        if one.verdict != WRONG or one.taken.pointed:
+            effect.append(NOWHERE)
             continue
         place = (one.taken.plan, one.taken.position)
-        moved = [
-            abs(apart(one.found, amount(cell, one.taken)))
+        near = [
+            (abs(apart(one.found, amount(cell, one.taken))), segment)
             for segment, cell in by_place.get(place, [])
             if segment != one.taken.segment and _due(cell, one) is not None
         ]
-        nearest = min(moved, default=float("inf"))
-        limit = spread[_key(one), one.taken.mm is not None]
-        effect.append(nearest)
+        nearest, other = min(near, default=(float("inf"), one.taken.segment))
+        own = spread[one.taken.key, one.taken.in_mm]
+        limit = spread.get(((one.taken.plan, other, one.taken.position), one.taken.in_mm), own)
+        effect.append(complex(nearest))
         whole += one.deviation**2
         left += min(nearest, abs(one.deviation)) ** 2
         if nearest <= 0.5 * limit.wrong:

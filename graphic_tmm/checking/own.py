@@ -1,31 +1,38 @@
 """The error that each step of a hand-made plan made itself: earlier readings are taken as they were found.
 
 The log is run once more at the positions that have readings; every segment that was read replaces what the log
-measured, so a later step that calculates with it starts from the reading.
+measured, every point that was read the point that the log marked: a later step starts from what was found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import step_number
-from graphic_tmm.board.geometry import wedge
-from graphic_tmm.board.operations import meet
+from graphic_tmm.board.geometry import along, wedge
+from graphic_tmm.board.operations import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Length, Point
+from graphic_tmm.board.values import Arc, Length, Line, Point
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import POINTED
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.studio import Made
 from graphic_tmm.tables.columns import segment_name
 
-ON_LINE = 0.85
-"""A point lies on the one line and off the other if its distances are in this ratio."""
+MET = (meet, cut, cross)
+"""Operations that mark where two lines or arcs meet."""
+
+
+class Own(NamedTuple):
+    """The error of one step, mm: of a length how much too long, of a point or a line how far it is off."""
+
+    step: Step
+    error: float
 
 
 class OwnErrors:
@@ -33,8 +40,7 @@ class OwnErrors:
 
     def __init__(self, made: Made, readings: Sequence[Taken]) -> None:
         self.made = made
-        self._found: dict[tuple[str, str, str], float] = {}
-        self._blamed: dict[tuple[str, str, str], Step] = {}
+        self._found: dict[tuple[str, str, str], tuple[Own, ...]] = {}
         self._steps: dict[tuple[str, str], Step] = {}
         if made.work is None:
             return
@@ -57,18 +63,17 @@ class OwnErrors:
         for position, found in by_position.items():
             self._at(position, found)
 
-    def of(self, taken: Taken) -> float | None:
-        """Return the own error of a reading, mm; None where it cannot be told."""
-        return self._found.get((taken.plan, taken.segment, taken.position))
+    def of(self, taken: Taken) -> tuple[Own, ...]:
+        """Return the errors of the steps that led to a reading; none where they cannot be told.
 
-    def step(self, taken: Taken) -> str:
-        """Return the step that made a reading: its number in the plan and its letter; "" if unknown."""
-        step = self._blamed.get((taken.plan, taken.segment, taken.position))
-        step = step or self._steps.get((taken.plan, taken.segment))
-        if step is None or self.made.work is None:
-            return ""
-        log = self.made.work.project.construction
-        return f"{step_number(log, step)} {step.it.letter}"
+        A point where two lines meet has the errors of both: how far it is off either of them.
+        """
+        return self._found.get(taken.key, ())
+
+    def named(self, step: Step) -> str:
+        """Return a step as a report names it: its number in its plan, its letter."""
+        assert self.made.work is not None
+        return f"{step_number(self.made.work.project.construction, step)} {step.it.letter}"
 
     def _at(self, position: str, found: dict[Mark, complex]) -> None:
         work = self.made.work
@@ -89,32 +94,54 @@ class OwnErrors:
             for step in steps:
                 run = partial(step.op.run, **step.choice) if step.choice else step.op.run
                 value = run(*[values[mark.slot] for mark in step.uses])
-                if step.it in found and step.it.kind is Point:
-                    self._point(step, position, found[step.it], values, complex(value[0, 0]))
-                    value = np.full_like(value, found[step.it])
-                elif step.it in found:
-                    sign = -1.0 if float(value[0, 0]) < 0.0 else 1.0
-                    key = (step.it.view, segment_name(step.it.letter), position)
-                    self._found[key] = found[step.it].real - abs(float(value[0, 0]))
-                    value = np.full_like(value, sign * found[step.it].real)
+                if step.it in found:
+                    values[self._as_measured(step.it)] = value
+                    value = self._taken(step, position, found[step.it], value, values)
                 values[step.it.slot] = value
 
-    def _point(
-        self, step: Step, position: str, found: complex, values: dict[int, Any], due: complex
-    ) -> None:
-        """Note how far a point is off; where two lines met, the line that it is off is blamed."""
-        key = (step.it.view, step.it.letter, position)
-        self._found[key] = abs(found - due)
-        if step.op is not meet:
-            return
-        log = self.made.work.project.construction if self.made.work is not None else None
-        assert log is not None
-        off = []
-        for mark in step.uses:
-            line = values[mark.slot]
-            off.append(abs(float(wedge(line.along, found - line.at)[0, 0])))
-        first, second = off
-        if min(off) < ON_LINE * max(off):
-            drawn = log.step(step.uses[0 if first > second else 1])
-            if drawn is not None:
-                self._blamed[key] = drawn
+    def _taken(
+        self, step: Step, position: str, found: complex, value: Any, values: dict[int, Any]
+    ) -> Any:
+        """Note the errors of a step whose result was read; return what was read."""
+        if step.it.kind is Point:
+            key = (step.it.view, step.it.letter, position)
+            self._found[key] = tuple(self._parts(step, found, complex(value[0, 0]), values))
+            return np.full_like(value, found)
+        due = float(value[0, 0])
+        key = (step.it.view, segment_name(step.it.letter), position)
+        self._found[key] = (Own(step, found.real - abs(due)),)
+        return np.full_like(value, -found.real if due < 0.0 else found.real)
+
+    @staticmethod
+    def _as_measured(mark: Mark) -> int:
+        """Return the key under which the log's own value of a mark is kept, where a reading took its place."""
+        return -1 - mark.slot
+
+    def _parts(
+        self, step: Step, found: complex, due: complex, values: dict[int, Any]
+    ) -> Iterator[Own]:
+        """Yield how far a point is off each line and arc that it should lie on, or off its own place."""
+        assert self.made.work is not None
+        log = self.made.work.project.construction
+        drawn = [(log.step(mark), values[mark.slot]) for mark in step.uses]
+        if step.op in MET:
+            for by, value in drawn:
+                if isinstance(value, Line | Arc):
+                    yield Own(by or step, _off(value, found))
+        elif step.op is lay_off:
+            by, line = drawn[0]
+            yield Own(by or step, _off(line, found))
+            long = float(along(np.asarray(found - line.at), line.along)[0, 0])
+            # whether the length was laid off right, and read wrongly, or the other way round
+            lengths = (drawn[1][1], values.get(self._as_measured(step.uses[1])))
+            off = [abs(long - float(length[0, 0])) for length in lengths if length is not None]
+            yield Own(step, min(off))
+        else:
+            yield Own(step, abs(found - due))
+
+
+def _off(figure: Line | Arc, found: complex) -> float:
+    """Return how far a point is off a line or an arc, mm."""
+    if isinstance(figure, Line):
+        return abs(float(wedge(figure.along, found - figure.at)[0, 0]))
+    return abs(float((np.abs(found - figure.centre) - figure.radius)[0, 0]))

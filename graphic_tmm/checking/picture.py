@@ -37,7 +37,8 @@ def read(path: str | Path) -> NDArray[np.uint8]:
                 columns, rows = opened.size
                 if columns * rows > MOST:
                     raise SheetError(_large(place, f"{columns} × {rows} pixels"))
-                return _colours(operations.exif_transpose(opened), images)
+                operations.exif_transpose(opened, in_place=True)
+                return _colours(opened, images)
         except SheetError:
             raise
         except images.DecompressionBombError as error:
@@ -76,4 +77,4 @@ def _colours(image: Any, images: Any) -> NDArray[np.uint8]:
         image = image.convert("RGBA")
         white = images.new("RGBA", image.size, "white")
         image = images.alpha_composite(white, image)
-    return np.asarray(image.convert("RGB"), dtype=np.uint8)
+    return np.asarray(image if image.mode == "RGB" else image.convert("RGB"), dtype=np.uint8)

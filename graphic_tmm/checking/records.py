@@ -25,6 +25,21 @@ class Taken(NamedTuple):
     y: float | None = None
     line: int = 0
 
+    @property
+    def key(self) -> tuple[str, str, str]:
+        """Plan, segment and position: which figure of the scene it is of."""
+        return (self.plan, self.segment, self.position)
+
+    @property
+    def in_mm(self) -> bool:
+        """Whether it was measured on paper."""
+        return self.mm is not None or self.pointed
+
+    @property
+    def pointed(self) -> bool:
+        """Whether it gives the coordinates of a point."""
+        return self.mm is None and self.x is not None and self.y is not None
+
 
 class Judged(NamedTuple):
     """A reading with its due: both in mm (or in the unit of ``value`` where nothing is drawn of it).

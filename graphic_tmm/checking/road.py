@@ -7,13 +7,13 @@ from typing import Any
 
 from graphic_tmm.checking.cells import POINTED, RESULTS, points, position_names
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.judge import Limits
 from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.readings import read_readings
 from graphic_tmm.checking.records import Report
 from graphic_tmm.checking.report_html import html_report
 from graphic_tmm.checking.report_json import json_report
 from graphic_tmm.checking.report_text import markdown_report, text_report
+from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.checking.writing import template
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write

@@ -16,13 +16,16 @@ from gallery import SHEETS
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking import judge as judging
-from graphic_tmm.checking.catalogue import CATALOGUE, Figures
+from graphic_tmm.checking import usual as usual_errors
+from graphic_tmm.checking.alterations import Figures
+from graphic_tmm.checking.catalogue import CATALOGUE
 from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.judge import Limits, Scatter, judge, scatter
+from graphic_tmm.checking.judge import judge
 from graphic_tmm.checking.mistakes import likely
 from graphic_tmm.checking.own import OwnErrors
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
+from graphic_tmm.checking.scatter import Limits, Scatter, scatter
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.frame import drawing_area
 from graphic_tmm.scene.read import read
@@ -60,7 +63,7 @@ def readings(found: Figures, due: Figures) -> list[Taken]:
 
 @pytest.fixture(autouse=True)
 def _own_is_quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(judging, "OWN_TRIALS", 25)
+    monkeypatch.setattr(usual_errors, "TRIALS", 25)
 
 
 @pytest.mark.parametrize("hand", ["student", "careful"])
@@ -68,7 +71,7 @@ def _own_is_quick(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_honest_drawings_are_fine(name: str, hand: str, monkeypatch: pytest.MonkeyPatch) -> None:
     due, spread = cells(made(name)), usual(name, hand)
     monkeypatch.setattr(judging, "scatter", lambda *_: spread)
-    monkeypatch.setattr(judging, "_own_scatter", lambda *_: {})
+    monkeypatch.setattr(judging, "usual_errors", lambda *_: {})
     count = doubtful = broken = 0
     trials = 28
     for drawn in drawings(made(name), HANDS[hand]._replace(trials=trials, seed=4711)):
@@ -86,12 +89,12 @@ def test_a_perfect_drawing_has_no_error(name: str) -> None:
     rows = readings(due, due)
     own = OwnErrors(made(name), rows)
     for taken in rows:
-        mine = own.of(taken)
-        assert mine is None or abs(mine) < 1e-9
+        assert all(abs(one.error) < 1e-9 for one in own.of(taken))
     spots = points(made(name))
     again = [Taken(p, n, s, x=z.real, y=z.imag) for (p, s, n), z in spots.items()]
     own = OwnErrors(made(name), again)
-    assert all(abs(own.of(taken) or 0.0) < 1e-9 for taken in again)
+    assert all(own.of(taken) for taken in again)
+    assert all(abs(one.error) < 1e-9 for taken in again for one in own.of(taken))
 
 
 def planted(name: str) -> Iterator[tuple[str, Figures]]:
@@ -119,7 +122,7 @@ def noisy(figures: Figures, drawn: Figures, due: Figures) -> dict[Key, Cell]:
 def test_a_planted_mistake_is_named_first(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     due, spread = cells(made(name)), usual(name)
     monkeypatch.setattr(judging, "scatter", lambda *_: spread)
-    monkeypatch.setattr(judging, "_own_scatter", lambda *_: {})
+    monkeypatch.setattr(judging, "usual_errors", lambda *_: {})
     honest = [cells(d) for d in drawings(made(name), HANDS["student"]._replace(trials=2, seed=9))]
     seen = first = some = 0
     for mistake, figures in planted(name):

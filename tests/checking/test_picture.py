@@ -82,7 +82,7 @@ def test_a_photograph_cut_short_is_told(tmp_path: Path, form: str) -> None:
     path = tmp_path / "photo"
     Image.fromarray(random).save(path, form)
     assert read(path).shape == (90, 120, 3)
-    path.write_bytes(path.read_bytes()[:-3000])
+    path.write_bytes(path.read_bytes()[: -path.stat().st_size // 3])
     with pytest.raises(SheetError, match=r"photo: .*(cannot|can) be read"):
         read(path)
 

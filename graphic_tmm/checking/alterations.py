@@ -1,0 +1,258 @@
+"""What mistakes do: changes of the log, of what was given, or of the figures, each a few lines.
+
+Each takes a scene as drawn and yields, variant by variant, what its figures would then be.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board.hand import EXACT
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Side
+from graphic_tmm.checking.cells import Cell, Key, cells_and_points, position_names
+from graphic_tmm.studio import Made
+
+Figures = Mapping[Key, Cell]
+
+
+def altered(
+    made: Made, change: Callable[[Step], Step], given: Mapping[Mark, object]
+) -> Figures | None:
+    """Return the figures of a mechanism whose log has been changed step by step; None if nothing changes."""
+    if made.work is None:
+        return None
+    project = made.work.project
+    steps = tuple(change(step) for step in project.construction.steps)
+    if steps == project.construction.steps and not given:
+        return None
+    log = project.construction._replace(steps=steps)
+    work = replace(
+        made.work,
+        project=replace(project, construction=log),
+        given={**made.work.given, **given},
+    )
+    return cells_and_points(made._replace(work=work.drawn_by(EXACT)))
+
+
+def running(name: str, run: Callable[..., Any]) -> Callable[[Made], Iterator[Figures]]:
+    """Return the mistake of calculating one operation by another formula: run(right result, *values)."""
+
+    def change(step: Step) -> Step:
+        if step.op.name != name:
+            return step
+        right = step.op.run
+        return step._replace(op=step.op._replace(run=lambda *v, **c: run(right(*v, **c), *v)))
+
+    def figures(made: Made) -> Iterator[Figures]:
+        found = altered(made, change, {})
+        if found is not None:
+            yield found
+
+    return figures
+
+
+def wrong_end(made: Made) -> Iterator[Figures]:
+    """A normal component points from its centre."""
+
+    def change(step: Step) -> Step:
+        if step.op.name == "parallel" and step.it.letter.startswith("(n_"):
+            return step._replace(choice={"sense": -step.choice["sense"]})
+        return step
+
+    found = altered(made, change, {})
+    if found is not None:
+        yield found
+
+
+def wrong_link(made: Made) -> Iterator[Figures]:
+    """Another link's length divides a normal component."""
+    if made.work is None:
+        return
+    normals = [s for s in made.work.project.construction.steps if s.op.name == "normal"]
+    lengths = list(dict.fromkeys(step.uses[2] for step in normals))
+    for step in normals:
+        for other in lengths:
+            if other == step.uses[2]:
+                continue
+
+            def change(one: Step, step: Step = step, other: Mark = other) -> Step:
+                if one.it != step.it:
+                    return one
+                return one._replace(uses=(*one.uses[:2], other, *one.uses[3:]))
+
+            found = altered(made, change, {})
+            if found is not None:
+                yield found
+
+
+def not_reversed(made: Made) -> Iterator[Figures]:
+    """Inertia forces point along the accelerations."""
+
+    def change(step: Step) -> Step:
+        if step.op.name == "action" and step.it.letter.startswith("(P_{i"):
+            return step._replace(uses=(step.uses[0], step.uses[2], step.uses[1]))
+        return step
+
+    found = altered(made, change, {})
+    if found is not None:
+        yield found
+
+
+def other_assembly(made: Made) -> Iterator[Figures]:
+    """One dyad is assembled the other way."""
+    if made.work is None:
+        return
+    for mark, value in made.work.given.items():
+        if mark.kind is Side:
+            flipped = -np.asarray(value, dtype=np.float64)
+            found = altered(made, lambda step: step, {mark: flipped})
+            if found is not None:
+                yield found
+
+
+def speed_by(factor: float) -> Callable[[Made], Iterator[Figures]]:
+    """Return the mistake of a crank that many times as fast."""
+
+    def figures(made: Made) -> Iterator[Figures]:
+        if made.work is None or made.work.project.velocities is None:
+            return
+        speed = made.work.project.velocities.speed
+        rates = made.work.project.velocities.rates.values()
+        given = {
+            mark: np.asarray(made.work.given[mark]) * factor
+            for mark in {speed, *rates}
+            if mark is not None and mark in made.work.given
+        }
+        found = altered(made, lambda step: step, given)
+        if found is not None:
+            yield found
+
+    return figures
+
+
+def cellwise(change: Callable[[Key, Cell], Cell]) -> Callable[[Made], Iterator[Figures]]:
+    """Return the mistake of changing figures one by one."""
+
+    def figures(made: Made) -> Iterator[Figures]:
+        yield {key: change(key, cell) for key, cell in cells_and_points(made).items()}
+
+    return figures
+
+
+def _by(factor: float, *, mm: bool = True) -> Callable[[Key, Cell], Cell]:
+    def change(key: Key, cell: Cell) -> Cell:
+        length = cell.mm * factor if mm and cell.mm is not None else cell.mm
+        value = None if cell.value is None else cell.value * factor
+        return cell._replace(mm=length, value=value)
+
+    return change
+
+
+def decimal(made: Made) -> Iterator[Figures]:
+    """The decimal point stands one or two places off."""
+    for factor in (10.0, 0.1, 100.0, 0.01):
+        yield {key: _by(factor)(key, cell) for key, cell in cells_and_points(made).items()}
+
+
+def opposite(made: Made) -> Iterator[Figures]:
+    """Figures and points on the other side; then the angular acceleration that was given."""
+    yield {key: _opposite(cell) for key, cell in cells_and_points(made).items()}
+    if made.work is None:
+        return
+    given = made.work.given
+    turned = {mark: -np.asarray(given[mark]) for mark in given if mark.unit == "1/s²"}
+    if turned:
+        found = altered(made, lambda step: step, turned)
+        if found is not None:
+            yield found
+
+
+def _opposite(cell: Cell) -> Cell:
+    mm, value, spot = (None if x is None else -x for x in (cell.mm, cell.value, cell.spot))
+    return Cell(mm, value, cell.unit, spot)  # type: ignore[arg-type]
+
+
+def turned(made: Made) -> Iterator[Figures]:
+    """The plan of velocities is drawn a quarter to either side."""
+    found = cells_and_points(made)
+    for quarter in (1j, -1j):
+        yield {
+            key: cell._replace(spot=cell.spot * quarter)
+            if cell.spot is not None and key[0] == "velocities"
+            else cell
+            for key, cell in found.items()
+        }
+
+
+def inverted(key: Key, cell: Cell) -> Cell:
+    """The length is divided by μ."""
+    if not cell.mm or cell.value is None or cell.value == 0.0:
+        return cell
+    return cell._replace(value=cell.mm * cell.mm / cell.value)
+
+
+def degrees(key: Key, cell: Cell) -> Cell:
+    """Radians are degrees and the other way round."""
+    if cell.value is None or cell.unit not in ("1/s", "1/s²", "rad", "°"):
+        return cell
+    factor = math.pi / 180.0 if cell.unit == "°" else 180.0 / math.pi
+    return cell._replace(value=cell.value * factor)
+
+
+def of_another_plan(made: Made) -> Iterator[Figures]:
+    """Each plan's mm times the scale factor of another."""
+    if made.work is None:
+        return
+    found, factors = cells_and_points(made), [s.value for s in made.work.scales.values()]
+    for mu in dict.fromkeys(factors):
+        yield {
+            key: cell if cell.mm is None else cell._replace(value=cell.mm * mu)
+            for key, cell in found.items()
+        }
+
+
+def numbered(shift: int | None) -> Callable[[Made], Iterator[Figures]]:
+    """Return the mistake of numbering the positions backwards (None), or from another one on."""
+
+    def figures(made: Made) -> Iterator[Figures]:
+        found, names = cells_and_points(made), position_names(made)
+        count = made.work.project.count if made.work is not None else len(names)
+        order = list(range(count))
+        moved = [(-k) % count if shift is None else (k + shift) % count for k in order]
+        other = {names[k]: names[moved[k]] for k in order}
+        yield {
+            (plan, segment, at): found.get((plan, segment, other.get(at, at)), cell)
+            for (plan, segment, at), cell in found.items()
+        }
+
+    return figures
+
+
+def at_the_end(made: Made) -> Iterator[Figures]:
+    """A chord's value stands at an end of its interval instead of its middle."""
+    found, names = cells_and_points(made), position_names(made)
+    if made.work is None or made.work.project.kinematic is None:
+        return
+    row = names[: made.work.project.count]
+    for step in (1, -1):
+        moved: dict[Key, Cell] = dict(found)
+        for k, name in enumerate(row):
+            other = row[(k + step) % len(row)]
+            for symbol in ("V", "a"):
+                key, next_ = ("diagrams", symbol, name), ("diagrams", symbol, other)
+                if key in found and next_ in found:
+                    moved[key] = _mean(found[key], found[next_])
+        yield moved
+
+
+def _mean(one: Cell, other: Cell) -> Cell:
+    def middle(a: float | None, b: float | None) -> float | None:
+        return None if a is None or b is None else (a + b) / 2.0
+
+    return Cell(middle(one.mm, other.mm), middle(one.value, other.value), one.unit)
