@@ -7,44 +7,64 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from graphic_tmm.board.hand import EXACT, HANDS, Hand
+from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import Gas, IndicatorOrder
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.work import hand_of
 
 ALL = ("all",)
+
+
+OWN = "scene"
+"""The hand that a scene names, with the ruler that it names."""
+EACH_SLIP = ("prick", "compass", "swing", "reading", "digits")
+"""The five slips of a hand."""
+GRID = ("exact", "cad", "careful", "student")
+"""The named hands, from the most exact on."""
 
 
 @dataclass(frozen=True)
 class Setting:
     """How a scene is drawn.
 
-    ``hand``: the name of who draws, ``who`` with seed and trials; ``enlarged``: how many times larger than the
-    scene asks for; ``drawings``: how often the whole is drawn, to tell how the hand scatters.
+    ``hand``: what the hand is called, ``who`` with ruler, seed and number of drawings; ``enlarged``: how many times
+    larger than the scene asks for; ``pole``: how many times farther the poles of its diagrams.
     """
 
     scene: Scene
     hand: str
     who: Hand
     enlarged: float = 1.0
-    drawings: int = 1
+    pole: float = 1.0
 
-    def drawn_by(self, name: str) -> Setting:
-        """Return the same, drawn by a named hand; the exact one has no ruler here."""
-        return replace(self, hand=name, who=named(name, self.scene))
+    def by(self, name: str, who: Hand) -> Setting:
+        """Return the same, drawn by another hand."""
+        return replace(self, hand=name, who=who)
 
 
-def named(name: str, scene: Scene) -> Hand:
-    """Return a named hand with the scene's seed; the exact one reads without rounding."""
-    return (EXACT if name == "exact" else HANDS[name])._replace(seed=scene.seed)
+def named(name: str, scene: Scene, trials: int) -> Hand:
+    """Return a hand by its name, with the scene's seed; the exact one reads without a ruler.
+
+    A hand that leaves nothing to chance draws once.
+    """
+    hand = hand_of(scene) if name == OWN else HANDS[name]
+    return hand._replace(seed=scene.seed, trials=trials if hand.slips else 1)
 
 
 def whole(scene: Scene) -> Scene:
-    """Return the scene with its plans of accelerations and of forces at all positions of the row."""
+    """Return the scene with its plans of accelerations and of forces at all positions of the row.
+
+    Diagrams are judged by the plans of accelerations, so these are drawn with them.
+    """
+    sheets = scene.sheets
+    if any("diagrams" in sheet.place for sheet in sheets):
+        first = replace(sheets[0], place=(*sheets[0].place, "accelerations"))
+        sheets = (first, *sheets[1:])
     forces = replace(scene.forces, positions=ALL) if scene.forces is not None else None
     row = replace(scene.row, accelerations=ALL)
-    return replace(scene, forces=forces, row=row, main=None)
+    return replace(scene, forces=forces, row=row, main=None, sheets=sheets)
 
 
 def at_count(scene: Scene, count: int) -> Scene | None:
