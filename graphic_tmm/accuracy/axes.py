@@ -14,9 +14,9 @@ from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.mechanism.orders import Drawn, EngineOrder, KinematicOrder
 from graphic_tmm.scene.records import ENGINE_PLACES, Scene
 
-COUNTS = (6, 8, 10, 12, 14, 16, 18, 24, 36, 48, 96)
+COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
-LONG = (192, 384, 768, 1536, 3072)
+LONG = (96, 192, 384, 768, 1536, 3072)
 """Numbers of positions for the exact hand alone."""
 RULERS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
 """Divisions of the ruler, mm."""

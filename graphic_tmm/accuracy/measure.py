@@ -27,7 +27,7 @@ GROUPS = 10
 """Into so many groups drawings are divided to see how far the error itself is known."""
 TRIED = 2
 """How often a draughtsman narrows the bracket of a position that is found by trying."""
-WARM, MOST, LEAST = 0.02, 15, 5
+WARM, MOST, LEAST = 0.01, 11, 5
 """Seconds for which a run is repeated, and how often at most and at least."""
 
 
