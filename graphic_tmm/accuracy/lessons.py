@@ -13,6 +13,8 @@ from graphic_tmm.accuracy.pareto import front
 
 DIVIDED = ("positions", "parts", "steps")
 """The axes along which a drawing is divided finer."""
+ASIDE = ("trials", "slip", "ruler")
+"""The axes on which it is not the setting that changes, but who draws."""
 SMOOTH = 12
 """From so many positions on errors follow their power of N."""
 FLAT = 1.25
@@ -111,7 +113,7 @@ def best_of(runs: Sequence[Run], *, machine: bool = False) -> frozenset[Run]:
     """Return the runs on the Pareto front of their quantity and hand: error over minutes, or over seconds."""
     found: list[Run] = []
     for quantity, hand in dict.fromkeys((run.quantity, run.hand) for run in runs):
-        row = [r for r in runs if (r.quantity, r.hand) == (quantity, hand) and r.axis != "trials"]
+        row = [r for r in runs if (r.quantity, r.hand) == (quantity, hand) and r.axis not in ASIDE]
         if machine:
             row = [run for run in row if run.seconds is not None]
         costs = [

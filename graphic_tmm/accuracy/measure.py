@@ -16,7 +16,6 @@ from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.board.execute import prepare
-from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.values import Reals
 
 SHARE = 0.9
@@ -132,6 +131,7 @@ class Measure:
         self.clock, self.minutes = clock, minutes
         self._drawn: dict[tuple[int, float, float], tuple[Setting, tuple[Drawing, ...]]] = {}
         self._worked: dict[tuple[int, float, float, str], Work] = {}
+        self._timed: dict[tuple[object, ...], Seconds] = {}
 
     def drawings(self, setting: Setting) -> tuple[Drawing, ...]:
         """Return the logs of a setting."""
@@ -159,7 +159,7 @@ class Measure:
                     continue
                 errors = off(quantity.read(reading, who.trials), due)
                 work = self.work(setting, drawing, quantity)
-                seconds = self._seconds(drawing, quantity, who, axis)
+                seconds = self._seconds(setting, drawing, quantity, axis)
                 place = (axis, value, quantity.name, drawing.count, setting.hand)
                 found.append(Run(*place, setting.enlarged, who.trials, errors, work, seconds))
         return found
@@ -173,14 +173,24 @@ class Measure:
         return self._worked[key]
 
     def _seconds(
-        self, drawing: Drawing, quantity: Quantity, who: Hand, axis: str
+        self, setting: Setting, drawing: Drawing, quantity: Quantity, axis: str
     ) -> Seconds | None:
-        """Time one drawing of a quantity; on the axis of trials all of them."""
+        """Time one drawing of a quantity; on the axis of trials all of them.
+
+        Hands of one sort (that slip, that round, that do neither) take the same time: the first of them is timed.
+        """
         if not self.clock:
             return None
-        hand = who if axis == "trials" else who._replace(trials=1)
-        program = prepare(drawing.log, quantity.marks)
-        return timed(lambda: program.run(drawing.given, hand=hand))
+        who = setting.who
+        trials = who.trials if axis == "trials" else 1
+        sort = (who.slips, who.ruler is not None, who.digits is not None, trials)
+        key = id(setting.scene), quantity.name, *sort
+        if key not in self._timed:
+            self.drawings(setting)
+            program = prepare(drawing.log, quantity.marks)
+            hand = who._replace(trials=trials)
+            self._timed[key] = timed(lambda: program.run(drawing.given, hand=hand))
+        return self._timed[key]
 
 
 def work_of(
