@@ -50,14 +50,14 @@ def grid(own: Setting, trials: int) -> Iterator[Place]:
     hands = [(name, named(name, own.scene, trials)) for name in GRID]
     if (own.hand, own.who) not in hands:
         hands.append((own.hand, own.who))
-    for axis, rows in _rows(own.scene):
-        for value, scene in rows:
+    for axis, divided in rows(own.scene):
+        for value, scene in divided:
             exact_only = axis == "positions" and int(value) in LONG
             for name, who in hands[:1] if exact_only else hands:
                 yield Place(axis, value, replace(own, scene=scene).by(name, who))
 
 
-def _rows(scene: Scene) -> Iterator[tuple[str, list[tuple[str, Scene]]]]:
+def rows(scene: Scene) -> Iterator[tuple[str, list[tuple[str, Scene]]]]:
     """Yield the axes along which a drawing is divided finer, and the scenes on them."""
     shown = places(scene)
     if scene.mechanism is not None and shown - {"cam", "gears", "planetary"}:

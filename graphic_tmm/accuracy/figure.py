@@ -31,6 +31,8 @@ ROW, WIDE = 2.4, 5.2
 """Height of a row and width of a column, inches."""
 HEAD, FOOT, LEFT = 0.95, 0.5, 0.75
 """Room for the title with the legend, for the name of the costs, for that of the errors, inches."""
+APART = 1.4
+"""Two settings are told apart on the axis of minutes if one takes so many times the other."""
 SETTINGS = {
     "svg.hashsalt": "graphic_tmm",
     "svg.fonttype": "path",
@@ -99,7 +101,7 @@ def _ticks(axes: Axes, language: str) -> None:
         subs = (1.0, 2.0, 5.0) if decades < 2.5 else (1.0,)
         axis.set_major_locator(LogLocator(subs=subs, numticks=7 if decades >= 2.5 else 12))
         axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, language, 1)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, language, 3)))
 
 
 def _shown(study: Study, name: str) -> bool:
@@ -161,7 +163,8 @@ def _number(axes: Axes, study: Study, name: str) -> None:
     if not row:
         return
     least = min(row, key=lambda run: run.error)
-    for run in dict.fromkeys((row[0], least, row[-1])):
+    apart = [end for end in (row[0], row[-1]) if not 1 / APART < _ratio(end, least) < APART]
+    for run in (least, *apart):
         axes.annotate(
             f"{divisions(run)}",
             (run.work.minutes, run.error),
@@ -174,6 +177,10 @@ def _number(axes: Axes, study: Study, name: str) -> None:
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8},
             zorder=4,
         )
+
+
+def _ratio(run: Run, other: Run) -> float:
+    return run.work.minutes / other.work.minutes
 
 
 def _legend(study: Study) -> tuple[list[Any], list[str]]:
