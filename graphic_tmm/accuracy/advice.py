@@ -119,5 +119,3 @@ def own_count(study: Study) -> int:
     axes = dict.fromkeys(run.axis for run in study.runs)
     axis = next((a for a in axes if a in ("positions", "parts", "steps")), "positions")
     return _own(study, axis)
-
-

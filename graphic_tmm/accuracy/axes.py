@@ -1,6 +1,7 @@
 """The axes of accuracy: what of a scene can be varied, one thing at a time, about its own setting.
 
-An axis that a scene does not call for has no values: without diagrams there is no pole, without friction no pass.
+An axis that a scene does not call for has no values: without diagrams there is no pole, without friction no
+pass.
 """
 
 from __future__ import annotations
@@ -152,9 +153,7 @@ def _passes(own: Setting, trials: int) -> Iterator[Place]:
         return
     for n in PASSES:
         order = replace(forces, friction=replace(forces.friction, passes=n))
-        yield Place(
-            "passes", str(n), replace(own, scene=replace(own.scene, forces=order)), BALANCE
-        )
+        yield Place("passes", str(n), replace(own, scene=replace(own.scene, forces=order)), BALANCE)
 
 
 def _engines(

@@ -1,10 +1,10 @@
 """The cheapest setting that keeps within an error: what `draw` and `table` take with ``--budget``.
 
-The hand is given: the scene's, or the one asked for. What may change is into how many parts the drawing is divided
-(positions the scene names keep their places), chords or tangents, the distance of the poles, the size of the
-drawing as far as its sheets hold it. Every quantity on the scene's sheets has to keep within the error, in nine
-readings of ten. Settings are tried from the cheapest on, by minutes at the board; the one that is taken has been
-measured with the very scales with which it is drawn.
+The hand is given: the scene's, or the one asked for. What may change is into how many parts the drawing is
+divided (positions the scene names keep their places), chords or tangents, the distance of the poles, the size of
+the drawing as far as its sheets hold it. Every quantity on the scene's sheets has to keep within the error, in
+nine readings of ten. Settings are tried from the cheapest on, by minutes at the board; the one that is taken has
+been measured with the very scales with which it is drawn.
 """
 
 from __future__ import annotations

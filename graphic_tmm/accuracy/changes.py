@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from graphic_tmm.mechanism.cam_orders import CamOrder
 from graphic_tmm.mechanism.orders import Drawn, FlywheelOrder, IndicatorOrder, KinematicOrder
 from graphic_tmm.plans.kinematic import BASE, VIEWS
 from graphic_tmm.scene.records import Scales, Scene
@@ -30,15 +31,15 @@ def enlarge(scene: Scene, made: Made, times: float) -> Scene:
             engine = replace(scene.engine, indicator=indicator, base=scene.engine.base * times)
             found = replace(found, engine=engine)
     for part in made.parts:
-        scales = part.scales()
+        own = part.scales()
         if part.kind == "gears" and scene.gears is not None:
-            found = replace(found, gears=replace(scene.gears, mu=scales["gear"].value / times))
+            found = replace(found, gears=replace(scene.gears, mu=own["gear"].value / times))
         if part.kind == "cam" and scene.cam is not None:
             found = replace(found, cam=_cam(scene, times))
     return found
 
 
-def _cam(scene: Scene, times: float) -> object:
+def _cam(scene: Scene, times: float) -> CamOrder:
     cam = scene.cam
     assert cam is not None
 
@@ -81,7 +82,7 @@ def _diagrams(order: KinematicOrder, mu: dict[str, float], times: float) -> Kine
         drawn[symbol] = Drawn(None if pole is not None else mu.get(view, one.mu), pole)
     along = None if order.mu_along is None else order.mu_along / times
     base = None if order.mu_along is not None else (order.base or BASE) * times
-    return replace(order, base=base, mu_along=along, **drawn)
+    return replace(order, base=base, mu_along=along, S=drawn["S"], V=drawn["V"], a=drawn["a"])
 
 
 def farther(scene: Scene, made: Made, times: float) -> Scene:
@@ -90,7 +91,8 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
     if order is None or made.work is None:
         return scene
     integrated = order.start == "velocity"
-    finer, drawn = 1.0, {}
+    finer = 1.0
+    drawn: dict[str, Drawn] = {}
     for symbol, view in VIEWS.items():
         one: Drawn = getattr(order, symbol)
         given = symbol == ("V" if integrated else "S")
@@ -105,4 +107,4 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
             drawn[symbol] = Drawn(None, one.pole * times)
         else:
             drawn[symbol] = Drawn(made.work.scales[view].value * change)
-    return replace(scene, diagrams=replace(order, **drawn))
+    return replace(scene, diagrams=replace(order, S=drawn["S"], V=drawn["V"], a=drawn["a"]))

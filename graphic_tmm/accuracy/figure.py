@@ -33,7 +33,7 @@ HEAD, FOOT, LEFT = 0.95, 0.5, 0.75
 """Room for the title with the legend, for the name of the costs, for that of the errors, inches."""
 APART = 1.4
 """Two settings are told apart on the axis of minutes if one takes so many times the other."""
-SETTINGS = {
+SETTINGS: Any = {
     "svg.hashsalt": "graphic_tmm",
     "svg.fonttype": "path",
     "font.family": "DejaVu Sans",

@@ -31,10 +31,10 @@ class Fitted(NamedTuple):
 
 
 class Optimum(NamedTuple):
-    """The number of positions at which a hand errs least, and the two that follow it in the table.
+    """The number of positions at which a hand errs least, and the first that is at least twice as many.
 
-    ``sure``: the numbers whose error may as well be the least, as far as it is known. ``inside``: whether fewer and
-    more were tried. ``flat``: whether the number makes no difference.
+    ``sure``: the numbers whose error may as well be the least, as far as it is known. ``inside``: whether fewer
+    and more were tried. ``flat``: whether the number makes no difference.
     """
 
     quantity: str
@@ -68,7 +68,9 @@ def fitted(runs: Sequence[Run]) -> tuple[Fitted, ...]:
     """Return the powers of N with which the exact hand's error falls and its costs grow."""
     found = []
     for quantity in dict.fromkeys(run.quantity for run in runs):
-        row = [r for r in along(runs, quantity, "exact") if divisions(r) >= SMOOTH and r.error > 0.0]
+        row = [
+            r for r in along(runs, quantity, "exact") if divisions(r) >= SMOOTH and r.error > 0.0
+        ]
         if len(row) < 3:
             continue
         n = [float(divisions(run)) for run in row]
@@ -116,8 +118,6 @@ def best_of(runs: Sequence[Run], *, machine: bool = False) -> frozenset[Run]:
         row = [r for r in runs if (r.quantity, r.hand) == (quantity, hand) and r.axis not in ASIDE]
         if machine:
             row = [run for run in row if run.seconds is not None]
-        costs = [
-            run.seconds.median if machine and run.seconds else run.work.minutes for run in row
-        ]
+        costs = [run.seconds.median if machine and run.seconds else run.work.minutes for run in row]
         found += [row[k] for k in front(costs, [run.error for run in row])]
     return frozenset(found)

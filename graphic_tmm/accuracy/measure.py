@@ -33,9 +33,9 @@ WARM, MOST, LEAST = 0.01, 11, 5
 class Errors(NamedTuple):
     """How far a quantity is off, in % of the largest: nine readings of ten keep within ``error``.
 
-    ``median``: half of them; ``spread``: standard error of ``error``, NaN for a single drawing; ``failed``: of all
-    readings so many % could not be taken, for something of them could not be drawn. An error is NaN if too few
-    could.
+    ``median``: half of them; ``spread``: standard error of ``error``, NaN for a single drawing; ``failed``: of
+    all readings so many % could not be taken, for something of them could not be drawn. An error is NaN if too
+    few could.
     """
 
     error: float
@@ -177,7 +177,7 @@ class Measure:
     ) -> Seconds | None:
         """Time one drawing of a quantity; on the axis of trials all of them.
 
-        Hands of one sort (that slip, that round, that do neither) take the same time: the first of them is timed.
+        Hands of one sort (that slip, that round, that do neither) take the same time: the first is timed.
         """
         if not self.clock:
             return None

@@ -27,7 +27,9 @@ def read_minutes(file: str) -> dict[str, float]:
     for name, value in table.items():
         if name not in ELEMENTARY:
             told = ", ".join(ELEMENTARY)
-            faults.append(Fault(name, 0, f"there is no such elementary operation; there are {told}"))
+            faults.append(
+                Fault(name, 0, f"there is no such elementary operation; there are {told}")
+            )
         elif isinstance(value, bool) or not isinstance(value, (int, float)) or not _able(value):
             faults.append(Fault(name, 0, "write minutes as a number, 0 or more, such as 0.1"))
     if faults:

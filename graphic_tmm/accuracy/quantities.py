@@ -1,4 +1,4 @@
-"""The quantities whose error is told, read off a drawing: velocities, diagrams, forces, flywheel, cam, gears."""
+"""The quantities whose error is told: of plans, diagrams, forces, a flywheel, a cam, gears."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ class Value(NamedTuple):
 class Quantity(NamedTuple):
     """What is drawn, and what is due where the same log gives it.
 
-    ``values``: read position by position, ``count`` of them from the first; a single number if it is 0.
+    ``values``: read position by position, ``row`` of them from the first; a single number if it is 0.
     ``due``: what the values should be, drawn by an exact hand; empty where another drawing has to tell.
     """
 
     name: str
     unit: str
     values: tuple[Value, ...]
-    count: int = 0
+    row: int = 0
     due: tuple[Value, ...] = ()
 
     @property
@@ -55,7 +55,7 @@ class Quantity(NamedTuple):
         found = []
         for mark, by in self.due if due else self.values:
             value = reading[mark] * (reading[by] if isinstance(by, Mark) else by)
-            wide = self.count or 1
+            wide = self.row or 1
             value = value[:, :wide] if value.shape[1] > 1 else value
             found.append(np.broadcast_to(value, (trials, wide)))
         return np.concatenate(found, axis=1)

@@ -39,7 +39,7 @@ class References:
         if quantity.due:
             reading = execute(drawing.log, drawing.given, _due_marks(quantity))
             return quantity.read(reading, 1, due=True)
-        key = quantity.name, quantity.count
+        key = quantity.name, quantity.row
         if key not in self._known:
             self._known[key] = self._find(quantity, drawing)
         return self._known[key]
@@ -77,7 +77,7 @@ def _finer(scene: Scene, quantity: Quantity) -> Scene | None:
         if fine is None or fine.flywheel is None:
             return None
         return replace(fine, flywheel=replace(order, indicator=fine.flywheel.indicator))
-    same = at_count(scene, quantity.count)
+    same = at_count(scene, quantity.row)
     if same is None:
         return None
     if quantity.name == "M_engine" and same.engine is not None:

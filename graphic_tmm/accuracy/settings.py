@@ -29,8 +29,8 @@ GRID = ("exact", "cad", "careful", "student")
 class Setting:
     """How a scene is drawn.
 
-    ``hand``: what the hand is called, ``who`` with ruler, seed and number of drawings; ``enlarged``: how many times
-    larger than the scene asks for; ``pole``: how many times farther the poles of its diagrams.
+    ``hand``: what the hand is called, ``who`` with ruler, seed and number of drawings; ``enlarged``: how many
+    times larger than the scene asks for; ``pole``: how many times farther the poles of its diagrams.
     """
 
     scene: Scene

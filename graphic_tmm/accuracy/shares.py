@@ -34,8 +34,8 @@ class Share(NamedTuple):
 def shares(drawing: Drawing, who: Hand, each: int = EACH) -> Mapping[str, tuple[Share, ...]]:
     """Return, for each quantity of a drawing, the shares of its steps, the largest first.
 
-    ``who``: whose slips; the rounding of the ruler is taken as a slip of its reading. ``each``: how often each step
-    slips. Steps that the quantity does not need have no share.
+    ``who``: whose slips; the rounding of the ruler is taken as a slip of its reading. ``each``: how often each
+    step slips. Steps that the quantity does not need have no share.
     """
     asked = quantities(drawing)
     steps = needed(drawing.log, [mark for q in asked for mark in q.marks])
@@ -76,7 +76,7 @@ def _size(who: Hand, kind: str) -> float:
 
 
 def _variances(values: Reals, exact: Reals, steps: int) -> Reals:
-    """Return the mean square deviation that each step leaves, in % of the largest; 0 where nothing could be read."""
+    """Return the mean square deviation that each step leaves, in % of the largest; 0 if nothing is read."""
     largest = float(np.max(np.abs(exact), initial=0.0, where=np.isfinite(exact)))
     if largest == 0.0:
         return np.zeros(steps)

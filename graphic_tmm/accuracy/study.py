@@ -42,9 +42,9 @@ class Steps:
 class Study:
     """All runs of a scene and what they teach.
 
-    ``quantities``: their units by name. ``hand``: about whose setting axes vary, ``own`` the number of positions
-    there. ``fronts``: runs on the Pareto front over minutes, ``fast``: over seconds. ``timed``: whether seconds are
-    told. ``left_out``: settings that could not be drawn, and why.
+    ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
+    front over minutes, ``fast``: over seconds. ``timed``: whether seconds are told. ``left_out``: settings that
+    could not be drawn, and why.
     """
 
     scene: Scene

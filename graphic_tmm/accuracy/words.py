@@ -5,7 +5,8 @@ from __future__ import annotations
 WORDS: dict[str, dict[str, str]] = {
     "en": {
         "title": "{title}. What accuracy costs",
-        "measure": "Error in % of the largest value that nine readings of ten keep within ({trials} drawings by each "
+        "measure": "Error in % of the largest value that nine readings of ten keep within ({trials} "
+        "drawings by each "
         "hand that slips); work of that quantity at all positions.",
         "error": "error, %",
         "axis": "varied",
@@ -23,7 +24,8 @@ WORDS: dict[str, dict[str, str]] = {
         "rod": "mass of the rod",
         "inertia": "inertia force",
         "trials": "drawings by the student",
-        "others": "One thing varied about the scene's own setting ({hand}); in brackets minutes where the work changes",
+        "others": "One thing varied about the scene's own setting ({hand}); in brackets minutes "
+        "where the work changes",
         "exact": "exact",
         "cad": "CAD",
         "careful": "careful",
@@ -53,18 +55,23 @@ WORDS: dict[str, dict[str, str]] = {
         "share": "share",
         "shares": "Share of the variance per step, student, {count} positions",
         "step of": "{view}, step {number}: {text}",
-        "slope": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work grows as N^{minutes}.",
-        "slope timed": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work grows as "
+        "slope": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work "
+        "grows as N^{minutes}.",
+        "slope timed": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the "
+        "work grows as "
         "N^{minutes}, the time on the machine as N^{seconds}.",
         "optimum": "{quantity}, {hand}: least at {best} ({error} %), as good from {low} to {high}.",
         "optimum sure": "{quantity}, {hand}: least at {best} ({error} %).",
         "optimum edge": "{quantity}, {hand}: least at the end of what was tried, {best} ({error} %).",
         "optimum flat": "{quantity}, {hand}: about {error} % at any number.",
-        "advice": "{best} {unit}, {hand}: {quantity} to {error} %; {finer} {unit} cost {times} times the work and "
+        "advice": "{best} {unit}, {hand}: {quantity} to {error} %; {finer} {unit} cost {times} "
+        "times the work and "
         "give {other} %.",
-        "advice flat": "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} instead of {best} only cost "
+        "advice flat": "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} instead "
+        "of {best} only cost "
         "{times} times the work.",
-        "advice last": "{best} {unit}, {hand}: {quantity} to {error} %, the more the better: {coarser} {unit} take "
+        "advice last": "{best} {unit}, {hand}: {quantity} to {error} %, the more the better: "
+        "{coarser} {unit} take "
         "{times} of the work and give {other} %.",
         "most": "{quantity}: most of the student's error comes from {step} ({share} % of the variance).",
         "slopes": "Slopes",
@@ -146,18 +153,20 @@ WORDS: dict[str, dict[str, str]] = {
         "step of": "{view}, шаг {number}: {text}",
         "slope": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, работа растёт как "
         "N^{minutes}.",
-        "slope timed": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, работа растёт как "
+        "slope timed": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, "
+        "работа растёт как "
         "N^{minutes}, время на машине — как N^{seconds}.",
         "optimum": "{quantity}, {hand}: наименьшая при {best} ({error} %), не хуже от {low} до {high}.",
         "optimum sure": "{quantity}, {hand}: наименьшая при {best} ({error} %).",
         "optimum edge": "{quantity}, {hand}: наименьшая на краю испытанного, {best} ({error} %).",
         "optimum flat": "{quantity}, {hand}: около {error} % при любом числе.",
-        "advice": "{best} {unit}, {hand}: {quantity} до {error} %; {finer} {unit} — работы в {times} раза больше, "
-        "а погрешность {other} %.",
-        "advice flat": "{quantity}, {hand}: до {error} % при любом числе {unit}; {finer} вместо {best} — лишь работы "
-        "в {times} раза больше.",
-        "advice last": "{best} {unit}, {hand}: {quantity} до {error} %, чем больше, тем лучше: {coarser} {unit} — "
-        "{times} той же работы и {other} %.",
+        "advice": "{best} {unit}, {hand}: {quantity} до {error} %; {finer} {unit} — работы в {times} раза "
+        "больше, а погрешность {other} %.",
+        "advice flat": "{quantity}, {hand}: до {error} % при любом числе {unit}; {finer} вместо {best} — лишь "
+        "работы в {times} раза больше.",
+        "advice last": "{best} {unit}, {hand}: {quantity} до {error} %, чем больше, тем лучше: "
+        "{coarser} {unit} "
+        "— {times} той же работы и {other} %.",
         "most": "{quantity}: больше всего погрешности студента даёт {step} ({share} % дисперсии).",
         "slopes": "Наклоны",
         "optima": "Наилучшее число",
@@ -183,7 +192,7 @@ WORDS: dict[str, dict[str, str]] = {
         "budget size": "крупнее в {times} раза",
         "budget start": "диаграммы от: {start}",
         "budget pole": "H дальше в {times} раза",
-        "budget none": "--budget {percent} %: ни одна постановка не укладывается; лучшая из найденных: {setting}; "
-        "{errors}. Допустите больше или доверьте чертёж лучшей руке (--hand)",
+        "budget none": "--budget {percent} %: ни одна постановка не укладывается; лучшая из найденных: "
+        "{setting}; {errors}. Допустите больше или доверьте чертёж лучшей руке (--hand)",
     },
 }

@@ -163,7 +163,7 @@ class Slipping(NamedTuple):
         return self._drawn(slip, width, part, axes) * self._turns(slip.key)
 
     def _turns(self, key: str) -> Reals:
-        """Return 1 in the trials (trial, 1) in which this step slips alone, 0 in those in which another does."""
+        """Return 1 in the trials (trial, 1) in which this step slips alone, 0 in the others."""
         alone = self.hand.alone
         trials = self.block * trials_in_block(self.whole) + np.arange(self.trials)
         return np.asarray(trials % len(alone) == alone.index(key), dtype=np.float64)[:, None]
