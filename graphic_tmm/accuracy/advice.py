@@ -7,10 +7,14 @@ from collections.abc import Iterator
 from graphic_tmm.accuracy.lessons import Optimum, along, divisions
 from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
-from graphic_tmm.accuracy.words import WORDS
+from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.narration import view_title
 from graphic_tmm.words import number, sentence
 
+KNOWN, LEVEL = 0.5, 0.25
+"""A slope is told if it is known to within the first; it is none if it is less than the second."""
+MORE = 1.05
+"""So many times the work are told as more."""
 TOLD = "student"
 """The hand that advice is given to."""
 
@@ -19,11 +23,15 @@ def slopes(study: Study) -> Iterator[str]:
     """Yield how the exact hand's error falls with the number of positions, and how its costs grow."""
     language, words = study.scene.language, WORDS[study.scene.language]
     for one in study.fitted:
-        text = words["slope timed" if study.timed else "slope"]
-        yield text.format(
+        width = one.error.half_width()
+        if not width < KNOWN:
+            continue
+        form = "slope timed" if study.timed else "slope"
+        form = form if one.error.slope < -LEVEL else "slope flat"
+        yield words[form].format(
             quantity=words[one.quantity],
             error=number(one.error.slope, language, 3),
-            width=number(one.error.half_width(), language, 1),
+            width=number(width, language, 1),
             minutes=number(one.minutes.slope, language, 3),
             seconds=number(one.seconds.slope, language, 2),
         )
@@ -39,7 +47,7 @@ def best_numbers(study: Study) -> Iterator[str]:
         yield words[form].format(
             quantity=words[one.quantity],
             hand=words[one.hand],
-            best=divisions(one.best),
+            best=counted(divisions(one.best), one.axis, language),
             error=number(one.best.error, language, 2),
             low=min(one.sure),
             high=max(one.sure),
@@ -66,14 +74,15 @@ def _advice(study: Study, one: Optimum) -> str:
         other = max((r for r in row if 2 * divisions(r) <= divisions(best)), key=divisions)
         form = "advice last"
     times = other.work.minutes / best.work.minutes
+    form = "advice same" if form == "advice flat" and times < MORE else form
     return words[form].format(
         quantity=words[one.quantity],
         hand=words[one.hand],
-        unit=words[f"unit {one.axis}"],
-        best=divisions(best),
+        unit=counted(0, one.axis, language).removeprefix("0 "),
+        number=divisions(best),
+        best=counted(divisions(best), one.axis, language),
         error=number(best.error, language, 2),
-        finer=divisions(other),
-        coarser=divisions(other),
+        finer=counted(divisions(other), one.axis, language),
         times=number(times, language, 2),
         other=number(other.error, language, 2),
     )

@@ -25,7 +25,7 @@ SIZES = (0.5, 1.0, 2.0, 4.0)
 """How many times as large the drawing is; 2: every μ twice as fine, and four times the paper."""
 POLES = (0.5, 1.0, 2.0)
 TRIALS = (10, 30, 100, 300, 1000)
-PASSES = (1, 2, 3, 4, 6, 8)
+PASSES = (2, 3, 4, 6, 8)
 STEPS = (4, 6, 8, 12, 16, 24, 48)
 """Steps of a rolling."""
 PARTS = (6, 8, 10, 12, 16, 24, 36, 48)

@@ -1,10 +1,10 @@
 """The cheapest setting that keeps within an error: what `draw` and `table` take with ``--budget``.
 
 The hand is given: the scene's, or the one asked for. What may change is into how many parts the drawing is
-divided (positions the scene names keep their places), chords or tangents, the distance of the poles, the size of
-the drawing as far as its sheets hold it. Every quantity on the scene's sheets has to keep within the error, in
-nine readings of ten. Settings are tried from the cheapest on, by minutes at the board; the one that is taken has
-been measured with the very scales with which it is drawn.
+divided (positions the scene names keep their places), chords or tangents, the distance of the poles, the size
+of the drawing as far as its sheets hold it. Every quantity on the scene's sheets has to keep within the error,
+in nine readings of ten. Settings are tried from the cheapest on, by minutes at the board; the one that is taken
+has been measured with the very scales with which it is drawn.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting, whole
-from graphic_tmm.accuracy.words import WORDS
+from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.scene.records import FORCE_PLACES, Scene
 from graphic_tmm.studio import Made, make
@@ -55,10 +55,7 @@ class Candidate:
     def told(self, language: str) -> str:
         """Return the setting in words."""
         words = WORDS[language]
-        found = [
-            words["budget setting"].format(count=value, unit=words[f"unit {axis}"])
-            for axis, value in self.divided
-        ]
+        found = [counted(int(value), axis, language) for axis, value in self.divided]
         found += [words[self.method]] if self.method is not None else []
         for key, times in (("pole", self.pole), ("size", self.enlarged)):
             if times != 1.0:

@@ -19,6 +19,8 @@ SMOOTH = 12
 """From so many positions on errors follow their power of N."""
 FLAT = 1.25
 """Errors that differ by no more than this factor are told as the same."""
+MOST = 0.8
+"""And so they are if that share of them may as well be the least."""
 
 
 class Fitted(NamedTuple):
@@ -86,7 +88,7 @@ def optima(runs: Sequence[Run], hands: Sequence[str]) -> tuple[Optimum, ...]:
     for quantity in dict.fromkeys(run.quantity for run in runs):
         for hand in hands:
             row = [r for r in along(runs, quantity, hand) if np.isfinite(r.error)]
-            if len(row) > 2:
+            if len(row) > 2 and max(run.error for run in row) > 0.0:
                 found.append(_optimum(row))
     return tuple(found)
 
@@ -100,7 +102,7 @@ def _optimum(row: Sequence[Run]) -> Optimum:
         divisions(run) for run in row if run.error - 2.0 * _both(run, spread) <= best.error
     )
     finer = next((run for run in row if divisions(run) >= 2 * divisions(best)), None)
-    flat = max(errors) <= FLAT * best.error
+    flat = max(errors) <= FLAT * best.error or len(sure) >= MOST * len(row)
     inside = 0 < at < len(row) - 1
     return Optimum(best.quantity, best.axis, best.hand, best, finer, sure, inside, flat)
 

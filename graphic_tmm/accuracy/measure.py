@@ -26,7 +26,7 @@ GROUPS = 10
 """Into so many groups drawings are divided to see how far the error itself is known."""
 TRIED = 2
 """How often a draughtsman narrows the bracket of a position that is found by trying."""
-WARM, MOST, LEAST = 0.01, 11, 5
+WARM, MOST, LEAST = 0.01, 11, 3
 """Seconds for which a run is repeated, and how often at most and at least."""
 
 

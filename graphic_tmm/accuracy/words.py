@@ -5,9 +5,8 @@ from __future__ import annotations
 WORDS: dict[str, dict[str, str]] = {
     "en": {
         "title": "{title}. What accuracy costs",
-        "measure": "Error in % of the largest value that nine readings of ten keep within ({trials} "
-        "drawings by each "
-        "hand that slips); work of that quantity at all positions.",
+        "measure": "Error in % of the largest value that nine readings of ten keep within "
+        "({trials} drawings by each hand that slips); work of that quantity at all positions.",
         "error": "error, %",
         "axis": "varied",
         "value": "value",
@@ -57,30 +56,29 @@ WORDS: dict[str, dict[str, str]] = {
         "step of": "{view}, step {number}: {text}",
         "slope": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work "
         "grows as N^{minutes}.",
-        "slope timed": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the "
-        "work grows as "
-        "N^{minutes}, the time on the machine as N^{seconds}.",
-        "optimum": "{quantity}, {hand}: least at {best} ({error} %), as good from {low} to {high}.",
-        "optimum sure": "{quantity}, {hand}: least at {best} ({error} %).",
-        "optimum edge": "{quantity}, {hand}: least at the end of what was tried, {best} ({error} %).",
+        "slope timed": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, "
+        "the work grows as N^{minutes}, the time on the machine as N^{seconds}.",
+        "optimum": "{quantity}, {hand}: least with {best} ({error} %), as good from {low} to "
+        "{high}.",
+        "optimum sure": "{quantity}, {hand}: least with {best} ({error} %).",
+        "optimum edge": "{quantity}, {hand}: least at the end of what was tried, {best} ({error} "
+        "%).",
         "optimum flat": "{quantity}, {hand}: about {error} % at any number.",
-        "advice": "{best} {unit}, {hand}: {quantity} to {error} %; {finer} {unit} cost {times} "
-        "times the work and "
-        "give {other} %.",
-        "advice flat": "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} instead "
-        "of {best} only cost "
-        "{times} times the work.",
-        "advice last": "{best} {unit}, {hand}: {quantity} to {error} %, the more the better: "
-        "{coarser} {unit} take "
+        "advice": "{best}, {hand}: {quantity} to {error} %; {finer} cost {times} times the work "
+        "and give {other} %.",
+        "advice flat": "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} "
+        "instead of {number} only cost {times} times the work.",
+        "advice last": "{best}, {hand}: {quantity} to {error} %, the more the better: {finer} take "
         "{times} of the work and give {other} %.",
-        "most": "{quantity}: most of the student's error comes from {step} ({share} % of the variance).",
+        "most": "{quantity}: most of the student's error comes from {step} ({share} % of the "
+        "variance).",
         "slopes": "Slopes",
         "optima": "Best numbers",
         "advices": "Advice",
         "left out": "Not drawn: {text}",
-        "unit positions": "positions",
-        "unit parts": "parts",
-        "unit steps": "steps",
+        "unit positions": "position|positions|positions",
+        "unit parts": "part|parts|parts",
+        "unit steps": "step|steps|steps",
         "v": "v by plans",
         "a": "a by plans",
         "V_diagram": "V by diagram",
@@ -94,17 +92,19 @@ WORDS: dict[str, dict[str, str]] = {
         "contact_ratio": "contact ratio, line",
         "contact_arc": "contact ratio, arc",
         "budget": "budget {percent} %: {setting}; {minutes} min at the board; {errors}",
-        "budget setting": "{count} {unit}",
         "budget size": "{times} times as large",
-        "budget start": "diagrams from the {start}",
         "budget pole": "H {times} times as far",
-        "budget none": "--budget {percent} %: no setting keeps within it; the best found: {setting}; {errors}. "
-        "Allow more, or let a better hand draw (--hand)",
+        "budget none": "--budget {percent} %: no setting keeps within it; the best found: "
+        "{setting}; {errors}. Allow more, or let a better hand draw (--hand)",
+        "advice same": "{quantity}, {hand}: to {error} % with any number of {unit}.",
+        "slope flat": "{quantity}: with the exact hand the error is the same at any number "
+        "(N^{error}), the work grows as N^{minutes}.",
     },
     "ru": {
         "title": "{title}. Чего стоит точность",
-        "measure": "Погрешность в % наибольшего значения, в которую укладываются девять отсчётов из десяти "
-        "({trials} чертежей каждой неточной рукой); работа — на эту величину во всех положениях.",
+        "measure": "Погрешность в % наибольшего значения, в которую укладываются девять отсчётов "
+        "из десяти ({trials} чертежей каждой неточной рукой); работа — на эту величину во всех "
+        "положениях.",
         "error": "погрешность, %",
         "axis": "меняется",
         "value": "значение",
@@ -121,7 +121,8 @@ WORDS: dict[str, dict[str, str]] = {
         "rod": "масса шатуна",
         "inertia": "сила инерции",
         "trials": "чертежей студента",
-        "others": "Меняется что-то одно относительно задания ({hand}); в скобках минуты, если работа меняется",
+        "others": "Меняется что-то одно относительно задания ({hand}); в скобках минуты, если "
+        "работа меняется",
         "exact": "точная",
         "cad": "САПР",
         "careful": "аккуратный",
@@ -151,30 +152,29 @@ WORDS: dict[str, dict[str, str]] = {
         "share": "доля",
         "shares": "Доля дисперсии по шагам, студент, положений: {count}",
         "step of": "{view}, шаг {number}: {text}",
-        "slope": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, работа растёт как "
-        "N^{minutes}.",
+        "slope": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, работа "
+        "растёт как N^{minutes}.",
         "slope timed": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, "
-        "работа растёт как "
-        "N^{minutes}, время на машине — как N^{seconds}.",
-        "optimum": "{quantity}, {hand}: наименьшая при {best} ({error} %), не хуже от {low} до {high}.",
-        "optimum sure": "{quantity}, {hand}: наименьшая при {best} ({error} %).",
-        "optimum edge": "{quantity}, {hand}: наименьшая на краю испытанного, {best} ({error} %).",
+        "работа растёт как N^{minutes}, время на машине — как N^{seconds}.",
+        "optimum": "{quantity}, {hand}: наименьшая — {best} ({error} %), не хуже от {low} до "
+        "{high}.",
+        "optimum sure": "{quantity}, {hand}: наименьшая — {best} ({error} %).",
+        "optimum edge": "{quantity}, {hand}: наименьшая на краю испытанного — {best} ({error} %).",
         "optimum flat": "{quantity}, {hand}: около {error} % при любом числе.",
-        "advice": "{best} {unit}, {hand}: {quantity} до {error} %; {finer} {unit} — работы в {times} раза "
+        "advice": "{best}, {hand}: {quantity} до {error} %; {finer} {unit} — работы в {times} раза "
         "больше, а погрешность {other} %.",
-        "advice flat": "{quantity}, {hand}: до {error} % при любом числе {unit}; {finer} вместо {best} — лишь "
-        "работы в {times} раза больше.",
-        "advice last": "{best} {unit}, {hand}: {quantity} до {error} %, чем больше, тем лучше: "
-        "{coarser} {unit} "
-        "— {times} той же работы и {other} %.",
+        "advice flat": "{quantity}, {hand}: до {error} % при любом числе {unit}; {finer} вместо "
+        "{number} — лишь работы в {times} раза больше.",
+        "advice last": "{best}, {hand}: {quantity} до {error} %, чем больше, тем лучше: {finer} — "
+        "{times} той же работы и {other} %.",
         "most": "{quantity}: больше всего погрешности студента даёт {step} ({share} % дисперсии).",
         "slopes": "Наклоны",
         "optima": "Наилучшее число",
         "advices": "Советы",
         "left out": "Не построено: {text}",
-        "unit positions": "положений",
-        "unit parts": "частей",
-        "unit steps": "шагов",
+        "unit positions": "положение|положения|положений",
+        "unit parts": "часть|части|частей",
+        "unit steps": "шаг|шага|шагов",
         "v": "v по планам",
         "a": "a по планам",
         "V_diagram": "V по диаграмме",
@@ -188,11 +188,29 @@ WORDS: dict[str, dict[str, str]] = {
         "contact_ratio": "ε_α по линии",
         "contact_arc": "ε_α по дуге",
         "budget": "допуск {percent} %: {setting}; за доской {minutes} мин; {errors}",
-        "budget setting": "{unit}: {count}",
         "budget size": "крупнее в {times} раза",
-        "budget start": "диаграммы от: {start}",
         "budget pole": "H дальше в {times} раза",
-        "budget none": "--budget {percent} %: ни одна постановка не укладывается; лучшая из найденных: "
-        "{setting}; {errors}. Допустите больше или доверьте чертёж лучшей руке (--hand)",
+        "budget none": "--budget {percent} %: ни одна постановка не укладывается; лучшая из "
+        "найденных: {setting}; {errors}. Допустите больше или доверьте чертёж лучшей руке "
+        "(--hand)",
+        "advice same": "{quantity}, {hand}: до {error} % при любом числе {unit}.",
+        "slope flat": "{quantity}: при точной руке погрешность от числа не зависит (N^{error}), "
+        "работа растёт как N^{minutes}.",
     },
 }
+
+
+def counted(number: int, axis: str, language: str) -> str:
+    """Return a number of positions, parts or steps with its noun.
+
+    >>> counted(24, "positions", "ru"), counted(1, "steps", "en")
+    ('24 положения', '1 step')
+    """
+    one, few, many = WORDS[language][f"unit {axis}"].split("|")
+    if language == "ru":
+        teens = 11 <= number % 100 <= 14
+        last = 0 if teens else number % 10
+        form = one if last == 1 else few if 2 <= last <= 4 else many
+    else:
+        form = one if number == 1 else many
+    return f"{number} {form}"
