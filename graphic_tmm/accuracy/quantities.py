@@ -107,7 +107,8 @@ def _machine(made: Project) -> list[Quantity]:
     if made.forces is not None:
         moment = made.forces.order.balance == "moment"
         name, unit = ("M_bal", "N·m") if moment else ("P_bal", "N")
-        value = (Value(made.forces.balance),)
+        # of the last pass of friction, whether passes have settled or not: a hand that slips scatters more
+        value = (Value(made.forces.driven.balance),)
         due = () if made.forces.order.friction is not None else value
         found.append(Quantity(name, unit, value, made.count, due))
     if made.engine is not None:

@@ -161,7 +161,7 @@ WORDS: dict[str, dict[str, str]] = {
         "optimum sure": "{quantity}, {hand}: наименьшая — {best} ({error} %).",
         "optimum edge": "{quantity}, {hand}: наименьшая на краю испытанного — {best} ({error} %).",
         "optimum flat": "{quantity}, {hand}: около {error} % при любом числе.",
-        "advice": "{best}, {hand}: {quantity} до {error} %; {finer} {unit} — работы в {times} раза "
+        "advice": "{best}, {hand}: {quantity} до {error} %; {finer} — работы в {times} раза "
         "больше, а погрешность {other} %.",
         "advice flat": "{quantity}, {hand}: до {error} % при любом числе {unit}; {finer} вместо "
         "{number} — лишь работы в {times} раза больше.",
