@@ -82,12 +82,20 @@ def off(values: Reals, due: Reals) -> Errors:
     deviations = 100.0 * np.abs(values - due)[:, there] / largest
     missing = np.isnan(deviations)
     deviations = np.where(missing, np.inf, np.where(deviations < NOISE, 0.0, deviations))
-    groups = np.array_split(deviations, min(GROUPS, len(deviations)))
-    each = np.array([_within(group, SHARE) for group in groups])
-    known = len(each) > 1 and np.isfinite(each).all()
-    spread = float(np.std(each, ddof=1) / np.sqrt(len(each))) if known else np.nan
+    spread = _standard_error(deviations)
     failed = 100.0 * float(np.mean(missing))
     return Errors(_within(deviations, SHARE), _within(deviations, 0.5), spread, failed)
+
+
+def _standard_error(deviations: Reals) -> float:
+    """Return the standard error of what most of them keep within, leaving out groups of drawings."""
+    groups = np.array_split(np.arange(len(deviations)), min(GROUPS, len(deviations)))
+    if len(groups) < 2:
+        return float("nan")
+    each = np.array([_within(np.delete(deviations, group, axis=0), SHARE) for group in groups])
+    if not np.isfinite(each).all():
+        return float("nan")
+    return float(np.sqrt((len(each) - 1) * np.var(each)))
 
 
 def _within(deviations: Reals, share: float) -> float:
