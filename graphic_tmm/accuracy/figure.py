@@ -29,7 +29,7 @@ COLOURS = {
 MARKS = {"exact": "s", "cad": "D", "careful": "^", "student": "o", "scene": "v"}
 ROW, WIDE = 2.4, 5.2
 """Height of a row and width of a column, inches."""
-HEAD, FOOT, LEFT = 0.95, 0.5, 0.75
+HEAD, FOOT, LEFT = 1.05, 0.5, 0.75
 """Room for the title with the legend, for the name of the costs, for that of the errors, inches."""
 APART = 1.4
 """Two settings are told apart on the axis of minutes if one takes so many times the other."""

@@ -31,7 +31,7 @@ WARM, MOST, LEAST = 0.01, 11, 3
 
 
 class Errors(NamedTuple):
-    """How far a quantity is off, in % of the largest: nine readings of ten keep within ``error``.
+    """How far a quantity is off, in % of the largest of the turn: nine readings of ten keep within ``error``.
 
     ``median``: half of them; ``spread``: standard error of ``error``, NaN for a single drawing; ``failed``: of
     all readings so many % could not be taken, for something of them could not be drawn. An error is NaN if too
@@ -73,11 +73,10 @@ class Run:
         return self.errors.error
 
 
-def off(values: Reals, due: Reals) -> Errors:
-    """Return how far values (trial, value) are off what is due (1, value)."""
-    largest = float(np.max(np.abs(due), initial=0.0, where=np.isfinite(due)))
+def off(values: Reals, due: Reals, largest: float) -> Errors:
+    """Return how far values (trial, value) are off what is due (1, value), in % of the ``largest`` value."""
     there = np.isfinite(due[0])
-    if largest == 0.0 or not there.any():
+    if not largest > 0.0 or not there.any():
         return Errors(np.nan, np.nan, np.nan, np.nan)
     deviations = 100.0 * np.abs(values - due)[:, there] / largest
     missing = np.isnan(deviations)
@@ -165,7 +164,8 @@ class Measure:
                 due = self.references.of(quantity, drawing)
                 if due is None:
                     continue
-                errors = off(quantity.read(reading, who.trials), due)
+                largest = self.references.largest(quantity, drawing)
+                errors = off(quantity.read(reading, who.trials), due, largest)
                 work = self.work(setting, drawing, quantity)
                 seconds = self._seconds(setting, drawing, quantity, axis)
                 place = (axis, value, quantity.name, drawing.count, setting.hand)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from graphic_tmm.accuracy.drawing import Drawing, Pinned, draw
 from graphic_tmm.accuracy.quantities import CONVERGED, Quantity, quantities
 from graphic_tmm.accuracy.settings import ALL, at_count
@@ -23,6 +25,8 @@ FINE = 12_288
 """Positions of a row that has converged."""
 DIVISIONS = 192
 """Parts of a cam's moving phase that has converged."""
+TURN = 192
+"""Positions among which the largest value of a turn is looked for."""
 PASSES = 12
 """Passes of friction after which nothing changes any more."""
 
@@ -33,6 +37,7 @@ class References:
     def __init__(self, scene: Scene, scales: Pinned) -> None:
         self.scene, self.scales = scene, scales
         self._known: dict[tuple[str, int], Reals | None] = {}
+        self._largest: dict[tuple[str, str], float] = {}
 
     def of(self, quantity: Quantity, drawing: Drawing) -> Reals | None:
         """Return the quantity as it should be, (1, value); None if nothing independent tells it."""
@@ -43,6 +48,27 @@ class References:
         if key not in self._known:
             self._known[key] = self._find(quantity, drawing)
         return self._known[key]
+
+    def largest(self, quantity: Quantity, drawing: Drawing) -> float:
+        """Return the largest value that the quantity has in the turn; NaN if nothing tells it."""
+        key = drawing.board, quantity.name
+        if key not in self._largest:
+            fine = self._row(quantity, drawing) if quantity.row else None
+            due = self.of(quantity, drawing) if fine is None else fine
+            size = np.abs(due) if due is not None else np.array([np.nan])
+            self._largest[key] = float(np.max(size, initial=0.0, where=np.isfinite(size)))
+        return self._largest[key]
+
+    def _row(self, quantity: Quantity, drawing: Drawing) -> Reals | None:
+        """Return what a quantity should be at the positions of a fine row."""
+        scene = at_count(self.scene, TURN)
+        if scene is None:
+            return None
+        for one in draw(scene, self.scales):
+            for found in quantities(one):
+                if (one.board, found.name) == (drawing.board, quantity.name):
+                    return self.of(found, one)
+        return None
 
     def _find(self, quantity: Quantity, drawing: Drawing) -> Reals | None:
         scene = _finer(self.scene, quantity)

@@ -19,7 +19,7 @@ from graphic_tmm.mechanism.records import Extreme
 def test_nine_readings_of_ten_keep_within_the_error() -> None:
     due = np.array([[4.0, -8.0, 0.0, 2.0]])
     values = due + np.random.default_rng(1).normal(size=(50, 4))
-    found = off(values, due)
+    found = off(values, due, 8.0)
     apart = np.sort(np.abs(values - due).ravel()) / 8.0 * 100.0
     # of 200 readings the 180th and the 181st stand on either side of nine tenths
     assert apart[179] <= found.error <= apart[180]
@@ -31,11 +31,11 @@ def test_a_failed_reading_counts_as_far_off_and_leaks_into_nothing() -> None:
     due = np.array([[1.0, 1.0]])
     values = np.full((10, 2), 1.5)
     values[0, 0] = np.nan
-    found = off(values, due)
+    found = off(values, due, 1.0)
     assert (found.error, found.failed) == (50.0, 5.0)
     values[:2] = np.nan
-    assert np.isnan(off(values, due).error)
-    assert off(values, due).median == 50.0
+    assert np.isnan(off(values, due, 1.0).error)
+    assert off(values, due, 1.0).median == 50.0
 
 
 def test_the_standard_error_is_that_of_repeated_drawings() -> None:
@@ -46,13 +46,14 @@ def test_the_standard_error_is_that_of_repeated_drawings() -> None:
     """
     rng = np.random.default_rng(5)
     due = np.array([[1.0]])
-    sets = [off(1.0 + 0.01 * rng.normal(size=(100, 1)), due) for _ in range(400)]
+    sets = [off(1.0 + 0.01 * rng.normal(size=(100, 1)), due, 1.0) for _ in range(400)]
     scatter = np.std([one.error for one in sets], ddof=1)
     assert np.sqrt(np.mean([one.spread**2 for one in sets])) == pytest.approx(scatter, rel=0.33)
 
 
 def test_nothing_due_is_no_error() -> None:
-    assert np.isnan(off(np.ones((1, 2)), np.zeros((1, 2))).error)
+    assert np.isnan(off(np.ones((1, 2)), np.zeros((1, 2)), 0.0).error)
+    assert np.isnan(off(np.ones((1, 2)), np.full((1, 2), np.nan), 1.0).error)
 
 
 def test_a_run_is_timed_warm_and_its_quartiles_stand_in_order() -> None:
@@ -144,3 +145,18 @@ def test_a_farther_pole_helps_a_hand_that_slips() -> None:
         for k in (0.25, 2.0)
     )
     assert far.error + 3 * far.errors.spread < near.error
+
+
+def test_the_largest_is_that_of_the_turn_whatever_positions_are_drawn() -> None:
+    """The press works in the last third of its way; with 4 positions none of them meets the load."""
+    task = measure("crank-press")
+    few = at_count(scene("crank-press"), 4)
+    assert few is not None
+    found = {}
+    for changed in (few, scene("crank-press")):
+        drawn = drawing("crank-press", changed)
+        p = quantity(drawn, "P_bal")
+        due = task.references.of(p, drawn)
+        assert due is not None
+        found[drawn.count] = (np.abs(due).max(), task.references.largest(p, drawn))
+    assert found[4][1] == found[12][1] >= found[12][0] > 20 * found[4][0]
