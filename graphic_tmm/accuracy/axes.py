@@ -190,6 +190,10 @@ def _series(own: Setting, trials: int) -> Iterator[Place]:
 
 
 def own_setting(scene: Scene, hand: str | None, trials: int) -> Setting:
-    """Return a scene's own setting, drawn by its own hand or by another that is named."""
-    name = hand or OWN
-    return Setting(scene, name, named(name, scene, trials))
+    """Return a scene's own setting, drawn by its own hand or by another that is named.
+
+    A scene's hand that has the ruler of its name is called by that name.
+    """
+    who = named(hand or OWN, scene, trials)
+    alike = (name for name in GRID if named(name, scene, trials) == who)
+    return Setting(scene, hand or next(alike, OWN), who)

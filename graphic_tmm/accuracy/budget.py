@@ -19,7 +19,7 @@ from graphic_tmm.accuracy.axes import LONG, own_setting, places, rows
 from graphic_tmm.accuracy.changes import enlarge, farther
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
-from graphic_tmm.accuracy.measure import Measure, Run
+from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
@@ -30,7 +30,10 @@ from graphic_tmm.scene.records import FORCE_PLACES, Scene
 from graphic_tmm.studio import Made, make
 from graphic_tmm.words import fixed, number
 
-DRAWINGS = 100
+DRAWINGS, FEW = 100, 20
+"""How often a hand that slips draws at a setting; and to see whether it is worth more."""
+HOPELESS = 2.0
+"""A setting that errs by so many times the budget in a few drawings is not looked at any closer."""
 SIZES = (1.0, 2.0)
 POLES = (1.0, 2.0)
 ASKED = {
@@ -84,9 +87,10 @@ def choose(scene: Scene, percent: float) -> Taken:
     """
     made = make(scene, exact=True)
     scales = pinned(made)
+    judge = References(_full(scene), scales)
     tried: list[tuple[Candidate, float, dict[str, float]]] = []
     for minutes, candidate in sorted(_candidates(scene, scales), key=_order):
-        errors = _measured(candidate, scales)
+        errors = _measured(candidate, judge, percent)
         if errors and _worst(errors) <= percent:
             drawn, errors = _as_drawn(candidate, made)
             if drawn is not None and _worst(errors) <= percent:
@@ -98,6 +102,7 @@ def choose(scene: Scene, percent: float) -> Taken:
         says = "--budget: nothing on its sheets has an error that could be told"
         raise SceneError(scene.source, (Fault("", 0, says),))
     candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
+    errors = _measured(candidate, judge, float("inf"))
     text = _told("budget none", scene, percent, candidate, errors, minutes)
     raise SceneError(scene.source, (Fault("", 0, text),))
 
@@ -164,20 +169,27 @@ def _minutes(scene: Scene, scales: Pinned) -> float:
     return total
 
 
-def _errors(setting: Setting, scene: Scene, scales: Pinned) -> dict[str, float]:
-    measure = Measure(scales, References(setting.scene, scales), clock=False)
-    found: list[Run] = measure.runs(setting, "", "")
+def _errors(measure: Measure, setting: Setting, scene: Scene) -> dict[str, float]:
+    """Return the errors of the quantities that the sheets of ``scene`` show."""
+    found = measure.runs(setting, "", "")
     return {run.quantity: run.error for run in found if _asked(scene, run.quantity)}
 
 
-def _measured(candidate: Candidate, scales: Pinned) -> dict[str, float]:
+def _measured(candidate: Candidate, judge: References, percent: float) -> dict[str, float]:
     """Return the errors of a candidate to the scales of the scene as it is; none if it cannot be drawn."""
-    setting = own_setting(_full(candidate.scene), None, DRAWINGS)
-    setting = replace(setting, enlarged=candidate.enlarged, pole=candidate.pole)
+    scene = _full(candidate.scene)
+    measure = Measure(judge.scales, judge, clock=False)
+    errors: dict[str, float] = {}
     try:
-        return _errors(setting, candidate.scene, scales)
+        for drawings in (FEW, DRAWINGS):
+            setting = own_setting(scene, None, drawings)
+            setting = replace(setting, enlarged=candidate.enlarged, pole=candidate.pole)
+            errors = _errors(measure, setting, candidate.scene)
+            if not setting.who.slips or _worst(errors) > HOPELESS * percent:
+                return errors
     except TmmError:
         return {}
+    return errors
 
 
 def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str, float]]:
@@ -191,8 +203,9 @@ def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str,
         drawn = make(scene, exact=True)
         if _sheets(drawn) > _sheets(made):
             return None, {}
-        own = own_setting(_full(scene), None, DRAWINGS)
-        return scene, _errors(own, scene, pinned(drawn))
+        full, scales = _full(scene), pinned(drawn)
+        measure = Measure(scales, References(full, scales), clock=False)
+        return scene, _errors(measure, own_setting(full, None, DRAWINGS), scene)
     except TmmError:
         return None, {}
 
