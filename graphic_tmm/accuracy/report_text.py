@@ -7,7 +7,7 @@ from typing import Any
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, own_count, slopes, step_name
 from graphic_tmm.accuracy.lessons import DIVIDED, along, divisions
-from graphic_tmm.accuracy.measure import Run
+from graphic_tmm.accuracy.measure import NOISE, Run
 from graphic_tmm.accuracy.settings import GRID
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
@@ -128,7 +128,7 @@ def _other(run: Run | None, minutes: float, language: str) -> str:
     if run is None:
         return ""
     text = number(run.error, language, 3)
-    if run.axis == "trials" and run.errors.spread == run.errors.spread:
+    if run.axis == "trials" and run.errors.spread > NOISE:
         text += f" ± {number(run.errors.spread, language, 1)}"
     if abs(run.work.minutes - minutes) > 0.5:
         text += f" ({fixed(run.work.minutes, 0, language)})"
