@@ -24,6 +24,7 @@ from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting, whole
+from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.scene.records import FORCE_PLACES, Scene
@@ -77,8 +78,10 @@ class Taken:
     sentence: str
 
 
-def choose(scene: Scene, percent: float) -> Taken:
+def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
     """Return the cheapest setting of a scene that keeps every asked quantity within ``percent``.
+
+    ``tell`` is told how many settings have been looked at, of how many.
 
     Raises
     ------
@@ -89,7 +92,10 @@ def choose(scene: Scene, percent: float) -> Taken:
     scales = pinned(made)
     judge = References(_full(scene), scales)
     tried: list[tuple[Candidate, float, dict[str, float]]] = []
-    for minutes, candidate in sorted(_candidates(scene, scales), key=_order):
+    row = sorted(_candidates(scene, scales), key=_order)
+    for k, (minutes, candidate) in enumerate(row):
+        if tell is not None:
+            tell(k, len(row), candidate.told(scene.language))
         errors = _measured(candidate, judge, percent)
         if errors and _worst(errors) <= percent:
             drawn, errors = _as_drawn(candidate, made)

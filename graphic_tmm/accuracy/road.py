@@ -43,7 +43,7 @@ def _bar() -> Iterator[Tell]:
     with Progress(
         *columns, TextColumn("{task.description}"), console=console, transient=True, disable=hidden
     ) as bar:
-        task = bar.add_task("", total=None)
+        task = bar.add_task("", total=1)
 
         def tell(done: int, of: int, name: str) -> None:
             bar.update(task, completed=done, total=of, description=name)
@@ -81,4 +81,5 @@ def within(scene: Scene, budget: str) -> Taken:
     percent = float(match[1].replace(",", ".")) if match else 0.0
     if not percent > 0.0:
         raise SheetError(f'--budget: "{budget}" is no percentage above 0; write --budget 2%')
-    return choose(scene, percent)
+    with _bar() as tell:
+        return choose(scene, percent, tell)
