@@ -95,6 +95,25 @@ def _hands(command: F) -> F:
     return command
 
 
+def _budget(command: F) -> F:
+    """Give a command the option of an error to be kept within."""
+    said = (
+        "Largest error, such as 2%: take the cheapest setting that keeps every quantity within it."
+    )
+    return click.option("--budget", help=said)(command)
+
+
+def _within(scene: Scene, budget: str | None) -> Scene:
+    """Return the scene at the cheapest setting within a budget; tell which it is."""
+    if budget is None:
+        return scene
+    from graphic_tmm.accuracy.road import within
+
+    taken = within(scene, budget)
+    _say(f"graphic-tmm: {scene.source}: {taken.sentence}")
+    return taken.scene
+
+
 def _by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     """Return the scene drawn by another hand, with that hand's own ruler."""
     from dataclasses import replace
@@ -127,8 +146,16 @@ def _warn(made: Made) -> None:
     help="svg, pdf, png, dxf; several with commas.",
 )
 @_hands
+@_budget
 @_people
-def draw(scene: str | None, output: str, forms: str, hand: str | None, seed: int | None) -> None:
+def draw(
+    scene: str | None,
+    output: str,
+    forms: str,
+    hand: str | None,
+    seed: int | None,
+    budget: str | None,
+) -> None:
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from pathlib import Path
 
@@ -139,7 +166,8 @@ def draw(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in FORMATS]:
         raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
-    made, texts = sheet_files(_by(_read(scene, lettered=True), hand, seed), wanted)
+    task = _within(_by(_read(scene, lettered=True), hand, seed), budget)
+    made, texts = sheet_files(task, wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
     _warn(made)
@@ -160,25 +188,65 @@ def draw(scene: str | None, output: str, forms: str, hand: str | None, seed: int
 @click.option(
     "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
 )
+@_budget
 @_people
 def table(
-    scene: str | None, form: str, exact: bool, hand: str | None, seed: int | None, trials: int
+    scene: str | None,
+    form: str,
+    exact: bool,
+    hand: str | None,
+    seed: int | None,
+    trials: int,
+    budget: str | None,
 ) -> None:
     """Print what the plans of SCENE give: segments in mm, quantities in SI."""
     from graphic_tmm.studio import make
     from graphic_tmm.studio import table as told
 
-    drawn = make(_by(_read(scene), hand, seed), exact=exact)
-    text = told(drawn, form, trials)
+    drawn = make(_within(_by(_read(scene), hand, seed), budget), exact=exact)
+    _print(told(drawn, form, trials), 220)
+    _warn(drawn)
+
+
+def _print(text: str | list[Any], width: int) -> None:
+    """Print text, or what rich makes of tables; so wide if this is no terminal."""
     if isinstance(text, str):
         click.echo(text, nl=False)
-    else:
-        from rich.console import Console
+        return
+    from rich.console import Console
 
-        console = Console(width=None if sys.stdout.isatty() else 220)
-        for part in text:
-            console.print(part)
-    _warn(drawn)
+    console = Console(width=None if sys.stdout.isatty() else width)
+    for part in text:
+        console.print(part)
+
+
+@main.command()
+@click.argument("scene", required=False)
+@click.option("-o", "--output", help="Folder for the figure, as SVG and PNG; none if left out.")
+@click.option("-f", "--format", "form", type=click.Choice(["text", "json"]), default="text")
+@click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
+@click.option("--minutes", help="TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
+@click.option("--no-time", is_flag=True, help="Measure no seconds: the same bytes every time.")
+@_hands
+@_people
+def accuracy(
+    scene: str | None,
+    output: str | None,
+    form: str,
+    trials: int,
+    minutes: str | None,
+    no_time: bool,
+    hand: str | None,
+    seed: int | None,
+) -> None:
+    """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
+    from graphic_tmm.accuracy import road
+
+    task = _by(_read(scene), None, seed)
+    found = road.studied(task, hand, trials, minutes, clock=not no_time)
+    _print(road.told(found, form), 200)
+    for path in road.figured(found, output) if output is not None else ():
+        _say(str(path))
 
 
 @main.command()
@@ -267,15 +335,7 @@ def check(
     report = road.checked(task, readings, hand, (doubtful, wrong), trials)
     if overlay is not None and photo is None:
         _say(str(road.overlaid(task, report, overlay, enlarge)))
-    text = road.told(report, form)
-    if isinstance(text, str):
-        click.echo(text, nl=False)
-    else:
-        from rich.console import Console
-
-        console = Console(width=None if sys.stdout.isatty() else 160)
-        for part in text:
-            console.print(part)
+    _print(road.told(report, form), 160)
     if report.wrong:
         raise SystemExit(1)
 

@@ -95,7 +95,7 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
     at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
     kinematic = work.project.kinematic
     point = kinematic.order.point if kinematic is not None else ""
-    yield f"{_title(plan, language).replace('{point}', point)}{at}"
+    yield f"{view_title(plan, language).replace('{point}', point)}{at}"
     yield from _polygon(work, plan)
     for line in lines:
         yield from _printed(line)
@@ -127,7 +127,7 @@ def synthesis(scene: Scene) -> Found | None:
     return rocker(**scene.task.given) if scene.task is not None else None
 
 
-def _title(view: str, language: str) -> str:
+def view_title(view: str, language: str) -> str:
     """Return what a view is called: plans by their name, figures and polygons of forces by their group."""
     words = CAPTIONS[language]
     kind, _, name = view.partition(" ")

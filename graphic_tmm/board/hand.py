@@ -57,7 +57,8 @@ class Hand(NamedTuple):
 
     ``ruler``: its division in mm, None for readings without rounding; ``digits``: significant digits of a
     calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn;
-    ``first``: the number of the first of them, a multiple of `MOST`.
+    ``first``: the number of the first of them, a multiple of `MOST`. ``alone``: keys of slips of which but one
+    slips in each trial, in turn, and nothing else is left to chance; () for all of them.
     """
 
     ruler: float | None = None
@@ -69,6 +70,7 @@ class Hand(NamedTuple):
     seed: int = 0
     trials: int = 1
     first: int = 0
+    alone: tuple[str, ...] = ()
 
     @property
     def slips(self) -> bool:
@@ -164,6 +166,19 @@ class Slipping(NamedTuple):
 
     def normal(self, slip: Slip, width: int, part: slice, axes: int = 1) -> Reals:
         """Return standard normal numbers (trial, position·axes); one a trial where a value does not vary."""
+        if not self.hand.alone:
+            return self._drawn(slip, width, part, axes)
+        if slip.key not in self.hand.alone:
+            return np.zeros((1, width * axes))
+        return self._drawn(slip, width, part, axes) * self._turns(slip.key)
+
+    def _turns(self, key: str) -> Reals:
+        """Return 1 in the trials (trial, 1) in which this step slips alone, 0 in the others."""
+        alone = self.hand.alone
+        trials = self.block * trials_in_block(self.whole) + np.arange(self.trials)
+        return np.asarray(trials % len(alone) == alone.index(key), dtype=np.float64)[:, None]
+
+    def _drawn(self, slip: Slip, width: int, part: slice, axes: int) -> Reals:
         if width == 1:
             return self.streams.normal(slip.key, self.block, 0, (self.trials, axes))
         if self.places is None and part == slice(None) and self.whole <= CHUNK:

@@ -260,3 +260,27 @@ def test_a_block_is_never_larger_than_it_may_be() -> None:
         assert 2 * most * positions > SIZE
         assert MOST % most == 0
     assert trials_in_block(1_000_000) == 2
+
+
+def test_steps_slip_alone_in_turn_as_they_slip_among_others() -> None:
+    """In each trial one of the steps named slips, by the very number by which it slips when all do."""
+    sheet = Sheet()
+    o, phi = sheet.board.take(Point, "O"), sheet.board.take(Angle, "φ")
+    length = sheet.board.take(Length, "l")
+    line = sheet.board.draw(ray, "(OA)", o, phi)
+    end = sheet.board.draw(lay_off, "A", line, length)
+    read_off = sheet.board.draw(measure, "OA", o, end)
+    log = sheet.board.construction()
+    given = {o: 0j, phi: np.array([[0.0, 90.0, 200.0]]), length: 50.0}
+    hand = Hand(prick=0.1, swing=0.2, reading=0.3, trials=9)
+    exact = execute(log, given)
+    alone = execute(log, given, hand=hand._replace(alone=("plan|OA|reading", "plan|A|prick")))
+    assert np.array_equal(alone[line].along, exact[line].along)
+    readings = np.abs(alone[read_off] - np.abs(alone[end]))
+    moved = np.abs(alone[end] - exact[end])
+    assert np.all(readings[0::2] > 0.0)
+    assert np.allclose(readings[1::2], 0.0, atol=1e-12)
+    assert np.all(moved[1::2] > 0.0)
+    assert np.all(moved[0::2] == 0.0)
+    own = execute(log, given, hand=Hand(prick=0.1, trials=9))
+    assert np.array_equal(alone[end][1::2], own[end][1::2])

@@ -1,0 +1,130 @@
+"""What a study says, as sentences: slopes, best numbers of positions, one sentence of advice per quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.accuracy.lessons import Optimum, along, divisions
+from graphic_tmm.accuracy.shares import Share
+from graphic_tmm.accuracy.study import Steps, Study
+from graphic_tmm.accuracy.words import WORDS, counted
+from graphic_tmm.narration import view_title
+from graphic_tmm.words import number, sentence
+
+KNOWN, LEVEL = 0.5, 0.25
+"""A slope is told if it is known to within the first; it is none if it is less than the second."""
+MORE = 1.05
+"""So many times the work are told as more."""
+TOLD = "student"
+"""The hand that advice is given to."""
+
+
+def slopes(study: Study) -> Iterator[str]:
+    """Yield how the exact hand's error falls with the number of positions, and how its costs grow."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    for one in study.fitted:
+        width = one.error.half_width()
+        if not width < KNOWN:
+            continue
+        form = "slope timed" if study.timed else "slope"
+        form = form if one.error.slope < -LEVEL else "slope flat"
+        yield words[form].format(
+            quantity=words[one.quantity],
+            error=number(one.error.slope, language, 3),
+            width=number(width, language, 1),
+            minutes=number(one.minutes.slope, language, 3),
+            seconds=number(one.seconds.slope, language, 2),
+        )
+
+
+def best_numbers(study: Study) -> Iterator[str]:
+    """Yield at which number of positions each hand errs least."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    for one in study.optima:
+        form = "optimum" if len(one.sure) > 1 else "optimum sure"
+        form = "optimum edge" if not one.inside else form
+        form = "optimum flat" if one.flat else form
+        yield words[form].format(
+            quantity=words[one.quantity],
+            hand=words[one.hand],
+            best=counted(divisions(one.best), one.axis, language),
+            error=number(one.best.error, language, 2),
+            low=min(one.sure),
+            high=max(one.sure),
+        )
+
+
+def advice(study: Study) -> Iterator[str]:
+    """Yield one sentence for each quantity."""
+    for one in study.optima:
+        if one.hand == TOLD:
+            yield _advice(study, one)
+
+
+def _advice(study: Study, one: Optimum) -> str:
+    language, words = study.scene.language, WORDS[study.scene.language]
+    row = along(study.runs, one.quantity, one.hand)
+    best, other, form = one.best, one.finer, "advice"
+    if one.flat:
+        own = [run for run in row if divisions(run) == _own(study, one.axis)]
+        best = (own or row)[0]
+        other = next((r for r in row if divisions(r) >= 2 * divisions(best)), row[-1])
+        form = "advice flat"
+    elif other is None:
+        other = max((r for r in row if 2 * divisions(r) <= divisions(best)), key=divisions)
+        form = "advice last"
+    times = other.work.minutes / best.work.minutes
+    form = "advice same" if form == "advice flat" and times < MORE else form
+    return words[form].format(
+        quantity=words[one.quantity],
+        hand=words[one.hand],
+        unit=counted(0, one.axis, language).removeprefix("0 "),
+        number=divisions(best),
+        best=counted(divisions(best), one.axis, language),
+        error=number(best.error, language, 2),
+        finer=counted(divisions(other), one.axis, language),
+        times=number(times, language, 2),
+        other=number(other.error, language, 2),
+    )
+
+
+def _own(study: Study, axis: str) -> int:
+    """Return into how many parts the scene itself divides its drawing."""
+    scene = study.scene
+    if axis == "parts" and scene.cam is not None:
+        return scene.cam.divisions
+    if axis == "steps" and scene.gears is not None:
+        return scene.gears.steps
+    return scene.row.count
+
+
+def most(study: Study) -> Iterator[str]:
+    """Yield, for each quantity, the step that costs most accuracy."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    for one in study.steps:
+        for share in one.shares[:1]:
+            yield words["most"].format(
+                quantity=words[one.quantity],
+                step=step_name(study, one, share).rstrip("."),
+                share=number(100.0 * share.share, language, 2),
+            )
+
+
+def step_name(study: Study, steps: Steps, share: Share) -> str:
+    """Return a step as the protocol names it: its view, its number there, its sentence."""
+    language = study.scene.language
+    view = share.step.it.view
+    places = [step.it for step in steps.log.steps if step.it.view == view]
+    point = study.scene.diagrams.point if study.scene.diagrams is not None else ""
+    return WORDS[language]["step of"].format(
+        view=view_title(view, language).replace("{point}", point),
+        number=places.index(share.step.it) + 1,
+        text=sentence(share.step, language, steps.reading, min(1, steps.reading.positions - 1)),
+    )
+
+
+def own_count(study: Study) -> int:
+    """Return the number of positions of the scene's own setting."""
+    axes = dict.fromkeys(run.axis for run in study.runs)
+    axis = next((a for a in axes if a in ("positions", "parts", "steps")), "positions")
+    return _own(study, axis)

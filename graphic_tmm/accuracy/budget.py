@@ -1,0 +1,241 @@
+"""The cheapest setting that keeps within an error: what `draw` and `table` take with ``--budget``.
+
+The hand is given: the scene's, or the one asked for. What may change is into how many parts the drawing is
+divided (positions the scene names keep their places), chords or tangents, the distance of the poles, the size
+of the drawing as far as its sheets hold it. Every quantity on the scene's sheets has to keep within the error,
+in nine readings of ten. Settings are tried from the cheapest on, by minutes at the board; the one that is taken
+has been measured with the very scales with which it is drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from graphic_tmm.accuracy.axes import LONG, own_setting, places, rows
+from graphic_tmm.accuracy.changes import enlarge, farther
+from graphic_tmm.accuracy.cost import count
+from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
+from graphic_tmm.accuracy.measure import Measure
+from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.references import References
+from graphic_tmm.accuracy.repetition import varying
+from graphic_tmm.accuracy.settings import Setting, whole
+from graphic_tmm.accuracy.study import Tell
+from graphic_tmm.accuracy.words import WORDS, counted
+from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.scene.records import FORCE_PLACES, Scene
+from graphic_tmm.studio import Made, make
+from graphic_tmm.words import fixed, number
+
+DRAWINGS, FEW = 100, 20
+"""How often a hand that slips draws at a setting; and to see whether it is worth more."""
+HOPELESS = 2.0
+"""A setting that errs by so many times the budget in a few drawings is not looked at any closer."""
+SIZES = (1.0, 2.0)
+POLES = (1.0, 2.0)
+ASKED = {
+    "v": ("velocities",),
+    "a": ("accelerations",),
+    "P_bal": FORCE_PLACES,
+    "M_bal": FORCE_PLACES,
+}
+"""Quantities that are asked for only if one of these places is on a sheet; others always."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A setting that may be taken: ``scene`` as it would be drawn but for size and poles."""
+
+    scene: Scene
+    divided: tuple[tuple[str, str], ...]
+    method: str | None
+    enlarged: float
+    pole: float
+
+    def told(self, language: str) -> str:
+        """Return the setting in words."""
+        words = WORDS[language]
+        found = [counted(int(value), axis, language) for axis, value in self.divided]
+        found += [words[self.method]] if self.method is not None else []
+        for key, times in (("pole", self.pole), ("size", self.enlarged)):
+            if times != 1.0:
+                found.append(words[f"budget {key}"].format(times=number(times, language)))
+        return ", ".join(found)
+
+
+@dataclass(frozen=True)
+class Taken:
+    """The setting taken: the scene to be drawn, minutes at the board, errors in % by quantity, a sentence."""
+
+    scene: Scene
+    candidate: Candidate
+    minutes: float
+    errors: Mapping[str, float]
+    sentence: str
+
+
+def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
+    """Return the cheapest setting of a scene that keeps every asked quantity within ``percent``.
+
+    ``tell`` is told how many settings have been looked at, of how many.
+
+    Raises
+    ------
+    SceneError
+        If none does; the best that was found is named.
+    """
+    made = make(scene, exact=True)
+    scales = pinned(made)
+    judge = References(_full(scene), scales)
+    tried: list[tuple[Candidate, float, dict[str, float]]] = []
+    row = sorted(_candidates(scene, scales), key=_order)
+    for k, (minutes, candidate) in enumerate(row):
+        if tell is not None:
+            tell(k, len(row), candidate.told(scene.language))
+        errors = _measured(candidate, judge, percent)
+        if errors and _worst(errors) <= percent:
+            drawn, errors = _as_drawn(candidate, made)
+            if drawn is not None and _worst(errors) <= percent:
+                sentence = _told("budget", scene, percent, candidate, errors, minutes)
+                return Taken(drawn, candidate, minutes, errors, sentence)
+        if errors:
+            tried.append((candidate, minutes, errors))
+    if not tried:
+        says = "--budget: nothing on its sheets has an error that could be told"
+        raise SceneError(scene.source, (Fault("", 0, says),))
+    candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
+    errors = _measured(candidate, judge, float("inf"))
+    text = _told("budget none", scene, percent, candidate, errors, minutes)
+    raise SceneError(scene.source, (Fault("", 0, text),))
+
+
+def _order(one: tuple[float, Candidate]) -> tuple[float, float, float]:
+    minutes, candidate = one
+    return minutes, candidate.enlarged, candidate.pole
+
+
+def _worst(errors: Mapping[str, float]) -> float:
+    """Return the largest error; without end if one of them is not known."""
+    return max(float("inf") if np.isnan(e) else e for e in errors.values())
+
+
+def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
+    """Yield every candidate with its minutes at the board."""
+    graphs = scene.diagrams is not None and "diagrams" in places(scene)
+    for divided, one in _divided(scene):
+        for method in ("chords", "tangents") if graphs else (None,):
+            own = one
+            if method is not None and one.diagrams is not None:
+                own = replace(one, diagrams=replace(one.diagrams, method=method))
+            try:
+                minutes = _minutes(own, scales)
+            except TmmError:
+                continue
+            for enlarged, pole in product(SIZES, POLES if graphs else (1.0,)):
+                yield minutes, Candidate(own, divided, method, enlarged, pole)
+
+
+def _divided(scene: Scene) -> Iterator[tuple[tuple[tuple[str, str], ...], Scene]]:
+    """Yield the scene divided into more parts or fewer, along all axes that it has."""
+    found: list[tuple[tuple[tuple[str, str], ...], Scene]] = [((), scene)]
+    for axis in [name for name, _ in rows(scene)]:
+        finer = []
+        for told, one in found:
+            values = next(row for name, row in rows(one) if name == axis)
+            finer += [
+                ((*told, (axis, v)), s)
+                for v, s in values
+                if axis != "positions" or int(v) not in LONG
+            ]
+        found = finer
+    yield from found
+
+
+def _full(scene: Scene) -> Scene:
+    return whole(scene) if scene.mechanism is not None else scene
+
+
+def _asked(scene: Scene, name: str) -> bool:
+    shown = places(scene)
+    return name not in ASKED or bool(shown & set(ASKED[name]))
+
+
+def _minutes(scene: Scene, scales: Pinned) -> float:
+    """Return the minutes at the board that all asked quantities of a scene take together."""
+    total = 0.0
+    for drawing in draw(_full(scene), scales):
+        marks = [m for q in quantities(drawing) if _asked(scene, q.name) for m in q.marks]
+        if marks:
+            varies = varying(drawing.given)
+            total += count(drawing.log, varies, marks, positions=drawing.count).minutes
+    return total
+
+
+def _errors(measure: Measure, setting: Setting, scene: Scene) -> dict[str, float]:
+    """Return the errors of the quantities that the sheets of ``scene`` show."""
+    found = measure.runs(setting, "", "")
+    return {run.quantity: run.error for run in found if _asked(scene, run.quantity)}
+
+
+def _measured(candidate: Candidate, judge: References, percent: float) -> dict[str, float]:
+    """Return the errors of a candidate to the scales of the scene as it is; none if it cannot be drawn."""
+    scene = _full(candidate.scene)
+    measure = Measure(judge.scales, judge, clock=False)
+    errors: dict[str, float] = {}
+    try:
+        for drawings in (FEW, DRAWINGS):
+            setting = own_setting(scene, None, drawings)
+            setting = replace(setting, enlarged=candidate.enlarged, pole=candidate.pole)
+            errors = _errors(measure, setting, candidate.scene)
+            if not setting.who.slips or _worst(errors) > HOPELESS * percent:
+                return errors
+    except TmmError:
+        return {}
+    return errors
+
+
+def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str, float]]:
+    """Return the scene of a candidate and its errors with the scales that its own sheets give it."""
+    scene = candidate.scene
+    try:
+        if candidate.pole != 1.0:
+            scene = farther(scene, made, candidate.pole)
+        if candidate.enlarged != 1.0:
+            scene = enlarge(scene, make(scene, exact=True), candidate.enlarged)
+        drawn = make(scene, exact=True)
+        if _sheets(drawn) > _sheets(made):
+            return None, {}
+        full, scales = _full(scene), pinned(drawn)
+        measure = Measure(scales, References(full, scales), clock=False)
+        return scene, _errors(measure, own_setting(full, None, DRAWINGS), scene)
+    except TmmError:
+        return None, {}
+
+
+def _sheets(made: Made) -> int:
+    """Return how many sheets a scene takes."""
+    from graphic_tmm.paper.compose import compose
+
+    return len(compose(made.scene, made.work, made.parts, lettered=False))
+
+
+def _told(
+    key: str,
+    scene: Scene,
+    percent: float,
+    candidate: Candidate,
+    errors: Mapping[str, float],
+    minutes: float,
+) -> str:
+    language, words = scene.language, WORDS[scene.language]
+    each = ", ".join(f"{words[k]} {number(e, language, 2)} %" for k, e in errors.items())
+    return words[key].format(
+        percent=number(percent, language),
+        setting=candidate.told(language),
+        minutes=fixed(minutes, 0, language),
+        errors=each,
+    )

@@ -1,0 +1,164 @@
+"""The log that a setting records, with all that is given but the hand: μ stay those of the scene's sheets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.accuracy.cost import REFINEMENT
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Length, Point
+from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.parts import draw_parts
+from graphic_tmm.plans.cam import Cam
+from graphic_tmm.plans.gear import Gear
+from graphic_tmm.plans.kinematic import Kinematic
+from graphic_tmm.plans.planetary import Planetary
+from graphic_tmm.plans.project import Project
+from graphic_tmm.plans.survey import survey
+from graphic_tmm.scene.records import FREE_PLACES, Scene
+from graphic_tmm.studio import Made
+from graphic_tmm.work import executed, record
+
+MECHANISM = "mechanism"
+PER_MM = "/mm"
+Pinned = Mapping[tuple[str, str, str], object]
+"""Scale factors as given on a board, by board, view and letter."""
+
+
+class Trial(NamedTuple):
+    """A smaller construction that is tried at an angle until the reading changes its sign."""
+
+    log: Construction
+    angle: Mark
+    reading: Mark
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A log and what is given on it: a ``board`` ("mechanism", "cam", "gears", "planetary"), what was drawn.
+
+    ``count``: positions of the closed row, or of the axis of a part. ``tried``: what a refinement tries, by the
+    mark that it leaves.
+    """
+
+    board: str
+    made: Project | Cam | Gear | Planetary
+    log: Construction
+    given: Mapping[Mark, object]
+    count: int
+    tried: Mapping[Mark, Trial] = field(default_factory=dict)
+
+
+def pinned(made: Made) -> dict[tuple[str, str, str], object]:
+    """Return the scale factors of a scene as drawn, and how often its lever is enlarged."""
+    found: dict[tuple[str, str, str], object] = {}
+    for board, log, given in _boards(made):
+        for mark in log.given:
+            if mark in given and mark.unit.endswith(PER_MM):
+                found[board, mark.view, mark.letter] = given[mark]
+    if made.work is not None and made.work.project.forces is not None:
+        times = made.work.project.forces.lever.times
+        found[MECHANISM, times.view, times.letter] = made.work.given[times]
+    return found
+
+
+def _boards(made: Made) -> list[tuple[str, Construction, Mapping[Mark, object]]]:
+    found = [(part.kind, part.construction, part.given) for part in made.parts]
+    if made.work is not None:
+        found.append((MECHANISM, made.work.project.construction, made.work.given))
+    return found
+
+
+def draw(
+    scene: Scene, scales: Pinned, enlarged: float = 1.0, pole: float = 1.0
+) -> tuple[Drawing, ...]:
+    """Record the logs of a scene, with the scales that are pinned, ``enlarged`` times as large.
+
+    ``pole``: how many times farther the poles of its kinematic diagrams stand.
+
+    Raises
+    ------
+    TmmError
+        If the scene cannot be drawn so.
+    """
+    found = []
+    places = {place for sheet in scene.sheets for place in sheet.place}
+    parts = draw_parts(scene, exact=True)
+    if not (scene.mechanism is None and (parts or places <= set(FREE_PLACES))):
+        project = record(scene)
+        given = _pin(MECHANISM, dict(project.given), project.construction, scales)
+        if missing := [m for m in project.construction.given if m not in given]:
+            free = executed(scene, project, exact=True, vectors=(80.0, 80.0)).given
+            given |= {mark: free[mark] for mark in missing}
+        if project.kinematic is not None and pole != 1.0:
+            given |= _farther(project.kinematic, given, pole)
+        log, tried = project.construction, _tried(scene, project)
+        found.append(Drawing(MECHANISM, project, log, given, project.count, tried))
+    for part in parts:
+        given = _pin(part.kind, dict(part.given), part.construction, scales)
+        count = part.reading.positions
+        found.append(Drawing(part.kind, part.made, part.construction, given, count))
+    return tuple(_enlarged(one, enlarged) if enlarged != 1.0 else one for one in found)
+
+
+def _tried(scene: Scene, project: Project) -> dict[Mark, Trial]:
+    """Return what is tried where an extreme position is found by trying."""
+    zero = scene.row.zero
+    steps = [s.it for s in project.construction.steps if s.op.name == REFINEMENT]
+    if not steps or not isinstance(zero, Extreme):
+        return {}
+    small = survey(project.mechanism, project.structure)
+    along = "x" if zero.at in ("left", "right") else "y"
+    trial = Trial(small.construction, small.positions.phi, small.axes[zero.point, along])
+    return dict.fromkeys(steps, trial)
+
+
+def _farther(made: Kinematic, given: Mapping[Mark, object], times: float) -> dict[Mark, object]:
+    """Return what is given for poles so many times farther: their distances, or the scales they follow from."""
+    integrals = ("S",) if made.order.start == "velocity" else ()
+    found: dict[Mark, object] = {}
+    finer = 1.0
+    for symbol in ("S", "V", "a"):
+        chart = made.charts[symbol]
+        if symbol in integrals:
+            change = times
+        elif symbol == ("V" if integrals else "S"):
+            continue
+        else:
+            finer /= times
+            change = finer
+        if chart.chosen:
+            found[chart.mu] = np.asarray(given[chart.mu]) * change
+    return found | {
+        mark: np.asarray(value) * times
+        for mark, value in given.items()
+        if mark.letter in ("H_S", "H_V", "H_a") and mark.kind is Length
+    }
+
+
+def _pin(
+    board: str, given: dict[Mark, object], log: Construction, scales: Pinned
+) -> dict[Mark, object]:
+    """Enter the pinned scales; polygons of earlier passes of friction take the scale of the last."""
+    for mark in log.given:
+        view = mark.view
+        if (board, view, mark.letter) not in scales and view.startswith("forces "):
+            view = " ".join(view.split(" ")[:2])
+        if (board, view, mark.letter) in scales:
+            given[mark] = scales[board, view, mark.letter]
+    return given
+
+
+def _enlarged(drawing: Drawing, times: float) -> Drawing:
+    """Return the same drawing larger: every length and point given in mm, and every μ by so much finer."""
+
+    def sized(mark: Mark, value: object) -> object:
+        if mark.kind in (Length, Point):
+            return np.asarray(value) * times
+        return np.asarray(value) / times if mark.unit.endswith(PER_MM) else value
+
+    return replace(drawing, given={mark: sized(mark, v) for mark, v in drawing.given.items()})

@@ -1,0 +1,219 @@
+"""One setting measured: how far its quantities are off, what it costs at the board and on the machine."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.accuracy.cost import Work, count
+from graphic_tmm.accuracy.drawing import Drawing, Pinned, draw
+from graphic_tmm.accuracy.quantities import Quantity, quantities
+from graphic_tmm.accuracy.references import References
+from graphic_tmm.accuracy.repetition import varying
+from graphic_tmm.accuracy.settings import Setting
+from graphic_tmm.board.execute import prepare
+from graphic_tmm.board.values import Reals
+
+SHARE = 0.9
+"""An error is so large that this share of all readings keeps within it."""
+NOISE = 1e-9
+"""An error below so many percent is the rounding of the machine."""
+GROUPS = 10
+"""Into so many groups drawings are divided to see how far the error itself is known."""
+TRIED = 2
+"""How often a draughtsman narrows the bracket of a position that is found by trying."""
+WARM, MOST, LEAST = 0.01, 11, 3
+"""Seconds for which a run is repeated, and how often at most and at least."""
+
+
+class Errors(NamedTuple):
+    """How far a quantity is off, in % of the largest of the turn: nine readings of ten keep within ``error``.
+
+    ``median``: half of them; ``spread``: standard error of ``error``, NaN for a single drawing; ``failed``: of
+    all readings so many % could not be taken, for something of them could not be drawn. An error is NaN if too
+    few could.
+    """
+
+    error: float
+    median: float
+    spread: float
+    failed: float
+
+
+class Seconds(NamedTuple):
+    """Seconds on the machine, of warm runs: median and quartiles."""
+
+    median: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One quantity at one setting. ``axis`` and ``value``: what was varied, and to what."""
+
+    axis: str
+    value: str
+    quantity: str
+    positions: int
+    hand: str
+    enlarged: float
+    trials: int
+    errors: Errors
+    work: Work
+    seconds: Seconds | None
+
+    @property
+    def error(self) -> float:
+        """The error, in % of the largest."""
+        return self.errors.error
+
+
+def off(values: Reals, due: Reals, largest: float) -> Errors:
+    """Return how far values (trial, value) are off what is due (1, value), in % of the ``largest`` value."""
+    there = np.isfinite(due[0])
+    if not largest > 0.0 or not there.any():
+        return Errors(np.nan, np.nan, np.nan, np.nan)
+    deviations = 100.0 * np.abs(values - due)[:, there] / largest
+    missing = np.isnan(deviations)
+    deviations = np.where(missing, np.inf, np.where(deviations < NOISE, 0.0, deviations))
+    spread = _standard_error(deviations)
+    failed = 100.0 * float(np.mean(missing))
+    return Errors(_within(deviations, SHARE), _within(deviations, 0.5), spread, failed)
+
+
+def _standard_error(deviations: Reals) -> float:
+    """Return the standard error of what most of them keep within, leaving out groups of drawings."""
+    groups = np.array_split(np.arange(len(deviations)), min(GROUPS, len(deviations)))
+    if len(groups) < 2:
+        return float("nan")
+    each = np.array([_within(np.delete(deviations, group, axis=0), SHARE) for group in groups])
+    if not np.isfinite(each).all():
+        return float("nan")
+    return float(np.sqrt((len(each) - 1) * np.var(each)))
+
+
+def _within(deviations: Reals, share: float) -> float:
+    """Return what a share of deviations keeps within; NaN if more of them than that is infinite."""
+    row = np.sort(deviations, axis=None)
+    place = share * (row.size - 1)
+    low, high = int(np.floor(place)), int(np.ceil(place))
+    if not np.isfinite(row[high]):
+        return float("nan")
+    return float(row[low] + (row[high] - row[low]) * (place - low))
+
+
+def timed(run: Callable[[], object], clock: Callable[[], float] = time.perf_counter) -> Seconds:
+    """Return how long a call takes: after one to warm up, the median and the quartiles of some."""
+    run()
+    found: list[float] = []
+    begin = clock()
+    while len(found) < LEAST or (clock() - begin < WARM and len(found) < MOST):
+        start = clock()
+        run()
+        found.append(clock() - start)
+    low, median, high = np.quantile(found, (0.25, 0.5, 0.75))
+    return Seconds(float(median), float(low), float(high))
+
+
+class Measure:
+    """Measures settings of one scene; drawings that several hands share are recorded once.
+
+    ``clock``: whether runs are timed. ``minutes``: a user's own table of minutes.
+    """
+
+    def __init__(
+        self,
+        scales: Pinned,
+        references: References,
+        *,
+        clock: bool = True,
+        minutes: Mapping[str, float] | None = None,
+    ) -> None:
+        self.scales, self.references = scales, references
+        self.clock, self.minutes = clock, minutes
+        self._drawn: dict[tuple[int, float, float], tuple[Setting, tuple[Drawing, ...]]] = {}
+        self._worked: dict[tuple[int, float, float, str], Work] = {}
+        self._timed: dict[tuple[object, ...], Seconds] = {}
+
+    def drawings(self, setting: Setting) -> tuple[Drawing, ...]:
+        """Return the logs of a setting."""
+        key = id(setting.scene), setting.enlarged, setting.pole
+        if key not in self._drawn:
+            made = draw(setting.scene, self.scales, setting.enlarged, setting.pole)
+            self._drawn[key] = setting, made  # the setting keeps its scene, and so the key, alive
+        return self._drawn[key][1]
+
+    def runs(
+        self, setting: Setting, axis: str, value: str, only: Sequence[str] | None = None
+    ) -> list[Run]:
+        """Return a run for each quantity of a setting, or ``only`` for some."""
+        found = []
+        for drawing in self.drawings(setting):
+            asked = [q for q in quantities(drawing) if only is None or q.name in only]
+            if not asked:
+                continue
+            who = setting.who
+            marks = [mark for quantity in asked for mark in quantity.marks]
+            reading = prepare(drawing.log, marks).run(drawing.given, hand=who)
+            for quantity in asked:
+                due = self.references.of(quantity, drawing)
+                if due is None:
+                    continue
+                largest = self.references.largest(quantity, drawing)
+                errors = off(quantity.read(reading, who.trials), due, largest)
+                work = self.work(setting, drawing, quantity)
+                seconds = self._seconds(setting, drawing, quantity, axis)
+                place = (axis, value, quantity.name, drawing.count, setting.hand)
+                found.append(Run(*place, setting.enlarged, who.trials, errors, work, seconds))
+        return found
+
+    def work(self, setting: Setting, drawing: Drawing, quantity: Quantity) -> Work:
+        """Return the work at the board that a quantity takes, at all positions of the row."""
+        key = id(setting.scene), setting.enlarged, setting.pole, quantity.name
+        if key not in self._worked:
+            self.drawings(setting)
+            self._worked[key] = work_of(drawing, quantity, self.minutes)
+        return self._worked[key]
+
+    def _seconds(
+        self, setting: Setting, drawing: Drawing, quantity: Quantity, axis: str
+    ) -> Seconds | None:
+        """Time one drawing of a quantity; on the axis of trials all of them.
+
+        Hands of one sort (that slip, that round, that do neither) take the same time: the first is timed.
+        """
+        if not self.clock:
+            return None
+        who = setting.who
+        trials = who.trials if axis == "trials" else 1
+        sort = (who.slips, who.ruler is not None, who.digits is not None, trials)
+        key = id(setting.scene), quantity.name, *sort
+        if key not in self._timed:
+            self.drawings(setting)
+            program = prepare(drawing.log, quantity.marks)
+            hand = who._replace(trials=trials)
+            self._timed[key] = timed(lambda: program.run(drawing.given, hand=hand))
+        return self._timed[key]
+
+
+def work_of(
+    drawing: Drawing, quantity: Quantity, minutes: Mapping[str, float] | None = None
+) -> Work:
+    """Return the work at the board that a quantity of a drawing takes."""
+    told = {}
+    for mark, (log, angle, reading) in drawing.tried.items():
+        told[mark] = count(log, [angle], [reading], minutes=minutes)
+    return count(
+        drawing.log,
+        varying(drawing.given),
+        quantity.marks,
+        positions=drawing.count,
+        tried=told,
+        passes=TRIED,
+        minutes=minutes,
+    )

@@ -1,0 +1,102 @@
+"""A study for machines: one JSON object; without seconds it is the same bytes for the same scene."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+from graphic_tmm.accuracy.advice import advice, best_numbers, most, slopes, step_name
+from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
+from graphic_tmm.accuracy.measure import Run
+from graphic_tmm.accuracy.study import Study
+from graphic_tmm.studio import scene_name
+
+TOP = 10
+"""So many steps of a construction are told for each quantity."""
+
+
+def json_report(study: Study) -> str:
+    """Return the study as JSON text: runs, slopes, best numbers, shares of steps, advice."""
+    told: dict[str, Any] = {
+        "scene": scene_name(study.scene.source),
+        "hand": study.hand,
+        "trials": study.trials,
+        "quantities": {name: {"unit": unit} for name, unit in study.quantities.items()},
+        "runs": [_run(study, run) for run in study.runs],
+        "slopes": [_slope(study, one) for one in study.fitted],
+        "optima": [_optimum(one) for one in study.optima],
+        "steps": {
+            steps.quantity: [
+                {
+                    "step": step_name(study, steps, share),
+                    "view": share.step.it.view,
+                    "letter": share.step.it.letter,
+                    "share": _figure(share.share),
+                    "deviation_percent": _figure(share.deviation),
+                }
+                for share in steps.shares[:TOP]
+            ]
+            for steps in study.steps
+        },
+        "sentences": [*slopes(study), *best_numbers(study)],
+        "advice": [*advice(study), *most(study)],
+        "left_out": list(study.left_out),
+    }
+    return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
+
+
+def _run(study: Study, run: Run) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "quantity": run.quantity,
+        "axis": run.axis,
+        "value": run.value,
+        "positions": run.positions,
+        "hand": run.hand,
+        "enlarged": run.enlarged,
+        "trials": run.trials,
+        "error_percent": _figure(run.errors.error),
+        "error_median_percent": _figure(run.errors.median),
+        "error_standard_error": _figure(run.errors.spread),
+        "failed_percent": _figure(run.errors.failed),
+        "simplicity": run.work.simplicity,
+        "exactitude": run.work.exactitude,
+        "minutes": _figure(run.work.minutes),
+        "symbol": run.work.symbol,
+        "operations": dict(sorted(run.work.operations.items())),
+        "pareto": run in study.fronts,
+    }
+    if run.seconds is not None:
+        found |= {
+            "seconds": _figure(run.seconds.median),
+            "seconds_quartiles": [_figure(run.seconds.low), _figure(run.seconds.high)],
+            "pareto_seconds": run in study.fast,
+        }
+    return found
+
+
+def _slope(study: Study, one: Fitted) -> dict[str, Any]:
+    found = {
+        "quantity": one.quantity,
+        "error": _figure(one.error.slope),
+        "error_half_width": _figure(one.error.half_width()),
+        "minutes": _figure(one.minutes.slope),
+    }
+    return found | ({"seconds": _figure(one.seconds.slope)} if study.timed else {})
+
+
+def _optimum(one: Optimum) -> dict[str, Any]:
+    return {
+        "quantity": one.quantity,
+        "hand": one.hand,
+        one.axis: divisions(one.best),
+        "error_percent": _figure(one.best.error),
+        "as_good": list(one.sure),
+        "inside": one.inside,
+        "flat": one.flat,
+    }
+
+
+def _figure(value: float) -> float | None:
+    """Return a figure without the noise of the last bits; None where there is none."""
+    return float(f"{value:.9g}") if math.isfinite(value) else None

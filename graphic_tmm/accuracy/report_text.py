@@ -1,0 +1,162 @@
+"""A study for a terminal: tables of rich, sentences behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from graphic_tmm.accuracy.advice import advice, best_numbers, most, own_count, slopes, step_name
+from graphic_tmm.accuracy.lessons import DIVIDED, along, divisions
+from graphic_tmm.accuracy.measure import NOISE, Run
+from graphic_tmm.accuracy.settings import GRID
+from graphic_tmm.accuracy.study import Study
+from graphic_tmm.accuracy.words import WORDS
+from graphic_tmm.words import fixed, number
+
+TOP = 3
+"""So many steps of a construction are named for each quantity."""
+
+
+def text_report(study: Study) -> list[Any]:
+    """Return what rich prints of a study on a terminal, in order; the advice comes last."""
+    from rich.text import Text
+
+    words = WORDS[study.scene.language]
+    made: list[Any] = [
+        Text(words["title"].format(title=study.scene.title), style="bold"),
+        Text(words["measure"].format(trials=study.trials)),
+    ]
+    made += [_divided(study, name) for name in study.quantities if _measured(study, name)]
+    made += [_others(study), _steps(study)]
+    for heading, lines in (
+        ("slopes", slopes(study)),
+        ("optima", best_numbers(study)),
+        ("advices", (*advice(study), *most(study))),
+    ):
+        told = list(lines)
+        if told:
+            made += [Text(words[heading], style="bold"), *(Text(f"• {line}") for line in told)]
+    return [*made, *(Text(words["left out"].format(text=text)) for text in study.left_out)]
+
+
+def _measured(study: Study, name: str) -> bool:
+    return any(run.quantity == name and run.axis in DIVIDED for run in study.runs)
+
+
+def _table(title: str, heads: Sequence[str]) -> Any:
+    from rich.markup import escape
+    from rich.table import Table
+
+    table = Table(title=escape(title), title_justify="left")
+    for k, head in enumerate(heads):
+        table.add_column(escape(head), justify="left" if k == 0 else "right", no_wrap=True)
+    return table
+
+
+def _divided(study: Study, name: str) -> Any:
+    """Return the table of a quantity: error by number of positions and hand, and what they cost."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    hands = [h for h in (*GRID, study.hand) if along(study.runs, name, h)]
+    hands = list(dict.fromkeys(hands))
+    rows: dict[int, dict[str, Run]] = {}
+    for hand in hands:
+        for run in along(study.runs, name, hand):
+            rows.setdefault(divisions(run), {})[hand] = run
+    axis = next(run.axis for row in rows.values() for run in row.values())
+    heads = [words[axis], *(words[hand] for hand in hands), "S", "X", words["minutes"]]
+    heads += [words["quartiles"]] if study.timed else []
+    table = _table(f"{words[name]}: {words['error']}", heads)
+    least = {hand: min(along(study.runs, name, hand), key=_order) for hand in hands}
+    for count, row in sorted(rows.items()):
+        one = next(iter(row.values()))
+        cells = [_cell(row.get(hand), least[hand], language) for hand in hands]
+        work = [f"{one.work.simplicity}", f"{one.work.exactitude}"]
+        work.append(fixed(one.work.minutes, 0, language))
+        work += [_quartiles(one, language)] if study.timed else []
+        table.add_row(f"{count}", *cells, *work)
+    return table
+
+
+def _order(run: Run) -> tuple[bool, float]:
+    return run.error != run.error, run.error
+
+
+def _cell(run: Run | None, least: Run, language: str) -> str:
+    if run is None:
+        return ""
+    text = number(run.error, language, 3)
+    return f"[bold]{text}[/bold]" if run is least and run.error > 0.0 else text
+
+
+def _quartiles(run: Run, language: str) -> str:
+    if run.seconds is None:
+        return ""
+    median, low, high = (number(1e3 * x, language, 2) for x in run.seconds)
+    return f"{median} ({low}…{high})"
+
+
+def _others(study: Study) -> Any:
+    """Return the table of settings in which one thing is varied."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    runs = [run for run in study.runs if run.axis not in DIVIDED]
+    names = [name for name in study.quantities if any(run.quantity == name for run in runs)]
+    heads = [words["axis"], words["value"], *(words[name] for name in names)]
+    heads += [words["milliseconds"]] if study.timed else []
+    table = _table(words["others"].format(hand=words[study.hand]), heads)
+    own = {name: _own_minutes(study, name) for name in names}
+    before = ""
+    for axis, value in dict.fromkeys((run.axis, run.value) for run in runs):
+        row = {run.quantity: run for run in runs if (run.axis, run.value) == (axis, value)}
+        cells = [_other(row.get(name), own[name], language) for name in names]
+        if study.timed:
+            total = sum(run.seconds.median for run in row.values() if run.seconds)
+            cells.append(number(1e3 * total, language, 3))
+        if axis != before:
+            table.add_section()
+        table.add_row(words[axis] if axis != before else "", value_name(value, language), *cells)
+        before = axis
+    return table
+
+
+def _own_minutes(study: Study, name: str) -> float:
+    count = own_count(study)
+    row = [r for r in along(study.runs, name, "exact") if divisions(r) == count]
+    return row[0].work.minutes if row else float("nan")
+
+
+def _other(run: Run | None, minutes: float, language: str) -> str:
+    if run is None:
+        return ""
+    text = number(run.error, language, 3)
+    if run.axis == "trials" and run.errors.spread > NOISE:
+        text += f" ± {number(run.errors.spread, language, 1)}"
+    if abs(run.work.minutes - minutes) > 0.5:
+        text += f" ({fixed(run.work.minutes, 0, language)})"
+    return text
+
+
+def value_name(value: str, language: str) -> str:
+    """Return a value on an axis in words, or the number with the decimal sign of the language."""
+    text = WORDS[language].get(value)
+    return text if text is not None else number(float(value), language, 5)
+
+
+def _steps(study: Study) -> Any:
+    """Return the table of the steps that cost most accuracy."""
+    words = WORDS[study.scene.language]
+    title = words["shares"].format(count=own_count(study))
+    table = _table(title, [words["quantity"], words["share"], words["step"]])
+    table.columns[2].no_wrap, table.columns[2].justify = False, "left"
+    for quantity, cells in _ranked(study):
+        table.add_row(words[quantity], *cells)
+    return table
+
+
+def _ranked(study: Study) -> Iterator[tuple[str, tuple[str, str]]]:
+    from rich.markup import escape
+
+    language = study.scene.language
+    for steps in study.steps:
+        for share in steps.shares[:TOP]:
+            percent = f"{number(100.0 * share.share, language, 2)} %"
+            yield steps.quantity, (percent, escape(step_name(study, steps, share)))

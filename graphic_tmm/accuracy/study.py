@@ -1,0 +1,140 @@
+"""The study of a scene: its settings measured one after the other, and what they teach."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from graphic_tmm.accuracy.axes import Place, grid, own_setting, places, singly
+from graphic_tmm.accuracy.drawing import pinned
+from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
+from graphic_tmm.accuracy.measure import Measure, Run
+from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.references import References
+from graphic_tmm.accuracy.settings import Setting, named, whole
+from graphic_tmm.accuracy.shares import Share, shares
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.record import Construction
+from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
+
+DRAWINGS = 100
+"""How often a hand that slips draws at each setting, unless one is told otherwise."""
+SLIPPING = ("student", "careful")
+"""The hands whose best number of positions is told, besides the scene's own."""
+Tell = Callable[[int, int, str], None]
+"""Is told how many settings are done, of how many, and which is next."""
+
+
+@dataclass(frozen=True)
+class Steps:
+    """The shares of the steps of a quantity, with the log they stand in and its exact numbers."""
+
+    quantity: str
+    shares: tuple[Share, ...]
+    log: Construction
+    reading: Reading
+    turned: bool
+
+
+@dataclass(frozen=True)
+class Study:
+    """All runs of a scene and what they teach.
+
+    ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
+    front over minutes, ``fast``: over seconds. ``timed``: whether seconds are told. ``left_out``: settings that
+    could not be drawn, and why.
+    """
+
+    scene: Scene
+    hand: str
+    trials: int
+    quantities: Mapping[str, str]
+    runs: tuple[Run, ...]
+    fitted: tuple[Fitted, ...]
+    optima: tuple[Optimum, ...]
+    steps: tuple[Steps, ...]
+    fronts: frozenset[Run]
+    fast: frozenset[Run]
+    timed: bool
+    left_out: tuple[str, ...]
+
+
+def study(
+    scene: Scene,
+    *,
+    hand: str | None = None,
+    trials: int = DRAWINGS,
+    minutes: Mapping[str, float] | None = None,
+    clock: bool = True,
+    tell: Tell | None = None,
+) -> Study:
+    """Measure a scene on all axes that it calls for.
+
+    Raises
+    ------
+    SceneError
+        If the scene has no quantity whose error could be told.
+    """
+    told = tell or (lambda done, of, name: None)
+    full = whole(scene) if scene.mechanism is not None else scene
+    own = own_setting(full, hand, trials)
+    along = [*grid(own, trials), *singly(own, trials)]
+    told(0, len(along) + 2, "")
+    scales = pinned(make(scene, exact=True))
+    measure = Measure(scales, References(full, scales), clock=clock, minutes=minutes)
+    units = {q.name: q.unit for d in measure.drawings(own) for q in quantities(d)}
+    if not units:
+        raise SceneError(scene.source, (Fault("", 0, _nothing(scene)),))
+    runs: list[Run] = []
+    left_out: list[str] = []
+    for k, place in enumerate(along):
+        told(k + 1, len(along) + 2, f"{place.axis} {place.value}")
+        if place.only is not None and not set(place.only) & set(units):
+            continue
+        _measure(measure, place, runs, left_out)
+    told(len(along) + 1, len(along) + 2, "")
+    hands = tuple(dict.fromkeys((*SLIPPING, own.hand)))
+    return Study(
+        scene,
+        own.hand,
+        trials,
+        units,
+        tuple(runs),
+        fitted(runs),
+        optima(runs, hands),
+        _steps(measure, replace(own, scene=full).by("student", named("student", full, 1))),
+        best_of(runs),
+        best_of(runs, machine=True),
+        clock,
+        tuple(left_out),
+    )
+
+
+def _measure(measure: Measure, place: Place, runs: list[Run], left_out: list[str]) -> None:
+    try:
+        runs += measure.runs(place.setting, place.axis, place.value, place.only)
+    except TmmError as error:
+        text = f"{place.axis} {place.value}: {error}"
+        if text not in left_out:
+            left_out.append(text)
+
+
+def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
+    """Return the shares of the variance per step, by the student's slips at the scene's own setting."""
+    found = []
+    for drawing in measure.drawings(setting):
+        exact = execute(drawing.log, drawing.given)
+        turned = setting.scene.turned
+        for name, row in shares(drawing, setting.who).items():
+            found.append(Steps(name, row, drawing.log, exact, turned))
+    return tuple(found)
+
+
+def _nothing(scene: Scene) -> str:
+    shown = ", ".join(sorted(places(scene)))
+    return (
+        f"its sheets show {shown}: nothing whose error can be told; place velocities, accelerations, diagrams, "
+        "forces, flywheel, engine, cam or gears on a [[sheet]]"
+    )

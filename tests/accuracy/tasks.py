@@ -1,0 +1,51 @@
+"""Scenes ready for the tests of accuracy: their scales as drawn, their settings, a measure of them."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from gallery import SHEETS
+
+from graphic_tmm.accuracy.drawing import Drawing, Pinned, draw, pinned
+from graphic_tmm.accuracy.measure import Measure
+from graphic_tmm.accuracy.quantities import Quantity, quantities
+from graphic_tmm.accuracy.references import References
+from graphic_tmm.accuracy.settings import Setting, named, whole
+from graphic_tmm.accuracy.study import Study, study
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
+
+
+@cache
+def scene(name: str) -> Scene:
+    found = read(SHEETS / name)
+    return whole(found) if found.mechanism is not None else found
+
+
+@cache
+def scales(name: str) -> Pinned:
+    return pinned(make(read(SHEETS / name), exact=True))
+
+
+def drawing(name: str, changed: Scene | None = None) -> Drawing:
+    (found,) = draw(changed or scene(name), scales(name))
+    return found
+
+
+def quantity(drawn: Drawing, name: str) -> Quantity:
+    return next(q for q in quantities(drawn) if q.name == name)
+
+
+def measure(name: str) -> Measure:
+    return Measure(scales(name), References(scene(name), scales(name)), clock=False)
+
+
+def by(name: str, hand: str, trials: int = 100, changed: Scene | None = None) -> Setting:
+    task = changed or scene(name)
+    return Setting(task, hand, named(hand, task, trials))
+
+
+@cache
+def studied(name: str) -> Study:
+    return study(read(SHEETS / name), trials=40, clock=False)
