@@ -218,9 +218,9 @@ def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str,
 
 def _sheets(made: Made) -> int:
     """Return how many sheets a scene takes."""
-    from graphic_tmm.paper.compose import compose
+    from graphic_tmm.paper.compose import needed
 
-    return len(compose(made.scene, made.work, made.parts, lettered=False))
+    return needed(made.scene, made.work, made.parts)
 
 
 def _told(
