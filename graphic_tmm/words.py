@@ -193,7 +193,7 @@ def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
         text = (found.gap.ru if language == "ru" else found.gap.en).format(**words)
         why += f" ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
     if found.kind == "doubtful":
-        why = why.format(max(0, math.floor(-math.log10(found.amount))))
+        why = why.format(max(0, math.floor(-math.log10(found.amount))) if found.amount < 1.0 else 0)
     plan = CAPTIONS[language].get(found.step.it.view, found.step.it.view).lower()
     step = "шаг" if language == "ru" else "step"
     where = CAPTIONS[language]["at positions"]

@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.findings import Finding
 from graphic_tmm.captions import CAPTIONS, LINK_NAMES
 from graphic_tmm.narration import synthesis
 from graphic_tmm.scene.read import read
@@ -304,6 +305,16 @@ def test_every_unit_of_a_log_has_a_russian_name() -> None:
         for mark in (*log.given, *(step.it for step in log.steps)):
             assert unit(mark.unit, "en") == mark.unit
             assert not re.search("[a-z]", unit(mark.unit, "ru")), mark
+
+
+def test_a_doubtful_point_tells_how_many_of_its_digits_are_sure() -> None:
+    work = drawn("engine")
+    step = next(s for s in work.project.construction.steps if s.it.view == "velocities")
+    for share, digits in ((3e-5, 4), (1e-6, 6), (0.5, 0), (20.0, 0), (math.inf, 0)):
+        one = Finding("doubtful", step, 1, (2,), share)
+        english, russian = (finding(one, work.project.names, language) for language in ("en", "ru"))
+        assert f"the point is uncertain, digits that are sure: {digits}; positions" in english
+        assert f"точка ненадёжна, верных цифр: {digits};" in russian
 
 
 def test_a_finding_names_plan_step_reason_amount_and_positions(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.execute import BLOCK, Reading
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Point, Reals, Side
@@ -37,6 +37,23 @@ def shares(steps: Sequence[Step], reading: Reading) -> Iterator[tuple[Step, Real
     """
     reading = reading.trial(0)
     values = {mark.slot: reading[mark] for step in steps for mark in (step.it, *step.uses)}
+    starts = range(0, reading.positions, BLOCK)
+    blocks = [_block(steps, values, slice(start, start + BLOCK)) for start in starts]
+    extents = {view: _usual(_joined([found[view] for _, found in blocks])) for view in blocks[0][1]}
+    for step in steps:
+        off = [found[step.it.slot] for found, _ in blocks if step.it.slot in found]
+        if not off:
+            yield step, np.zeros((1, 1))
+            continue
+        moved, extent = _joined(off), extents[step.it.view]
+        yield step, np.where(moved == 0.0, 0.0, moved / extent)
+
+
+def _block(
+    steps: Sequence[Step], whole: dict[int, Any], part: slice
+) -> tuple[dict[int, Reals], dict[str, Reals]]:
+    """Shake a block of positions; return how far points move, by slot, and how far plans reach, by view."""
+    values = {slot: _cut(value, part) for slot, value in whole.items()}
     made = {step.it.slot for step in steps}
     given = {mark for step in steps for mark in step.uses if mark.slot not in made}
     shakes = iter(_shakes(len(steps) + len(given)))
@@ -47,11 +64,21 @@ def shares(steps: Sequence[Step], reading: Reading) -> Iterator[tuple[Step, Real
         if not step.op.across:
             it = step.op.run(*[values[mark.slot] for mark in step.uses], **step.choice)
             values[step.it.slot] = it if step.op.leaves is Side else _shaken(it, next(shakes))
-    extents = _extents(steps, values)
-    for step in steps:
-        point = step.op.leaves is Point and not step.op.across
-        value = values[step.it.slot]
-        yield step, _share(value, extents[step.it.view]) if point else np.zeros((1, 1))
+    points = [s.it.slot for s in steps if s.op.leaves is Point and not s.op.across]
+    return {slot: _off(values[slot]) for slot in points}, _extents(steps, values)
+
+
+def _cut(value: Any, part: slice) -> Any:
+    if isinstance(value, Curve):
+        return value
+    if isinstance(value, tuple):
+        return type(value)(*(_cut(array, part) for array in value))
+    return value if value.shape[1] == 1 else value[:, part]
+
+
+def _joined(parts: list[Reals]) -> Reals:
+    """Join what was found by blocks; what does not vary along the first block varies nowhere."""
+    return parts[0] if parts[0].shape[1] == 1 else np.concatenate(parts, axis=1)
 
 
 def _shakes(count: int) -> Reals:
@@ -77,7 +104,7 @@ def _shaken(value: Any, shakes: Reals) -> Any:
 
 
 def _extents(steps: Sequence[Step], values: dict[int, Any]) -> dict[str, Reals]:
-    """Return for each plan how far its points reach at each position, at least half as far as in the row."""
+    """Return for each plan how far its points reach at each position."""
     points: dict[str, dict[Mark, Any]] = {}
     for step in steps:
         for mark in (step.it, *step.uses):
@@ -92,14 +119,18 @@ def _extent(points: list[Any]) -> Reals:
         low = np.fmin(low.real, point.real) + 1j * np.fmin(low.imag, point.imag)
         high = np.fmax(high.real, point.real) + 1j * np.fmax(high.imag, point.imag)
     size: Reals = np.abs(high - low)
-    size = np.where(size == 0.0, np.abs(high), size)
+    return np.where(size == 0.0, np.abs(high), size)
+
+
+def _usual(size: Reals) -> Reals:
+    """Judge a plan that shrinks to a point by what it is along the row."""
     there = size[np.isfinite(size)]
-    # a plan that shrinks to a point is judged by what it is along the row
     return np.fmax(size, np.median(there)) if there.size else size
 
 
-def _share(point: Any, extent: Reals) -> Reals:
+def _off(point: Any) -> Reals:
     off = np.abs(point - point[:1])[1:]
+    if not off.size:
+        return np.zeros((1, 1))
     lost = np.isnan(off).all(axis=0)
-    worst = np.where(lost, np.inf, np.fmax.reduce(off, axis=0))
-    return np.atleast_2d(np.where(worst == 0.0, 0.0, worst / extent))
+    return np.atleast_2d(np.where(lost, np.inf, np.fmax.reduce(off, axis=0)))

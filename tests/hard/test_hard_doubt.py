@@ -152,7 +152,7 @@ def near(count: int, seed: int, most: int = 2) -> list[tuple[Drawn, float, float
 
 
 def test_far_from_a_change_point_nothing_is_named() -> None:
-    for drawn in sample(25, seed=0, dyads=(1, 3)):
+    for drawn in sample(15, seed=0, dyads=(1, 3)):
         found = moved(drawn.mechanism, drawn.phi)
         assert found is not None
         assert not found.findings, (drawn.kinds, found.findings)
@@ -161,7 +161,7 @@ def test_far_from_a_change_point_nothing_is_named() -> None:
 
 def test_near_to_where_it_locks_what_is_not_named_is_right() -> None:
     counts = [0, 0]
-    for drawn, angle, _ in near(40, 100):
+    for drawn, angle, _ in near(30, 100):
         found = moved(drawn.mechanism, angle)
         if found is not None:
             assert found.findings or found.off <= DOUBTFUL, (drawn.kinds, angle, found.off)
@@ -170,7 +170,7 @@ def test_near_to_where_it_locks_what_is_not_named_is_right() -> None:
 
 
 def test_forces_that_are_not_named_are_right() -> None:
-    _forces_right(near(30, 200), 0.0)
+    _forces_right(near(20, 200), 0.0)
 
 
 def test_forces_with_friction_that_are_not_named_are_right() -> None:

@@ -17,6 +17,8 @@ from graphic_tmm.__main__ import main
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
 from graphic_tmm.scene.read import read
+from graphic_tmm.tables.columns import Column
+from graphic_tmm.tables.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.work import Work, work
 
 # a few positions
@@ -132,6 +134,26 @@ def test_quantiles_of_the_trials_that_can_be_drawn_know_nothing_of_the_others() 
     levels = [0.05, 0.5, 0.95]
     found = np.quantile(some[np.isfinite(some).all(axis=1)], levels, axis=0)
     np.testing.assert_array_equal(found, np.quantile(all_, levels, axis=0))
+
+
+def test_quantiles_of_a_table_leave_out_the_trials_that_failed() -> None:
+    """Every seventh trial lacks its second position, all lack the third; a result may not be there at all."""
+    source = np.random.default_rng(8)
+    rows = source.standard_normal((50, 3))
+    bad = np.arange(50) % 7 == 3
+    base = Column("velocities", "pb", "pb", "m/s", (None,) * 3, (0.0, 0.0, None))
+    trials = [
+        [base._replace(value=(row[0], None if lost else row[1], None))]
+        for row, lost in zip(rows.tolist(), bad, strict=True)
+    ]
+    found = {column.segment: column.value for column in spread_columns([base], trials)}
+    for name, share in QUANTILES.items():
+        due = [np.quantile(rows[:, 0], share), np.quantile(rows[~bad, 1], share)]
+        assert found[f"pb_{name}"] == (*due, None)
+    results = [{} if lost else {"J": (row[0], "kg")} for row, lost in zip(rows, bad, strict=True)]
+    results[0] = {"J": (np.nan, "kg")}
+    told = spread_results({"J": (1.0, "kg")}, results)
+    assert told["J_median"] == (np.median(rows[1:][~bad[1:], 0]), "kg")
 
 
 # numpy's own errors
