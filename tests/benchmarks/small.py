@@ -54,7 +54,6 @@ def warm() -> list[Row]:
             "bare": partial(closed_form, phi),
             "exact": partial(program.run, made.given),
             "read": partial(program.run, made.given, hand=Hand(ruler=0.1)),
-            "prepare": partial(prepare, log),
         },
         rounds=21,
         least=20,
@@ -67,7 +66,6 @@ def warm() -> list[Row]:
         Row("the same with readings", ms["read"], limit, seconds["read"] < 1e-3),
         Row("of it, one step", f"{seconds['read'] / count * 1e6:.1f} µs"),
         Row("the same kinematics in closed form, numpy", ms["bare"]),
-        Row("making the log ready to run, once", ms["prepare"]),
     ]
 
 
