@@ -262,11 +262,35 @@ def accuracy(
     show_default=True,
     help="By whose drawings readings are judged.",
 )
-@click.option("--doubtful", type=click.FloatRange(0.5, 1.0), default=0.97, show_default=True)
-@click.option("--wrong", type=click.FloatRange(1.0, 100.0), default=5.0, show_default=True)
-@click.option("--trials", type=click.IntRange(20, 100_000), default=400, show_default=True)
+@click.option(
+    "--doubtful",
+    type=click.FloatRange(0.5, 1.0),
+    default=0.97,
+    show_default=True,
+    help="Beyond this quantile of the hand's own deviations a reading is doubtful.",
+)
+@click.option(
+    "--wrong",
+    type=click.FloatRange(1.0, 100.0),
+    default=5.0,
+    show_default=True,
+    help="Beyond so many times their root mean square, and beyond them all, it is wrong.",
+)
+@click.option(
+    "--trials",
+    type=click.IntRange(20, 100_000),
+    default=400,
+    show_default=True,
+    help="How often the hand draws to tell what is usual.",
+)
 @click.option("--overlay", help="SVG file for the exact plans under the points that were read.")
-@click.option("--enlarge", type=click.FloatRange(1.0, 1000.0), default=1.0, show_default=True)
+@click.option(
+    "--enlarge",
+    type=click.FloatRange(1.0, 1000.0),
+    default=1.0,
+    show_default=True,
+    help="How many times larger the overlay shows deviations.",
+)
 @click.option("--photo", help="A photograph of the sheet, to be laid under it (with --corners).")
 @click.option(
     "--corners", help="The corners of the frame in the photograph: x,y x,y x,y x,y (dots)."

@@ -111,18 +111,18 @@ def judge(made: Made, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged,
         whole = most.get((taken.plan, taken.position), 0.0)
         share = 100.0 * deviation / whole if taken.in_mm and whole else 0.0
         errors = own.of(taken)
-        counted, of_it, blamed, mine = deviation, deviation, errors[-1:], None
+        counted, of_it, blamed, mine = deviation, deviation, own.step(taken), None
         if errors and key in by.usual:
             times, worst = by.usual[key].worst(errors)
             mine = worst.error
             # a length that is right is not wrong because an earlier one was copied wrongly
             if taken.pointed or _milder(by.usual[key].scatter, times, seen, deviation):
                 counted, seen = times, by.usual[key].scatter
-                of_it, blamed = worst.error, (worst,)
+                of_it, blamed = worst.error, worst.step
         if abs(of_it) <= LEAST * max(whole, abs(goal)):
             counted = 0.0
         verdict = seen.verdict(counted)
-        step = own.named(blamed[0].step) if blamed and verdict != FINE else ""
+        step = own.named(blamed) if verdict != FINE else ""
         quantile = seen.quantile(counted)
         judged.append(Judged(taken, found, goal, signed, share, quantile, verdict, of, step, mine))
     return tuple(judged)

@@ -24,25 +24,41 @@ SEGMENT = (
 )
 FACTOR = (
     "wrong scale or pole distance",
-    "all figures are {factor:.4g} times too large: the scale or the pole distance is another",
-    "все величины в {factor:.4g} раза больше: взят другой масштаб или другое полюсное расстояние",
+    "all figures{of} are {factor} times what is due: the scale or the pole distance is another",
+    "все величины{of} в {factor} раза больше: взят другой масштаб или другое полюсное расстояние",
 )
 BELIED = 0.3
 """What a mistake loses of its score that befalls some of the drawing only."""
+LEAST_OFF = 3
+"""So many readings off tell a factor."""
+LESS = 0.9
+"""Of readings that a mistake explains one at least lies nearer to what it leads to than to what is due."""
 NOWHERE = complex(np.nan, np.nan)
 LEAST = 0.6
 """A mistake has to explain this share of the wrong readings of its plans."""
 
 
+class Explained(NamedTuple):
+    """A wrong reading that a mistake explains: its line, the figure it leads to, how well that can be read."""
+
+    line: int
+    due: complex
+    usual: float
+
+
 class Tried(NamedTuple):
-    """A mistake tried: lines that it explains, what it leaves of the deviations, its effect on each reading."""
+    """A mistake tried: the readings that it explains, what it leaves of the deviations."""
 
     name: str
     says: str
-    lines: tuple[int, ...]
+    explained: tuple[Explained, ...]
     score: float
     rest: float
-    effect: tuple[complex, ...]
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        """The lines of what it explains."""
+        return tuple(one.line for one in self.explained)
 
 
 def likely(
@@ -51,29 +67,32 @@ def likely(
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
 ) -> tuple[Likely, ...]:
-    """Return the mistakes that explain wrong readings, the best first; those of the same effect together."""
+    """Return the mistakes that explain wrong readings, the best first; those that none tells apart together."""
     wrong = [one for one in judged if one.verdict == WRONG]
     if not wrong:
         return ()
     tried = [one for one in _tried(made, judged, spread, language) if one.lines]
     tried.sort(key=lambda one: (-one.score, one.rest, one.name))
     found: list[Likely] = []
-    effects: list[tuple[complex, ...]] = []
+    first: list[Tried] = []
     for one in tried:
         if one.score <= 0.0 or len(one.lines) < LEAST * min(len(wrong), 3):
             continue
-        same = next((k for k, effect in enumerate(effects) if _same(effect, one.effect)), None)
+        same = next((k for k, other in enumerate(first) if _same(other, one)), None)
         if same is None:
-            effects.append(one.effect)
+            first.append(one)
             found.append(Likely(one.name, one.says, one.lines, len(wrong), one.rest))
         elif one.name != found[same].name and one.name not in found[same].like:
             found[same] = found[same]._replace(like=(*found[same].like, one.name))
     return tuple(found)
 
 
-def _same(one: tuple[complex, ...], other: tuple[complex, ...]) -> bool:
-    a, b = np.array(one), np.array(other)
-    return bool(np.allclose(a, b, rtol=1e-6, atol=1e-9, equal_nan=True))
+def _same(one: Tried, other: Tried) -> bool:
+    """Whether two mistakes explain the same readings by figures that a hand cannot tell apart."""
+    return one.lines == other.lines and all(
+        abs(a.due - b.due) <= max(a.usual, b.usual)
+        for a, b in zip(one.explained, other.explained, strict=True)
+    )
 
 
 def _tried(
@@ -108,43 +127,49 @@ def _compared(
     Where it may befall some positions or readings only, it is counted where it explains more than it belies.
     """
     groups: dict[tuple[str, ...], _Group] = defaultdict(_Group)
-    effect: list[complex] = []
     for one in judged:
         group = groups[_place(one, reach)]
         cell = figures.get(one.taken.key)
         moved, due = (None, NOWHERE) if cell is None else _moved(one, cell)
-        effect.append(due)
         if one.verdict == WRONG:
             group.whole += one.deviation**2
         if moved is None:
             group.left += one.deviation**2 if one.verdict == WRONG else 0.0
             continue
         limit = spread[one.taken.key, one.taken.in_mm]
-        room = _room(limit, abs(due), one.due)
+        growth = max(1.0, abs(due) / abs(one.due)) if one.due else 1.0
+        room = _room(limit, abs(due), growth)
         if one.verdict == WRONG:
             group.left += moved**2
+            group.nearer |= moved < LESS * abs(one.deviation)
             if moved <= room:
-                group.lines.append(one.taken.line)
+                group.explained.append(Explained(one.taken.line, due, growth * limit.usual))
         elif one.verdict == FINE and moved > max(limit.wrong, room):
             group.belied += 1
-    said = [group for group in groups.values() if len(group.lines) > group.belied]
-    lines = [line for group in said for line in group.lines]
-    score = float(sum(len(group.lines) - group.belied for group in said))
-    if any(group.belied or (group.whole and not group.lines) for group in groups.values()):
+    said = [group for group in groups.values() if group.said]
+    explained = [reading for group in said for reading in group.explained]
+    score = float(sum(len(group.explained) - group.belied for group in said))
+    if any(group.belied or (group.whole and not group.explained) for group in groups.values()):
         score -= BELIED
     whole = sum(group.whole for group in groups.values())
     left = sum(group.left if group in said else group.whole for group in groups.values())
-    return Tried(name, says, tuple(lines), score, left / whole if whole else 1.0, tuple(effect))
+    return Tried(name, says, tuple(explained), score, left / whole if whole else 1.0)
 
 
 @dataclass
 class _Group:
-    """Readings that a mistake befalls together: lines explained, fine readings belied, squares left."""
+    """Readings that a mistake befalls together: those explained, how many fine ones belied, squares left."""
 
-    lines: list[int] = field(default_factory=list)
+    explained: list[Explained] = field(default_factory=list)
     belied: int = 0
     left: float = 0.0
     whole: float = 0.0
+    nearer: bool = False
+
+    @property
+    def said(self) -> bool:
+        """Whether the mistake befell them: it explains more than it belies, and brings something nearer."""
+        return self.nearer and len(self.explained) > self.belied
 
 
 def _place(one: Judged, reach: str) -> tuple[str, ...]:
@@ -165,11 +190,10 @@ def _moved(one: Judged, cell: Cell) -> tuple[float | None, complex]:
     return abs(apart(one.found, due)), complex(due)
 
 
-def _room(limit: Scatter, due: float, was: float) -> float:
+def _room(limit: Scatter, due: float, growth: float) -> float:
     """Return how far a reading may be from what a mistake leads to: as the hand is, scaled with the figure."""
     if not np.isfinite(limit.wrong):
         return 0.03 * abs(due)
-    growth = max(1.0, abs(due) / abs(was)) if was else 1.0
     return 0.7 * limit.wrong * growth
 
 
@@ -180,20 +204,31 @@ def _due(cell: Cell, one: Judged) -> float | None:
 def _factor(
     judged: Sequence[Judged], spread: Mapping[tuple[Key, bool], Scatter], language: str
 ) -> Iterator[Tried]:
-    """One factor between all figures of a segment and their dues."""
-    for plan in dict.fromkeys(one.taken.plan for one in judged):
-        rows = [o for o in judged if o.taken.plan == plan and not o.taken.pointed]
-        wrong = [o for o in rows if o.verdict == WRONG and o.due]
-        if len(wrong) < 3:
-            continue
-        factor = float(np.median([one.found / abs(one.due) for one in wrong]))
-        if not 0.02 < factor < 50.0 or abs(factor - 1.0) < 0.05:
+    """One factor between the figures of a plan and their dues, or between those of one of its segments."""
+    drawn = [one for one in judged if not one.taken.pointed and one.due]
+    wrong = {(one.taken.plan, one.taken.segment) for one in drawn if one.verdict == WRONG}
+    groups: dict[tuple[str, ...], list[Judged]] = defaultdict(list)
+    for one in drawn:
+        segment = (one.taken.plan, one.taken.segment)
+        if segment in wrong:
+            groups[segment[:1]].append(one)
+            groups[segment].append(one)
+    for group, rows in groups.items():
+        off = [one for one in rows if one.verdict == WRONG]
+        if len(off) < LEAST_OFF:
+            off = [one for one in rows if one.verdict != FINE]
+        factor = float(np.median([one.found / abs(one.due) for one in off]))
+        if len(off) < LEAST_OFF or not 0.02 < factor < 50.0 or abs(factor - 1.0) < 0.05:
             continue
         figures = {
             one.taken.key: Cell(abs(one.due) * factor, abs(one.due) * factor, one.unit)
             for one in rows
         }
-        says = FACTOR[2 if language == "ru" else 1].format(factor=factor)
+        of = "".join(f" {segment}" for segment in group[1:])
+        if language == "ru":
+            says = FACTOR[2].format(of=of, factor=f"{factor:.4g}".replace(".", ","))
+        else:
+            says = FACTOR[1].format(of=" of" + of if of else "", factor=f"{factor:.4g}")
         found = _compared(FACTOR[0], says, figures, judged, spread)
         yield found._replace(score=found.score - 0.5)
 
@@ -209,11 +244,9 @@ def _other_segments(
     by_place: dict[tuple[str, str], list[tuple[str, Cell]]] = {}
     for (plan, segment, position), cell in due.items():
         by_place.setdefault((plan, position), []).append((segment, cell))
-    lines, left, whole = [], 0.0, 0.0
-    effect: list[complex] = []
+    explained, left, whole = [], 0.0, 0.0
     for one in judged:
         if one.verdict != WRONG or one.taken.pointed:
-            effect.append(NOWHERE)
             continue
         place = (one.taken.plan, one.taken.position)
         near = [
@@ -224,13 +257,10 @@ def _other_segments(
         nearest, other = min(near, default=(float("inf"), one.taken.segment))
         own = spread[one.taken.key, one.taken.in_mm]
         limit = spread.get(((one.taken.plan, other, one.taken.position), one.taken.in_mm), own)
-        effect.append(complex(nearest))
         whole += one.deviation**2
         left += min(nearest, abs(one.deviation)) ** 2
         if nearest <= 0.5 * limit.wrong:
-            lines.append(one.taken.line)
+            explained.append(Explained(one.taken.line, NOWHERE, 0.0))
     says = SEGMENT[2 if language == "ru" else 1]
-    score = 0.55 * len(lines)  # some segment or other is near by chance
-    return Tried(
-        SEGMENT[0], says, tuple(lines), score, left / whole if whole else 1.0, tuple(effect)
-    )
+    score = 0.55 * len(explained)  # some segment or other is near by chance
+    return Tried(SEGMENT[0], says, tuple(explained), score, left / whole if whole else 1.0)

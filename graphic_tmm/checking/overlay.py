@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphic_tmm.captions import CAPTIONS
-from graphic_tmm.checking.cells import Key, points
-from graphic_tmm.checking.records import FINE, WRONG, Judged, Report
+from graphic_tmm.checking.cells import points
+from graphic_tmm.checking.judge import spot_of
+from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.arranging import captioned
-from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke, circle, line
+from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
 from graphic_tmm.paper.frame import SIZES, drawing_area, frame
-from graphic_tmm.paper.ink_plans import markup
+from graphic_tmm.paper.ink_plans import Place, draw_plan
+from graphic_tmm.paper.ink_positions import draw_position_ink
 from graphic_tmm.paper.layout import Room, pack
 from graphic_tmm.paper.letters import escape
-from graphic_tmm.paper.placing import Wanted, place
 from graphic_tmm.paper.symbols import arrowhead
 from graphic_tmm.studio import Made
+from graphic_tmm.tables.columns import UNITS
 
-FORMAT = "A1"
+FORMATS = ("A4", "A1")
 CROSS = 1.2
 """Half of the cross at a point that was read, mm."""
+SEEN = 0.5
+"""A deviation shorter than this on the sheet has no arrow, mm."""
 
 
 def overlay_sheet(made: Made, report: Report, enlarge: float) -> Sheet:
-    """Return a sheet with the exact plans and what was read of them.
+    """Return a sheet with the exact plans and what was read of them, the smallest that holds them.
 
     Raises
     ------
@@ -32,7 +38,7 @@ def overlay_sheet(made: Made, report: Report, enlarge: float) -> Sheet:
     exact = points(made)
     by_plan: dict[tuple[str, str], list[Judged]] = {}
     for one in report.readings:
-        if one.taken.x is not None and one.taken.y is not None:
+        if one.taken.pointed:
             by_plan.setdefault((one.taken.plan, one.taken.position), []).append(one)
     if not by_plan:
         raise SheetError("--overlay: no points were read; give x and y of points in the CSV file")
@@ -40,51 +46,66 @@ def overlay_sheet(made: Made, report: Report, enlarge: float) -> Sheet:
     views = []
     for (plan, position), read in by_plan.items():
         title = f"{words[plan]}, {words['position']} {escape(position)}"
-        views.append(captioned(_plan(exact, plan, position, read, enlarge, title), title))
-    area = drawing_area(FORMAT, report.language, True)
-    room = Room(area.inner, area.occupied)
-    laid = pack(views, (room, room), FORMAT)
-    if len(laid) > 1:
-        raise SheetError(
-            "--overlay: more plans were read than an A1 sheet holds; check fewer at once"
-        )
+        upon = [stroke for one in read for stroke in _read(one, exact[one.taken.key], enlarge)]
+        views.append(captioned(_plan(made, plan, position, upon, title), title))
+    size, laid = _laid(views, report.language)
     edge = frame(
-        FORMAT,
-        language=report.language,
-        first=True,
-        number=1,
-        count=1,
-        fields={"name": report.title},
+        size, language=report.language, first=True, number=1, count=1, fields={"name": report.title}
     )
-    width, height = SIZES[FORMAT]
-    return Sheet("overlay", report.title, FORMAT, width, height, (edge, *laid[0]))
+    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid))
 
 
-def _plan(
-    exact: dict[Key, complex],
-    plan: str,
-    position: str,
-    read: list[Judged],
-    enlarge: float,
-    title: str,
-) -> Drawing:
-    """Return one plan: rays from its pole to exact points thin, crosses and arrows of deviation."""
-    due = {letter: z for (p, letter, n), z in exact.items() if (p, n) == (plan, position)}
-    strokes: list[Stroke | Bezier] = [line("thin", 0j, z) for z in due.values() if abs(z) > 0.5]
-    strokes += [circle("thin", z, 0.6) for z in due.values()]
-    wanted = [Wanted(markup(letter), z, 3.5, 1.5, z) for letter, z in due.items()]
-    for one in read:
-        assert one.taken.x is not None
-        assert one.taken.y is not None
-        goal = due[one.taken.segment]
-        found = goal + enlarge * (complex(one.taken.x, one.taken.y) - goal)
-        pen = {FINE: "medium", WRONG: "main"}.get(one.verdict, "medium")
-        for way in (1 + 1j, 1 - 1j):
-            strokes.append(line(pen, found - CROSS * way, found + CROSS * way))
-        if abs(found - goal) > 0.5:
-            strokes.append(line(pen, goal, found))
-            strokes += arrowhead(
-                found, found - goal, pen=pen, length=min(4.0, 0.5 * abs(found - goal))
-            )
-    labels = place(wanted, strokes)
-    return Drawing(f"overlay-{plan}-{position}", title, tuple(strokes), labels)
+def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, ...]]:
+    """Return the smallest format that holds the views on one sheet, and where they stand there."""
+    for size in FORMATS:
+        area = drawing_area(size, language, True)
+        room = Room(area.inner, area.occupied)
+        try:
+            laid = pack(views, (room, room), size)
+        except SheetError:
+            continue
+        if len(laid) == 1:
+            return size, tuple(laid[0])
+    raise SheetError("--overlay: more plans were read than an A1 sheet holds; check fewer at once")
+
+
+def _plan(made: Made, plan: str, position: str, upon: Sequence[Stroke], title: str) -> Drawing:
+    """Return the exact plan in one position, all of it thin, with what was read drawn upon it."""
+    assert made.work is not None
+    work, name = made.work, f"overlay-{plan}-{position}"
+    project = work.project
+    place = project.names.index(position)
+    if plan == "positions":
+        found = draw_position_ink(project.construction, work.reading, place, name, title, upon=upon)
+    else:
+        accelerated = plan == "accelerations"
+        reading = work.accelerated if accelerated else work.reading
+        at = project.accelerated.index(place) if accelerated else place
+        assert reading is not None
+        mu = work.scales[plan].value
+        found = draw_plan(
+            project.construction,
+            reading,
+            plan,
+            [Place(at)],
+            name,
+            title,
+            mu,
+            UNITS[plan],
+            upon=upon,
+        )
+    told = {stroke.title for stroke in upon}
+    strokes = (one if one.title in told else one._replace(pen="thin") for one in found.strokes)
+    return found._replace(strokes=tuple(strokes))
+
+
+def _read(one: Judged, goal: complex, enlarge: float) -> list[Stroke]:
+    """Return the cross of a point that was read, and the arrow of its deviation."""
+    away = enlarge * (spot_of(one.taken) - goal)
+    found, pen = goal + away, "main" if one.verdict == WRONG else "medium"
+    strokes = [line(pen, found - CROSS * way, found + CROSS * way) for way in (1 + 1j, 1 - 1j)]
+    if abs(away) > SEEN:
+        strokes.append(line(pen, goal, found))
+        strokes += arrowhead(found, away, pen=pen, length=min(4.0, 0.5 * abs(away)))
+    told = f"{one.taken.segment}: {abs(away) / enlarge:.2f} mm"
+    return [stroke._replace(title=told) for stroke in strokes]

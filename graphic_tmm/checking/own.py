@@ -16,7 +16,7 @@ from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.geometry import along, wedge
 from graphic_tmm.board.operations import cross, cut, lay_off, meet
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Length, Line, Point
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import POINTED
@@ -44,15 +44,14 @@ class OwnErrors:
         self._steps: dict[tuple[str, str], Step] = {}
         if made.work is None:
             return
-        log = made.work.project.construction
-        for step in log.steps:
+        for step in _alone(made.work.project.construction):
             if step.it.view in POINTED and step.it.kind is Length:
                 self._steps.setdefault((step.it.view, segment_name(step.it.letter)), step)
             if step.it.view in POINTED and step.it.kind is Point:
                 self._steps.setdefault((step.it.view, step.it.letter), step)
         by_position: dict[str, dict[Mark, complex]] = {}
         for taken in readings:
-            of = self._steps.get((taken.plan, taken.segment))
+            of = self.step(taken)
             if of is None:
                 continue
             if of.it.kind is Point and taken.x is not None and taken.y is not None:
@@ -70,8 +69,14 @@ class OwnErrors:
         """
         return self._found.get(taken.key, ())
 
-    def named(self, step: Step) -> str:
-        """Return a step as a report names it: its number in its plan, its letter."""
+    def step(self, taken: Taken) -> Step | None:
+        """Return the step that a reading is of; None where it is no length or point of a plan."""
+        return self._steps.get((taken.plan, taken.segment))
+
+    def named(self, step: Step | None) -> str:
+        """Return a step as a report names it: its number in its plan, its letter; empty for none."""
+        if step is None:
+            return ""
         assert self.made.work is not None
         return f"{step_number(self.made.work.project.construction, step)} {step.it.letter}"
 
@@ -82,16 +87,13 @@ class OwnErrors:
             return
         place = work.project.names.index(position)
         log = work.project.construction
-        steps = needed(log, found)
-        if any(step.op.across for step in steps):
-            return
         values: dict[int, Any] = {}
         for mark in log.given:
             if mark in work.given:
                 value = as_value(work.given[mark], mark.kind)
                 values[mark.slot] = value if value.shape[1] == 1 else value[:, place : place + 1]
         with np.errstate(all="ignore"):
-            for step in steps:
+            for step in needed(log, found):
                 run = partial(step.op.run, **step.choice) if step.choice else step.op.run
                 value = run(*[values[mark.slot] for mark in step.uses])
                 if step.it in found:
@@ -138,6 +140,16 @@ class OwnErrors:
             yield Own(step, min(off))
         else:
             yield Own(step, abs(found - due))
+
+
+def _alone(log: Construction) -> Iterator[Step]:
+    """Yield the steps whose results follow from their own position only."""
+    tied: set[int] = set()
+    for step in log.steps:
+        if step.op.across or any(mark.slot in tied for mark in step.uses):
+            tied.add(step.it.slot)
+        else:
+            yield step
 
 
 def _off(figure: Line | Arc, found: complex) -> float:

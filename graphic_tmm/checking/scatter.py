@@ -31,6 +31,11 @@ class Scatter(NamedTuple):
     doubtful: float
     wrong: float
 
+    @property
+    def usual(self) -> float:
+        """The root mean square of the deviations; 0 of none."""
+        return float(np.sqrt(np.mean(self.sorted**2))) if self.sorted.size else 0.0
+
     def quantile(self, deviation: float) -> float:
         """Return the share of the hand's drawings that are farther off."""
         if not self.sorted.size:

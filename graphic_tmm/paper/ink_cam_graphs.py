@@ -21,13 +21,11 @@ from graphic_tmm.board.values import Complexes
 from graphic_tmm.paper.dimensions import dimension
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
 from graphic_tmm.paper.ink_cam_numbers import DOT, LEAST, NUMBER, OVER, SIZE, finished
-from graphic_tmm.paper.ink_graphs import axes_of
+from graphic_tmm.paper.ink_graphs import TICK, axes_ink, axes_of
 from graphic_tmm.paper.letters import letter
 from graphic_tmm.paper.placing import Wanted
-from graphic_tmm.paper.symbols import arrowhead, pole
+from graphic_tmm.paper.symbols import pole
 
-TICK = 1.0
-"""Half a tick on the base, mm."""
 PHASES = 9.0
 """From the lowest point of a diagram to the dimension line of its phases, mm."""
 
@@ -189,12 +187,8 @@ class _Ink:
 
     def axes(self, low: float, high: float) -> list[Stroke]:
         """The two axes with their arrows, and the ticks of the positions."""
-        right, top = complex(self.length + OVER, 0), complex(0, high + OVER)
-        left = min([0.0, *(spot.real for spot in self.poles())])
-        strokes = [line("thin", complex(left, 0), right), line("thin", complex(0, low), top)]
-        strokes += [*arrowhead(right, 1 + 0j, pen="thin"), *arrowhead(top, 1j, pen="thin")]
-        ends = [*self.points(self.marks.feet), self.length]
-        return [*strokes, *(line("thin", z - 1j * TICK, z + 1j * TICK) for z in map(complex, ends))]
+        ends = [*map(complex, self.points(self.marks.feet)), complex(self.length)]
+        return axes_ink(ends, self.poles(), low, high)
 
     def phases(self, names: CamNames, low: float) -> Iterator[tuple[tuple[Stroke, ...], Label]]:
         """Dimension lines of the phases below the diagram."""

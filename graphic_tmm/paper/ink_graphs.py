@@ -64,6 +64,20 @@ class Names(NamedTuple):
     curves: Mapping[str, str] = MappingProxyType({})
 
 
+def axes_ink(
+    ends: Sequence[complex], poles: Sequence[complex], low: float, high: float
+) -> list[Stroke]:
+    """Return two axes with their arrows, and the ticks of the positions; the last of them ends the base.
+
+    The axis along reaches back over the ``poles``; ``low``, ``high``: where that of the ordinates ends.
+    """
+    right, top = complex(ends[-1].real + OVER, 0), complex(0, high + OVER)
+    left = min([0.0, *(spot.real for spot in poles)])
+    strokes = [line("thin", complex(left, 0), right), line("thin", complex(0, low), top)]
+    strokes += [*arrowhead(right, 1 + 0j, pen="thin"), *arrowhead(top, 1j, pen="thin")]
+    return [*strokes, *(line("thin", z - 1j * TICK, z + 1j * TICK) for z in ends)]
+
+
 def axes_of(construction: Construction, view: str) -> AxesMarks:
     """Return the axes of a view."""
     figure = next(f for f in construction.figures if f.view == view and f.kind == "axes")
@@ -162,13 +176,8 @@ class _Ink:
 
     def axes(self, low: float, high: float) -> list[Stroke]:
         """The two axes with their arrows, and the ticks of the positions."""
-        right, top = complex(self.length + OVER, 0), complex(0, high + OVER)
-        left = min([0.0, *(spot.real for spot in self.poles())])
-        strokes = [line("thin", complex(left, 0), right), line("thin", complex(0, low), top)]
-        strokes += [*arrowhead(right, 1 + 0j, pen="thin"), *arrowhead(top, 1j, pen="thin")]
-        ends = [*self.points(self.marks.feet), self.length]
-        strokes += [line("thin", z - 1j * TICK, z + 1j * TICK) for z in map(complex, ends)]
-        return strokes
+        feet = [*map(complex, self.points(self.marks.feet)), complex(self.length)]
+        return axes_ink(feet, self.poles(), low, high)
 
     def outermost(self, mark: Mark) -> complex:
         """The point of the row that stands farthest from the base; NaN if none stands."""

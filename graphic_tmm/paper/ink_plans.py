@@ -87,11 +87,13 @@ def draw_plan(
     unit: str,
     *,
     lettered: bool = True,
+    upon: Sequence[Stroke] = (),
 ) -> Drawing:
     """Return a plan in one position, or in several from a common pole: vectors with arrows, lines, letters.
 
     From a common pole the vectors between images are thin and construction lines are left out. ``mu``
-    (SI per mm) and ``unit`` are told to a page that reads the sheet.
+    (SI per mm) and ``unit`` are told to a page that reads the sheet. ``upon``: what is drawn over the plan;
+    letters stay clear of it.
     """
     view = construction.view(plan)
     assert view is not None
@@ -114,7 +116,7 @@ def draw_plan(
         if abs(b - a) >= least:
             strokes += _vector(vector, a, b, mu, unit, thin=common)
     at = seen[0][1]
-    strokes += pole(at[view.pole])
+    strokes += [*pole(at[view.pole]), *upon]
     if not lettered:
         spots = [there[v.end] for there, v in drawn] + [at[view.pole]]
         x, y = [z.real for z in spots], [z.imag for z in spots]

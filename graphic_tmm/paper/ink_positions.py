@@ -84,6 +84,31 @@ def draw_positions_ink(
     return Drawing(PLAN, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
 
 
+def draw_position_ink(
+    construction: Construction,
+    reading: Reading,
+    index: int,
+    name: str,
+    title: str,
+    upon: Sequence[Stroke] = (),
+) -> Drawing:
+    """Return the plan of one position by itself.
+
+    ``upon``: what is drawn over the plan; letters stay clear of it.
+    """
+    ink = PositionsInk(construction, reading, [index])
+    figures = [f for f in construction.figures if f.view == PLAN]
+    strokes: list[Stroke | Bezier] = [*ink.guides(figures)]
+    for figure in figures:
+        strokes += ink.link(figure, index, "rod")
+    for figure in figures:
+        strokes += ink.symbols(figure, index)
+    strokes += [*ink.pivots(figures), *upon]
+    wanted = ink.letters(figures, index)
+    labels = place(wanted, strokes)
+    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+
+
 def clear_start(reach: float, bearing: float, sense: int) -> float:
     """Return where the arrow of ω1 begins (degrees): ahead of the crank, clear of the foot of its pivot."""
     starts = [bearing + sense * ahead for ahead in range(20, 341 - int(SWEEP), 10)]

@@ -16,7 +16,7 @@ from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.calculations import rescaled, scale_of_derivative
 from graphic_tmm.board.cams import in_turn, smooth_stretch
-from graphic_tmm.board.graphs import arrival, erect, following, halve, succession
+from graphic_tmm.board.graphs import arrival, erect, following, succession
 from graphic_tmm.board.operations import (
     join,
     lay_off,
@@ -24,17 +24,16 @@ from graphic_tmm.board.operations import (
     meet,
     parallel,
     place,
-    ray,
     square,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
+from graphic_tmm.board.values import Angle, Length, Number, Reals
 from graphic_tmm.plans import graphs
 from graphic_tmm.plans.cam_laws import Ground, uprights
 from graphic_tmm.plans.cam_phases import Phase, Turn
 from graphic_tmm.plans.cam_refusals import SLACK
 from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.graphs import Axes, Base, Pole
+from graphic_tmm.plans.graphs import Axes, Base, Pole, erect_axes
 
 HIGH = 40.0
 """The largest ordinate of the acceleration diagram, mm."""
@@ -76,11 +75,11 @@ def draw_integral(
     views = {which: f"cam {phase.name} {name}" for which, name in NAMES.items()}
     board.open(views["A"])
     first, corners, middles, accelerations = _accelerations(draft, row, views["A"])
-    speeds = _axes(draft, row, views["V"])
+    speeds = erect_axes(draft, views["V"], row.base, row.base.mu)
     points, last, pole_A = _succession(draft, row, (first, speeds), middles, poles[0])
     board.open(views["V"])
     velocity = board.draw(measure_along, "V", speeds.feet, points, speeds.up)
-    ways = _axes(draft, row, views["S"])
+    ways = erect_axes(draft, views["S"], row.base, row.base.mu)
     middles = _on_curves(draft, row, speeds, points, last)
     spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1])
     board.open(views["S"])
@@ -120,20 +119,6 @@ def lay_integral(
     return tuple(found)
 
 
-def _axes(draft: Draft, row: _Row, view: str) -> Axes:
-    """Draw axes whose scale is not known yet."""
-    board, base = draft.board, row.base
-    board.open(view)
-    origin = draft.take(Point, "O", 0j)
-    along = board.draw(ray, "(Ox)", origin, base.zero)
-    up = board.draw(square, "(Oy)", origin, along, sense=1)
-    feet = board.draw(lay_off, "i", along, base.x)
-    end = board.draw(lay_off, str(base.intervals), along, base.length)
-    after = board.draw(following, "i+1", feet, end, row=base.intervals)
-    middles = board.draw(halve, "m", feet, after)
-    return Axes(base, view, base.mu, origin, along, up, feet, end, middles)
-
-
 def _settle(draft: Draft, axes: Axes, mu: Mark) -> None:
     """Tell the scale of axes, now that it is known."""
     board, base = draft.board, axes.base
@@ -148,7 +133,7 @@ def _accelerations(
 ) -> tuple[Axes, tuple[Mark, ...], Mark, tuple[Mark, ...]]:
     """Draw the diagram that is given: axes, corners, points over the middles, ordinates of the stretches."""
     board, (turn, phase, base) = draft.board, row
-    axes = _axes(draft, row, view)
+    axes = erect_axes(draft, view, row.base, row.base.mu)
     most = max(abs(value) for _, value in phase.law.points)
     points = [(share, HIGH * value / most) for share, value in phase.law.points]
     corners = []

@@ -108,6 +108,15 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
 
 def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     """Draw the axes of a graph in a view of its own; ``mu``: the scale of its ordinates."""
+    axes = erect_axes(draft, view, base, mu)
+    draft.board.lay_out(None, mu)
+    lines = (axes.origin, axes.along, axes.up, axes.feet, axes.end, axes.middles)
+    draft.board.figure("axes", view, *lines, mu, base.mu, base.length)
+    return axes
+
+
+def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
+    """Draw axes alone: what stands on them is laid out by another."""
     board = draft.board
     board.open(view)
     origin = draft.take(Point, "O", 0j)
@@ -117,8 +126,6 @@ def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     end = board.draw(lay_off, str(base.intervals), along, base.length)
     after = board.draw(following, "i+1", feet, end, row=base.intervals)
     middles = board.draw(halve, "m", feet, after)
-    board.lay_out(None, mu)
-    board.figure("axes", view, origin, along, up, feet, end, middles, mu, base.mu, base.length)
     return Axes(base, view, mu, origin, along, up, feet, end, middles)
 
 

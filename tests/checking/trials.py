@@ -21,6 +21,7 @@ from graphic_tmm.board.values import Line
 from graphic_tmm.checking.alterations import Figures
 from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, READING
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
+from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judge import Yardstick, judge, yardstick
 from graphic_tmm.checking.mistakes import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
@@ -40,8 +41,11 @@ def made(name: str) -> Made:
     return make(read(SHEETS / name), exact=True)
 
 
-def readings(found: Figures, due: Figures) -> list[Taken]:
-    """Return the readings of a drawing: mm where something is drawn, else the quantity; where points stand."""
+def readings(found: Figures, due: Figures, *, valued: bool = False) -> list[Taken]:
+    """Return the readings of a drawing: mm where something is drawn, else the quantity; where points stand.
+
+    ``valued``: the quantity of what is drawn too, as a table of results gives it.
+    """
     rows = []
     for line, (key, cell) in enumerate(due.items(), start=2):
         own = found.get(key)
@@ -49,9 +53,9 @@ def readings(found: Figures, due: Figures) -> list[Taken]:
             continue
         plan, segment, position = key
         taken = Taken(plan, position, segment, line=line)
-        if cell.mm is not None and own.mm is not None:
+        if cell.mm is not None and own.mm is not None and not valued:
             rows.append(taken._replace(mm=abs(own.mm)))
-        elif cell.mm is None and own.value is not None:
+        elif (cell.mm is None or valued) and own.value is not None:
             rows.append(taken._replace(value=own.value, unit=cell.unit))
         elif own.spot is not None:
             rows.append(taken._replace(x=own.spot.real, y=own.spot.imag))
@@ -59,10 +63,10 @@ def readings(found: Figures, due: Figures) -> list[Taken]:
 
 
 @cache
-def usual(name: str, hand: str, *, pointed: bool = False, trials: int = 400) -> Yardstick:
+def usual(name: str, hand: str, *, pointed: bool = False, valued: bool = False) -> Yardstick:
     due = cells_and_points(made(name)) if pointed else cells(made(name))
-    drawing = HANDS[hand]._replace(trials=trials)
-    return yardstick(made(name), readings(due, due), drawing, Limits())
+    rows = readings(due, due, valued=valued)
+    return yardstick(made(name), rows, HANDS[hand]._replace(trials=TRIALS), Limits())
 
 
 class Honest(NamedTuple):
@@ -97,15 +101,20 @@ class Planted(NamedTuple):
         return Planted(*(a + b for a, b in zip(self, other, strict=True)))
 
 
-def planted(name: str, trials: int, seed: int = FRESH) -> Mapping[str, Planted]:
-    """Plant every mistake there is in honest student drawings; return by mistake what was named."""
-    due, by = cells_and_points(made(name)), usual(name, "student", pointed=True)
+def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mapping[str, Planted]:
+    """Plant every mistake there is, or one, in honest student drawings; return by mistake what was named."""
+    due = cells_and_points(made(name))
     hand = HANDS["student"]._replace(trials=trials, seed=seed)
     slipped = [cells_and_points(drawn) for drawn in drawings(made(name), hand)]
     found: dict[str, Planted] = defaultdict(Planted)
     for label, called, figures in plants(name):
+        if only and called != only:
+            continue
+        valued = all(cell.mm == due[key].mm for key, cell in figures.items() if key in due)
+        by = usual(name, "student", pointed=True, valued=valued)
         for drawn in slipped:
-            judged = judge(made(name), readings(_noisy(figures, drawn, due), due), by)
+            rows = readings(_noisy(figures, drawn, due), due, valued=valued)
+            judged = judge(made(name), rows, by)
             if not any(one.verdict == WRONG for one in judged):
                 continue
             told = likely(made(name), judged, by.spread, "en")
@@ -213,7 +222,8 @@ def blamed(name: str, trials: int, seed: int = FRESH) -> Blamed:
 
 
 def _rays(scene: Made) -> Iterator[Step]:
-    assert scene.work is not None
+    if scene.work is None:
+        return
     for step in scene.work.project.construction.steps:
         if step.it.view in ("velocities", "accelerations") and step.op.name in (
             "parallel",

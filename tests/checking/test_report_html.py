@@ -1,0 +1,98 @@
+"""The page: read back by a parser of its own; text of others is data."""
+
+from __future__ import annotations
+
+import re
+from html.parser import HTMLParser
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from reports import HOSTILE, LANGUAGES, engine, hostile
+
+from graphic_tmm.checking.report_html import html_report
+from graphic_tmm.checking.report_rows import grids, notes, summary, title, who
+
+TAGS = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "span", "ul", "li"}
+TAGS |= {"table", "thead", "tbody", "tr", "th", "td", "svg", "g", "path", "text"}
+NAMES = {"lang", "charset", "content", "http-equiv", "name", "class", "scope", "role", "aria-label"}
+NAMES |= {"width", "height", "viewbox", "d", "fill", "stroke", "stroke-width", "x", "y"}
+NAMES |= {"font-size", "text-anchor"}
+
+
+class Page(HTMLParser):
+    """Reads a page: its elements must be known, closed and in order; its words are kept by element."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.open: list[str] = []
+        self.words: list[tuple[str, str]] = []
+        self.values: list[str] = []
+        self.rows: list[list[str]] = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        assert tag in TAGS, tag
+        assert {name for name, _ in attrs} <= NAMES, attrs
+        self.values += [value or "" for _, value in attrs]
+        if tag != "meta":
+            self.open.append(tag)
+            self.words.append((tag, ""))
+        if tag == "tr":
+            self.rows.append([])
+        if tag == "td":
+            self.rows[-1].append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open and self.open[-1] == "td":
+            self.rows[-1][-1] += data
+        if self.open and self.words[-1][0] == self.open[-1]:
+            self.words[-1] = (self.open[-1], self.words[-1][1] + data)
+
+    def handle_comment(self, data: str) -> None:
+        raise AssertionError(data)
+
+    def said(self, tag: str) -> list[str]:
+        return [words for kind, words in self.words if kind == tag]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@given(text=st.text(max_size=40) | st.sampled_from(HOSTILE))
+def test_a_page_reads_back_as_the_words_that_went_in(language: str, text: str) -> None:
+    made = hostile(text, language)
+    out = html_report(made)
+    page = Page(out)
+    rows = [list(row) for grid in grids(made) for row in grid.rows]
+    assert [row for row in page.rows if row] == rows
+    assert page.said("h1") == [title(made)]
+    assert page.said("title")[0] == title(made)
+    assert page.said("li") == list(notes(made))
+    assert page.said("p")[:2] == [summary(made), who(made)]
+    assert all(line.isprintable() for line in out.split("\n"))
+    out.encode("utf-8")
+
+
+@pytest.mark.parametrize("text", ["plain", *HOSTILE])
+def test_a_page_names_nothing_outside_itself_and_runs_nothing(text: str) -> None:
+    made = hostile(text)
+    out = html_report(made)
+    page = Page(out)
+    style = out[out.index("<style>") : out.index("</style>")]
+    assert not re.search(r"url\(|@import|expression|http|//|<(?!style>)", style)
+    assert "default-src 'none'" in out
+    acting = re.compile(r"^\s*(javascript|https?|data|//)", re.IGNORECASE)
+    assert not [value for value in page.values if acting.search(value)]
+    if text == "plain":
+        assert "http" not in out.replace("http-equiv", "")
+
+
+def test_a_page_is_for_a4_with_heads_on_every_page() -> None:
+    out = html_report(engine())
+    assert "@page { size: A4;" in out
+    assert "thead { display: table-header-group; }" in out
+    assert "print-color-adjust: exact" in out

@@ -1,0 +1,109 @@
+"""Reports as Markdown, read back by a parser of CommonMark, and on a terminal of any width."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from markdown_it import MarkdownIt
+from reports import HOSTILE, LANGUAGES, engine, explaining, hostile, judged, loaded, printed, report
+
+from graphic_tmm.checking.records import (
+    WRONG,
+)
+from graphic_tmm.checking.report_html import html_report
+from graphic_tmm.checking.report_json import json_report
+from graphic_tmm.checking.report_rows import grids, notes, summary, title, who
+from graphic_tmm.checking.report_text import LISTED, markdown_report
+from graphic_tmm.checking.report_words import WORDS
+
+READER = MarkdownIt("commonmark", {"html": True}).enable(["table", "strikethrough"])
+BLOCKS = {"heading", "paragraph", "table", "thead", "tbody", "tr", "th", "td"}
+BLOCKS |= {"bullet_list", "list_item", "inline"}
+
+
+def spoken(text: str) -> list[tuple[str, str]]:
+    """Return the blocks of a Markdown text: kind of the block, its words; nothing but words may be in it."""
+    tokens, found, open_ = READER.parse(text), [], [""]
+    for token in tokens:
+        assert re.sub("_(open|close)$", "", token.type) in BLOCKS, token
+        if token.type.endswith("_open"):
+            open_.append(token.type.removesuffix("_open"))
+        elif token.type.endswith("_close"):
+            open_.pop()
+        else:
+            pieces = token.children or []
+            assert {piece.type for piece in pieces} <= {"text", "text_special"}, pieces
+            found.append((open_[-1], "".join(piece.content for piece in pieces)))
+    return found
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@given(text=st.text(max_size=40) | st.sampled_from(HOSTILE))
+def test_markdown_reads_back_as_the_words_that_went_in(language: str, text: str) -> None:
+    made = hostile(text, language)
+    blocks, words = spoken(markdown_report(made)), WORDS[language]
+    cells = [cell for grid in grids(made) for row in grid.rows for cell in row]
+    heads = [words[key] for grid in grids(made) for key in grid.columns]
+    assert [said for kind, said in blocks if kind == "td"] == [cell.strip() for cell in cells]
+    assert [said for kind, said in blocks if kind == "th"] == heads
+    headings = [title(made), *(grid.title for grid in grids(made)), words["notes"]]
+    assert [said for kind, said in blocks if kind == "heading"] == [h.strip() for h in headings]
+    spoken_of = [summary(made), who(made), words["legend"], *notes(made)]
+    assert [s for k, s in blocks if k == "paragraph"] == [s.strip() for s in spoken_of if s]
+
+
+@pytest.mark.parametrize(
+    "text", ["- a", "+ a", "1. a", "2) a", "# a", "> a", "---", "***", "_", "="]
+)
+def test_what_would_open_a_block_is_a_note(text: str) -> None:
+    blocks = spoken(markdown_report(report(notes=[text])))
+    assert blocks[-1] == ("paragraph", text)
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 220])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_terminal_shows_every_sign_however_narrow_it_is(language: str, width: int) -> None:
+    made = engine(language)
+    slip = judged(found=60.0, verdict=WRONG, step="10 'b'", own=11.7, line=99)
+    made = made._replace(readings=(*made.readings, slip), mistakes=(explaining(99),))
+    text = Counter(re.sub(r"[\s─]", "", printed(made, width)))
+    words = WORDS[language]
+    meant = [title(made), summary(made), who(made), words["legend"]]
+    for grid in grids(made):
+        meant += [grid.title, *(words[key] for key in grid.columns)]
+        meant += [cell for row in grid.rows for cell in row]
+    assert text == Counter(re.sub(r"\s", "", "".join(meant)))
+
+
+def test_figures_and_verdicts_are_whole_on_a_terminal_of_80() -> None:
+    for language in LANGUAGES:
+        made = engine(language)
+        lines = printed(made, 80).splitlines()
+        for row in grids(made)[0].rows:
+            assert any(all(cell in line for cell in row) for line in lines), row
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_text_does_nothing_to_a_terminal(text: str) -> None:
+    made = hostile(text)
+    assert all(line.isprintable() for line in printed(made, 100).split("\n"))
+    coloured = printed(made, 100, colours=True)
+    plain = re.sub(r"\x1b\[[\d;]*m", "", coloured)
+    assert all(line.isprintable() for line in plain.split("\n"))
+    assert printed(hostile("[red]r[/red] :smile:"), 200).count("[red]r[/red] :smile:") > 5
+
+
+def test_of_very_many_readings_a_terminal_lists_the_worst_and_says_how_many_are_left() -> None:
+    readings = [judged(line=k + 2) for k in range(LISTED + 100)]
+    readings[LISTED + 50] = readings[LISTED + 50]._replace(verdict=WRONG)
+    made = report(*readings)
+    text = printed(made, 100)
+    assert text.count("● fine") == LISTED - 1
+    assert text.count("✖ wrong") == 1
+    assert "100 more are not listed here" in text
+    assert html_report(made).count("<tr class=") == LISTED + 100
+    assert len(loaded(json_report(made))["readings"]) == LISTED + 100
