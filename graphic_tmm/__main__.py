@@ -6,17 +6,21 @@ Exit status: 0 fine, 2 bad input (one clear message; never a traceback; no outpu
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from functools import wraps
-from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-if TYPE_CHECKING:
-    from graphic_tmm.scene.records import Scene
-    from graphic_tmm.studio import Made
+from graphic_tmm.options import (
+    budgeted,
+    drawn_by,
+    hands,
+    people,
+    read_scene,
+    say,
+    show,
+    warn,
+    within,
+)
 
-F = TypeVar("F", bound=Callable[..., Any])
 PLANS = (
     "extremes",
     "positions",
@@ -44,96 +48,6 @@ def main() -> None:
             stream.reconfigure(encoding="utf-8", errors=errors)
 
 
-def _people(command: F) -> F:
-    """Turn every error a person can mend into one message and exit status 2."""
-
-    @wraps(command)
-    def run(*args: Any, **options: Any) -> Any:
-        from graphic_tmm.errors import TmmError
-
-        try:
-            return command(*args, **options)
-        except TmmError as error:
-            _say(f"graphic-tmm: {error}")
-        except BrokenPipeError:
-            sys.stderr.close()
-        except OSError as error:
-            place = f"{error.filename}: " if error.filename else ""
-            _say(f"graphic-tmm: {place}{error.strerror or error}: check the path and its rights")
-        raise SystemExit(2)
-
-    return run  # type: ignore[return-value]
-
-
-def _say(text: str) -> None:
-    click.echo(text, err=True)
-
-
-def _read(name: str | None, *, lettered: bool = False) -> Scene:
-    from graphic_tmm.scene.read import read
-    from graphic_tmm.studio import scene_path
-
-    path = scene_path(name)
-    if not lettered:
-        return read(path)
-    from graphic_tmm.paper.letters import missing
-
-    return read(path, missing=missing)
-
-
-def _hands(command: F) -> F:
-    """Give a command the options of the hand that draws."""
-    for option in (
-        click.option("--seed", type=click.IntRange(0, 2**31), help="Which of the hand's drawings."),
-        click.option(
-            "--hand",
-            type=click.Choice(["exact", "cad", "careful", "student"]),
-            help="Who draws; default: the scene's.",
-        ),
-    ):
-        command = option(command)
-    return command
-
-
-def _budget(command: F) -> F:
-    """Give a command the option of an error to be kept within."""
-    said = (
-        "Largest error, such as 2%: take the cheapest setting that keeps every quantity within it."
-    )
-    return click.option("--budget", help=said)(command)
-
-
-def _within(scene: Scene, budget: str | None) -> Scene:
-    """Return the scene at the cheapest setting within a budget; tell which it is."""
-    if budget is None:
-        return scene
-    from graphic_tmm.accuracy.road import within
-
-    taken = within(scene, budget)
-    _say(f"graphic-tmm: {scene.source}: {taken.sentence}")
-    return taken.scene
-
-
-def _by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
-    """Return the scene drawn by another hand, with that hand's own ruler."""
-    from dataclasses import replace
-
-    from graphic_tmm.scene.build import DIVISIONS
-
-    if hand is not None:
-        scene = replace(scene, hand=hand, ruler=DIVISIONS[hand])
-    return scene if seed is None else replace(scene, seed=seed)
-
-
-def _warn(made: Made) -> None:
-    from graphic_tmm.studio import part_warnings, warnings
-
-    told = list(warnings(made.work)) if made.work is not None else []
-    told += [text for part in made.parts for text in part_warnings(part)]
-    for text in told:
-        _say(f"graphic-tmm: {made.scene.source}: warning: {text}")
-
-
 @main.command()
 @click.argument("scene", required=False)
 @click.option("-o", "--output", default="out", show_default=True, help="Folder for the sheets.")
@@ -145,9 +59,9 @@ def _warn(made: Made) -> None:
     show_default=True,
     help="svg, pdf, png, dxf; several with commas.",
 )
-@_hands
-@_budget
-@_people
+@hands
+@budgeted
+@people
 def draw(
     scene: str | None,
     output: str,
@@ -166,11 +80,11 @@ def draw(
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in FORMATS]:
         raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
-    task = _within(_by(_read(scene, lettered=True), hand, seed), budget)
+    task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     made, texts = sheet_files(task, wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
-    _warn(made)
+    warn(made)
 
 
 @main.command()
@@ -184,12 +98,12 @@ def draw(
     show_default=True,
 )
 @click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
-@_hands
+@hands
 @click.option(
     "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
 )
-@_budget
-@_people
+@budgeted
+@people
 def table(
     scene: str | None,
     form: str,
@@ -203,21 +117,9 @@ def table(
     from graphic_tmm.studio import make
     from graphic_tmm.studio import table as told
 
-    drawn = make(_within(_by(_read(scene), hand, seed), budget), exact=exact)
-    _print(told(drawn, form, trials), 220)
-    _warn(drawn)
-
-
-def _print(text: str | list[Any], width: int) -> None:
-    """Print text, or what rich makes of tables; so wide if this is no terminal."""
-    if isinstance(text, str):
-        click.echo(text, nl=False)
-        return
-    from rich.console import Console
-
-    console = Console(width=None if sys.stdout.isatty() else width)
-    for part in text:
-        console.print(part)
+    drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
+    show(told(drawn, form, trials), 220)
+    warn(drawn)
 
 
 @main.command()
@@ -227,8 +129,8 @@ def _print(text: str | list[Any], width: int) -> None:
 @click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
 @click.option("--minutes", help="TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
 @click.option("--no-time", is_flag=True, help="Measure no seconds: the same bytes every time.")
-@_hands
-@_people
+@hands
+@people
 def accuracy(
     scene: str | None,
     output: str | None,
@@ -242,11 +144,11 @@ def accuracy(
     """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
     from graphic_tmm.accuracy import road
 
-    task = _by(_read(scene), None, seed)
+    task = drawn_by(read_scene(scene), None, seed)
     found = road.studied(task, hand, trials, minutes, clock=not no_time)
-    _print(road.told(found, form), 200)
+    show(road.told(found, form), 200)
     for path in road.figured(found, output) if output is not None else ():
-        _say(str(path))
+        say(str(path))
 
 
 @main.command()
@@ -303,7 +205,7 @@ def accuracy(
     default="text",
     show_default=True,
 )
-@_people
+@people
 def check(
     scene: str,
     readings: str | None,
@@ -321,7 +223,7 @@ def check(
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
     from graphic_tmm.checking import road
 
-    task = _read(scene, lettered=True)
+    task = read_scene(scene, lettered=True)
     if template:
         click.echo(road.template_of(task), nl=False)
         return
@@ -334,8 +236,8 @@ def check(
         raise click.UsageError("name the file of READINGS, or ask for --template")
     report = road.checked(task, readings, hand, (doubtful, wrong), trials)
     if overlay is not None and photo is None:
-        _say(str(road.overlaid(task, report, overlay, enlarge)))
-    _print(road.told(report, form), 160)
+        say(str(road.overlaid(task, report, overlay, enlarge)))
+    show(road.told(report, form), 160)
     if report.wrong:
         raise SystemExit(1)
 
@@ -352,7 +254,7 @@ def check(
 @click.option("-n", "--position", help="Number of the position, as on the sheet.")
 @click.option("-l", "--language", type=click.Choice(["ru", "en"]), help="Default: the scene's.")
 @click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
-@_people
+@people
 def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
@@ -360,17 +262,17 @@ def steps(
     from graphic_tmm.narration import part_protocol, protocol
     from graphic_tmm.studio import make
 
-    drawn = make(_read(scene), exact=exact)
+    drawn = make(read_scene(scene), exact=exact)
     chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
     lines = list(protocol(drawn.work, chosen, position, spoken)) if drawn.work is not None else []
     for line in [*lines, *part_protocol(drawn.parts, chosen, spoken)]:
         click.echo(line)
-    _warn(drawn)
+    warn(drawn)
 
 
 @main.command()
-@_people
+@people
 def scenes() -> None:
     """List the scenes that come with the package."""
     import tomllib
@@ -387,7 +289,7 @@ def scenes() -> None:
 @main.command()
 @click.argument("folder")
 @click.option("--like", help="Scene to begin with; the default scene if left out.")
-@_people
+@people
 def new(folder: str, like: str | None) -> None:
     """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
     from pathlib import Path
@@ -409,7 +311,7 @@ def new(folder: str, like: str | None) -> None:
 
 
 @main.command()
-@_people
+@people
 def schema() -> None:
     """Print the JSON Schema of scenes, for editors."""
     import json

@@ -59,25 +59,29 @@ def _draw(study: Study) -> Figure:
     language, words = study.scene.language, WORDS[study.scene.language]
     names = [name for name in study.quantities if _shown(study, name)]
     sides = (False, True) if study.timed else (False,)
-    height = ROW * max(len(names), 1) + HEAD + FOOT
-    wide = WIDE * len(sides)
+    cells = [(name, machine) for name in names for machine in sides]
+    columns = max(min(2, len(cells)), 1)
+    rows = max(math.ceil(len(cells) / columns), 1)
+    height, wide = ROW * rows + HEAD + FOOT, WIDE * columns
     figure = Figure(figsize=(wide, height))
     figure.subplots_adjust(
         left=LEFT / wide,
         right=1.0 - 0.15 / wide,
         bottom=FOOT / height,
         top=1.0 - HEAD / height,
-        wspace=0.14,
+        wspace=0.14 if study.timed else 0.24,
         hspace=0.22,
     )
-    grid = figure.subplots(max(len(names), 1), len(sides), squeeze=False)
-    for row, name in zip(grid, names, strict=False):
-        for axes, machine in zip(row, sides, strict=True):
-            _panel(axes, study, name, machine)
-            _ticks(axes, language)
-        row[0].set_ylabel(f"{words[name]}: {words['error']}")
-    for axes, machine in zip(grid[-1], sides, strict=True):
-        axes.set_xlabel(words["machine" if machine else "board"])
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    for k, (axes, (name, machine)) in enumerate(zip(grid, cells, strict=False)):
+        _panel(axes, study, name, machine)
+        _ticks(axes, language)
+        if not machine:
+            axes.set_ylabel(f"{words[name]}: {words['error']}")
+        if k + columns >= len(cells):
+            axes.set_xlabel(words["machine" if machine else "board"])
+    for axes in grid[len(cells) :]:
+        axes.set_axis_off()
     title = words["title"].format(title=study.scene.title)
     figure.suptitle(title, y=1.0 - 0.12 / height, va="top", fontsize=11, parse_math=False)
     handles, labels = _legend(study)
@@ -86,7 +90,7 @@ def _draw(study: Study) -> Figure:
         labels,
         loc="upper center",
         bbox_to_anchor=(0.5, 1.0 - 0.32 / height),
-        ncols=math.ceil(len(labels) / 2) if study.timed else 3,
+        ncols=math.ceil(len(labels) / 2) if columns > 1 else 3,
         frameon=False,
     )
     return figure

@@ -125,7 +125,7 @@ def test_the_figure_has_a_panel_for_each_quantity() -> None:
 
     found = studied(NAME)
     image = Image.open(BytesIO(figures(found)["png"]))
-    assert image.height > 4 * 200
+    assert image.height > 2 * 200
     assert len({color for _, color in image.convert("RGB").getcolors(1 << 24) or ()}) > 10
 
 
