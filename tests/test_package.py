@@ -6,6 +6,7 @@ import os
 import string
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -208,3 +209,9 @@ def test_a_name_in_no_encoding_is_told_without_a_traceback(tmp_path: Path) -> No
     done = outcome("draw", "engine", "-o", place)
     assert (done.returncode, done.stderr) == (0, b"")
     assert done.stdout == bytes(tmp_path) + b"/\xff/engine.svg\n"
+
+
+def test_no_two_files_of_tests_have_one_name() -> None:
+    """pytest refuses to collect the second of them, and only when both are collected."""
+    names = Counter(path.name for path in (ROOT / "tests").rglob("test_*.py"))
+    assert [name for name, count in names.items() if count > 1] == []
