@@ -124,9 +124,10 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
     the sheets too.
     """
-    from graphic_tmm.paper.compose import needed
+    from graphic_tmm.paper.compose import Cells, needed
 
     project = record(scene)
+    cells: Cells = {}
     tried: dict[tuple[float, ...], float] = {}
 
     def count(rooms: tuple[float, float]) -> float:
@@ -135,7 +136,7 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
         factors = tuple(scale.value for scale in made.scales.values())
         if factors not in tried:
             try:
-                tried[factors] = needed(scene, made, parts)
+                tried[factors] = needed(scene, made, parts, cells)
             except SheetError:
                 tried[factors] = math.inf
         return tried[factors]

@@ -220,7 +220,7 @@ def _sheets(made: Made) -> int:
     """Return how many sheets a scene takes."""
     from graphic_tmm.paper.compose import needed
 
-    return needed(made.scene, made.work, made.parts)
+    return needed(made.scene, made.work, made.parts, {})
 
 
 def _told(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.layout import Room, bounds, pack
-from graphic_tmm.paper.views import FREE_VIEWS, PART_VIEWS, VIEWS
+from graphic_tmm.paper.views import FOLLOWS, FREE_VIEWS, PART_VIEWS, VIEWS
 from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.words import number
@@ -19,7 +19,7 @@ def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tup
 
     ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it.
     """
-    laid = _laid(scene, drawn, parts, True)
+    laid = _laid(scene, lambda plan: _views(plan, scene, drawn, parts, True))
     count = len(laid)
     sheets = []
     for index, (format, placed) in enumerate(laid):
@@ -37,24 +37,37 @@ def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tup
     return tuple(sheets)
 
 
-def needed(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> int:
-    """Return how many sheets a scene takes: tried with plans that only take the room they will need."""
-    return len(_laid(scene, drawn, parts, False))
+Cells = dict[tuple[object, ...], list[Drawing]]
+"""The room of the views of a plan, by its name and the μ that it depends on."""
+
+
+def needed(scene: Scene, drawn: Work | None, parts: Sequence[Part], cells: Cells) -> int:
+    """Return how many sheets a scene takes: tried with plans that only take the room they will need.
+
+    ``cells``: what earlier trials of the same scene found, with other μ of the plans; kept up.
+    """
+
+    def room(plan: str) -> list[Drawing]:
+        scales = drawn.scales if drawn is not None else {}
+        follows = FOLLOWS.get(plan, ("velocities", "accelerations"))
+        key = (plan, *(scales[name].value for name in follows if name in scales))
+        if key not in cells:
+            views = _views(plan, scene, drawn, parts, False)
+            cells[key] = [Drawing(view.name, view.title, cell=bounds(view)) for view in views]
+        return cells[key]
+
+    return len(_laid(scene, room))
 
 
 def _laid(
-    scene: Scene, drawn: Work | None, parts: Sequence[Part], lettered: bool
+    scene: Scene, views: Callable[[str], Sequence[Drawing]]
 ) -> list[tuple[str, list[Drawing]]]:
     """Return the views placed, sheet by sheet, with the formats of the sheets."""
     laid: list[tuple[str, list[Drawing]]] = []
     for order in scene.sheets:
-        views = [
-            view for plan in order.place for view in _views(plan, scene, drawn, parts, lettered)
-        ]
-        if not lettered:
-            views = [Drawing(view.name, view.title, cell=bounds(view)) for view in views]
         rooms = (_room(order, scene, not laid), _room(order, scene, False))
-        laid += [(order.format, placed) for placed in pack(views, rooms, order.format)]
+        there = [view for plan in order.place for view in views(plan)]
+        laid += [(order.format, placed) for placed in pack(there, rooms, order.format)]
     return laid
 
 

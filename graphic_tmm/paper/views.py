@@ -193,6 +193,18 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
 }
 """What can be placed on a sheet of a mechanism: work, lettered? -> its drawings."""
 
+FOLLOWS: Mapping[str, tuple[str, ...]] = {
+    "positions": (),
+    "equations": (),
+    "structure": (),
+    "forces": (),
+    "flywheel": (),
+    "engine": (),
+    "velocities": ("velocities",),
+    "accelerations": ("accelerations",),
+}
+"""The plans whose μ the room of a view depends on; both of them for a view that is not named here."""
+
 PART_VIEWS: Mapping[str, Callable[[Part, bool], list[Drawing]]] = {
     "cam": cam_views,
     "gears": gear_views,
