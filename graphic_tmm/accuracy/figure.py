@@ -199,4 +199,7 @@ def _legend(study: Study) -> tuple[list[Any], list[str]]:
     labels.append(words["front"])
     handles.append(Line2D([], [], color="#9a9a9a", marker=".", linestyle="none"))
     labels.append(words["other"])
+    number_of: dict[str, Any] = {"marker": "$12$", "markersize": 10, "color": COLOURS["student"]}
+    handles.append(Line2D([], [], linestyle="none", **number_of))
+    labels.append(words["count"])
     return handles, labels
