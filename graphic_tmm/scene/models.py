@@ -52,7 +52,7 @@ class GuideTable(Table):
 class FrameTable(BaseModel):
     """The fixed link: every key but number is a fixed point's letter or a guide's name."""
 
-    model_config = ConfigDict(extra="allow")
+    model_config = ConfigDict(defer_build=True, extra="allow")
     __pydantic_extra__: dict[
         str,
         Annotated[
