@@ -8,9 +8,9 @@ from hypothesis import settings
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones.
+# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more.
 settings.register_profile("person", deadline=None)
-settings.register_profile("ci", deadline=None, derandomize=True, database=None)
+settings.register_profile("ci", deadline=None, derandomize=True, database=None, max_examples=60)
 settings.load_profile("ci" if os.environ.get("CI") else "person")
 
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import dynamics
 import numpy as np
-from dynamics import Loaded, Statics
+from dynamics import Loaded, Statics, put_loads
+from mechanisms import Drawn
 from oracle import State, solve_fast
 
 from graphic_tmm.board.execute import Reading, execute
@@ -160,3 +163,16 @@ def errors(solved: Solved) -> dict[str, float]:
 
 def _worse(worst: float, value: float) -> float:
     return float("inf") if np.isnan(value) else max(worst, value)
+
+
+def weighed(drawn: Drawn, seed: int) -> Loaded:
+    """Loads for a mechanism; a mass stands at a letter."""
+    pick = random.Random(seed)
+    found = put_loads(lambda most: pick.randint(0, most), drawn.mechanism)
+    links = [
+        replace(link, centre=link.centre or next(iter(link.points)))
+        if link.points
+        else replace(link, mass=None)
+        for link in found.mechanism.links
+    ]
+    return found._replace(mechanism=replace(found.mechanism, links=tuple(links)))

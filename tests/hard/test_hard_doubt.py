@@ -9,7 +9,6 @@ named is still right: of that nothing is asked, but that a mechanism far from an
 from __future__ import annotations
 
 import math
-import random
 from dataclasses import replace
 from typing import Any
 
@@ -18,9 +17,8 @@ import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 import oracle
 from drawn import board
-from dynamics import Loaded, put_loads
 from hard_judge import DIGITS, Verdict, exact_of, judge
-from loaded import Solved, errors, order_of, places, solve
+from loaded import Solved, errors, order_of, places, solve, weighed
 from mechanisms import Drawn, sample
 from wrenches import StaticsError
 
@@ -77,19 +75,6 @@ def moved(mechanism: Mechanism, degrees: float) -> Verdict | None:
         return None
     with mp.workdps(DIGITS + 5):
         return judge(mechanism, degrees, exact_of(mechanism, found[1]))
-
-
-def weighed(drawn: Drawn, seed: int) -> Loaded:
-    """Loads for a mechanism; a mass stands at a letter."""
-    pick = random.Random(seed)
-    found = put_loads(lambda most: pick.randint(0, most), drawn.mechanism)
-    links = [
-        replace(link, centre=link.centre or next(iter(link.points)))
-        if link.points
-        else replace(link, mass=None)
-        for link in found.mechanism.links
-    ]
-    return found._replace(mechanism=replace(found.mechanism, links=tuple(links)))
 
 
 def rubbing(mechanism: Mechanism, f: float) -> Friction:

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from dynamics import Loaded
 from gallery import SHEETS
-from loaded import errors, order_of, solve
+from loaded import errors, order_of, solve, weighed
 from mechanisms import Drawn, sample
-from test_forces_oracle import RATIO, loaded
+from test_forces_oracle import RATIO
 from wrenches import StaticsError
 
 from graphic_tmm.board.record import Construction
@@ -40,7 +40,7 @@ def rubbing(drawn: Drawn, f: float, passes: int) -> Friction:
 @pytest.mark.parametrize("seed", range(4))
 def test_friction_settles_at_the_judges_equilibrium(seed: int) -> None:
     for k, drawn in enumerate(sample(50, seed=2000 + seed, dyads=(1, 2))):
-        one = loaded(drawn, k)
+        one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.1, 20))
         solved = solve(one, drawn.phi, drawn.poses, order, turned=bool(k % 2))
         assert math.isfinite(solved.number(solved.forces.balance)), (k, drawn.kinds)
@@ -50,7 +50,7 @@ def test_friction_settles_at_the_judges_equilibrium(seed: int) -> None:
 def test_after_two_passes_the_rest_is_within_what_is_reported() -> None:
     told = 0
     for k, drawn in enumerate(sample(150, seed=77, dyads=(1, 2))):
-        one = loaded(drawn, k)
+        one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.08, 2))
         solved = solve(one, drawn.phi, drawn.poses, order)
         open_ = solved.forces.open
@@ -66,7 +66,7 @@ def test_after_two_passes_the_rest_is_within_what_is_reported() -> None:
 
 def test_no_friction_equals_none() -> None:
     for k, drawn in enumerate(sample(20, seed=3, dyads=(1, 2))):
-        one = loaded(drawn, k)
+        one = weighed(drawn, k)
         without = solve(one, drawn.phi, drawn.poses, order_of(one, gravity=True))
         nothing = order_of(one, gravity=True, friction=rubbing(drawn, 0.0, 2))
         with_ = solve(one, drawn.phi, drawn.poses, nothing)
@@ -77,7 +77,7 @@ def test_no_friction_equals_none() -> None:
 
 def test_friction_opposes_and_costs_power() -> None:
     for k, drawn in enumerate(sample(60, seed=9, dyads=(1, 2))):
-        one = loaded(drawn, k)
+        one = weighed(drawn, k)
         plain = solve(one, drawn.phi, drawn.poses, order_of(one, gravity=True))
         rough = order_of(one, gravity=True, friction=rubbing(drawn, 0.05, 12))
         solved = solve(one, drawn.phi, drawn.poses, rough)
@@ -93,7 +93,7 @@ def test_near_self_locking_the_answer_is_the_judges_or_none(f: float) -> None:
     """Where the judge finds no equilibrium the plan has none either; where both find one it is the same."""
     refused = 0
     for k, drawn in enumerate(sample(40, seed=4, dyads=(1, 1), kinds=["RRP", "RPR"])):
-        one = loaded(drawn, k)
+        one = weighed(drawn, k)
         guides = {s.guide.name: f for link in drawn.mechanism.links for s in link.slides}
         order = order_of(one, gravity=True, friction=Friction(guides, {}, 6))
         try:
@@ -276,6 +276,6 @@ def _last(scene: Scene) -> str:
 def test_random_loads_are_not_trivial() -> None:
     pick = random.Random(0)
     drawn = next(iter(sample(1, seed=pick.randint(0, 99), dyads=(2, 2))))
-    one = loaded(drawn, 1)
+    one = weighed(drawn, 1)
     solved = solve(one, drawn.phi, drawn.poses, order_of(one, gravity=True, inertia=True))
     assert max(abs(f) for f in solved.judge.reactions.values()) > 0.0

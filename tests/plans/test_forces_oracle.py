@@ -3,32 +3,16 @@
 from __future__ import annotations
 
 import random
-from dataclasses import replace
 
 import pytest
-from dynamics import Loaded, put_loads
-from loaded import errors, order_of, solve
+from loaded import errors, order_of, solve, weighed
 from mechanisms import KINDS, Drawn, sample
 
 RATIO = 1e-9
 
 
-def loaded(drawn: Drawn, seed: int) -> Loaded:
-    """Loads for a mechanism; a mass stands at a letter, the first if none was drawn."""
-    found = put_loads(lambda most: random.Random(seed).randint(0, most), drawn.mechanism)
-    pick = random.Random(seed)
-    found = put_loads(lambda most: pick.randint(0, most), drawn.mechanism)
-    links = [
-        replace(link, centre=link.centre or next(iter(link.points)))
-        if link.points
-        else replace(link, mass=None)
-        for link in found.mechanism.links
-    ]
-    return found._replace(mechanism=replace(found.mechanism, links=tuple(links)))
-
-
 def check(drawn: Drawn, seed: int) -> None:
-    one = loaded(drawn, seed)
+    one = weighed(drawn, seed)
     pick = random.Random(seed)
     gravity, inertia, turned = (bool(pick.randint(0, 3)) for _ in range(3))
     order = order_of(
