@@ -15,6 +15,7 @@ from mpmath import mp  # type: ignore[import-untyped]
 from graphic_tmm.board import engines as g
 from graphic_tmm.board import statics as s
 from graphic_tmm.board.grammar import OPERATIONS, Operation
+from graphic_tmm.board.operations import similar
 from graphic_tmm.board.values import Line
 
 EPS = np.finfo(float).eps
@@ -156,7 +157,6 @@ def test_twice_the_angle_of_the_crank() -> None:
 
 def test_the_couples_of_the_published_lever() -> None:
     """A1: similarity on the plan, and M′ = M·(segment)/(length)."""
-    similar = OPERATIONS["similar"]
     for ab, link, part, due in ((84, 120, 40, 28.0), (64, 100, 20, 12.8), (14, 140, 60, 6.0)):
         args = [one(z) for z in (0j, complex(ab), 0j, complex(link), complex(part))]
         assert similar.run(*args)[0, 0] == pytest.approx(due)
