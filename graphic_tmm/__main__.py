@@ -228,7 +228,10 @@ def check(
         click.echo(road.template_of(task), nl=False)
         return
     if photo is not None:
-        for path in road.underlay(task, photo, corners or "", overlay or "photo.svg"):
+        written, told = road.underlay(task, photo, corners or "", overlay or "photo.svg")
+        for warning in told:
+            say(f"graphic-tmm: warning: {warning}")
+        for path in written:
             click.echo(str(path))
         if readings is None:
             return

@@ -23,7 +23,7 @@ from graphic_tmm.plans.gear import Gear, draw_gear, gear_scales
 from graphic_tmm.plans.gear_results import gear_results
 from graphic_tmm.plans.planetary import Planetary, draw_overall, draw_planetary
 from graphic_tmm.scaling import free_scales
-from graphic_tmm.scene.records import PART_PLACES, Scene
+from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES, Scene
 from graphic_tmm.tables.cam import cam_marks
 from graphic_tmm.work import hand_of
 
@@ -97,12 +97,16 @@ def draw_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
     StructureError
         If a part cannot be made; the message names the scene.
     """
-    wanted = {place for sheet in scene.sheets for place in sheet.place}
     hand = EXACT if exact else hand_of(scene)
     try:
-        return tuple(_DRAW[kind](scene, hand) for kind in PART_PLACES if kind in wanted)
+        return tuple(_DRAW[kind](scene, hand) for kind in PART_PLACES if kind in scene.shown)
     except StructureError as error:
         raise StructureError(f"{scene.source}: {error}") from error
+
+
+def draws_mechanism(scene: Scene, parts: tuple[Part, ...]) -> bool:
+    """Whether a mechanism is drawn, or has to be: a scene of parts alone, or of lettering, has none."""
+    return scene.mechanism is not None or not (parts or scene.shown <= set(FREE_PLACES))
 
 
 def _gears(scene: Scene, hand: Hand) -> Part:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.errors import SheetError
-from graphic_tmm.parts import Part, draw_parts
+from graphic_tmm.parts import Part, draw_parts, draws_mechanism
 from graphic_tmm.plans.cam import Cam
-from graphic_tmm.scene.records import FREE_PLACES, Scene
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.cam import cam_angles, cam_columns, cam_names
 from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
 from graphic_tmm.tables.columns import Column, columns
@@ -48,8 +48,7 @@ def make(scene: Scene, *, exact: bool = False) -> Made:
         If it has neither.
     """
     parts = draw_parts(scene, exact=exact)
-    places = {place for sheet in scene.sheets for place in sheet.place}
-    if scene.mechanism is None and (parts or places <= set(FREE_PLACES)):
+    if not draws_mechanism(scene, parts):
         return Made(scene, None, parts)
     return Made(scene, fitted(scene, parts=parts, exact=exact), parts)
 

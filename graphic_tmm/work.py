@@ -89,7 +89,7 @@ def record(scene: Scene) -> Project:
             "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
         )
         raise SceneError(scene.source, (Fault("", 0, says),))
-    wanted = {plan for sheet in scene.sheets for plan in sheet.place}
+    wanted = scene.shown
     try:
         return draw_project(
             scene.mechanism,

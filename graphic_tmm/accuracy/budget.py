@@ -15,7 +15,7 @@ from itertools import product
 
 import numpy as np
 
-from graphic_tmm.accuracy.axes import LONG, own_setting, places, rows
+from graphic_tmm.accuracy.axes import LONG, own_setting, rows
 from graphic_tmm.accuracy.changes import enlarge, farther
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
@@ -125,7 +125,7 @@ def _worst(errors: Mapping[str, float]) -> float:
 
 def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
     """Yield every candidate with its minutes at the board."""
-    graphs = scene.diagrams is not None and "diagrams" in places(scene)
+    graphs = scene.diagrams is not None and "diagrams" in scene.shown
     for divided, one in _divided(scene):
         for method in ("chords", "tangents") if graphs else (None,):
             own = one
@@ -160,7 +160,7 @@ def _full(scene: Scene) -> Scene:
 
 
 def _asked(scene: Scene, name: str) -> bool:
-    shown = places(scene)
+    shown = scene.shown
     return name not in ASKED or bool(shown & set(ASKED[name]))
 
 

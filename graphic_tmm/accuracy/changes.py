@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from graphic_tmm.accuracy.drawing import finer
 from graphic_tmm.mechanism.cam_orders import CamOrder
 from graphic_tmm.mechanism.orders import Drawn, FlywheelOrder, IndicatorOrder, KinematicOrder
 from graphic_tmm.plans.kinematic import BASE, VIEWS
@@ -90,21 +91,12 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
     order = scene.diagrams
     if order is None or made.work is None:
         return scene
-    integrated = order.start == "velocity"
-    finer = 1.0
     drawn: dict[str, Drawn] = {}
-    for symbol, view in VIEWS.items():
+    for symbol, change in finer(order.start, times).items():
         one: Drawn = getattr(order, symbol)
-        given = symbol == ("V" if integrated else "S")
-        if symbol == "S" and integrated:
-            change = times
-        else:
-            finer = finer if given else finer / times
-            change = finer
-        if given:
-            drawn[symbol] = one
-        elif one.pole is not None:
+        if one.pole is not None:
             drawn[symbol] = Drawn(None, one.pole * times)
         else:
-            drawn[symbol] = Drawn(made.work.scales[view].value * change)
-    return replace(scene, diagrams=replace(order, S=drawn["S"], V=drawn["V"], a=drawn["a"]))
+            drawn[symbol] = Drawn(made.work.scales[VIEWS[symbol]].value * change)
+    other = (drawn.get("S", order.S), drawn.get("V", order.V), drawn.get("a", order.a))
+    return replace(scene, diagrams=replace(order, S=other[0], V=other[1], a=other[2]))

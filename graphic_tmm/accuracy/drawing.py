@@ -12,14 +12,14 @@ from graphic_tmm.accuracy.cost import REFINEMENT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Length, Point
 from graphic_tmm.mechanism.records import Extreme
-from graphic_tmm.parts import draw_parts
+from graphic_tmm.parts import draw_parts, draws_mechanism
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.plans.gear import Gear
 from graphic_tmm.plans.kinematic import Kinematic
 from graphic_tmm.plans.planetary import Planetary
 from graphic_tmm.plans.project import Project
 from graphic_tmm.plans.survey import survey
-from graphic_tmm.scene.records import FREE_PLACES, Scene
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made
 from graphic_tmm.work import executed, record
 
@@ -86,9 +86,8 @@ def draw(
         If the scene cannot be drawn so.
     """
     found = []
-    places = {place for sheet in scene.sheets for place in sheet.place}
     parts = draw_parts(scene, exact=True)
-    if not (scene.mechanism is None and (parts or places <= set(FREE_PLACES))):
+    if draws_mechanism(scene, parts):
         project = record(scene)
         given = _pin(MECHANISM, dict(project.given), project.construction, scales)
         if missing := [m for m in project.construction.given if m not in given]:
@@ -117,22 +116,22 @@ def _tried(scene: Scene, project: Project) -> dict[Mark, Trial]:
     return dict.fromkeys(steps, trial)
 
 
+def finer(start: str, times: float) -> dict[str, float]:
+    """Return how μ of each diagram that is found from another changes where poles stand so many times farther.
+
+    What is differentiated comes out so much larger, once or twice; what is integrated so much smaller.
+    """
+    if start == "velocity":
+        return {"S": times, "a": 1.0 / times}
+    return {"V": 1.0 / times, "a": 1.0 / times**2}
+
+
 def _farther(made: Kinematic, given: Mapping[Mark, object], times: float) -> dict[Mark, object]:
     """Return what is given for poles so many times farther: their distances, or the scales they follow from."""
-    integrals = ("S",) if made.order.start == "velocity" else ()
-    found: dict[Mark, object] = {}
-    finer = 1.0
-    for symbol in ("S", "V", "a"):
-        chart = made.charts[symbol]
-        if symbol in integrals:
-            change = times
-        elif symbol == ("V" if integrals else "S"):
-            continue
-        else:
-            finer /= times
-            change = finer
-        if chart.chosen:
-            found[chart.mu] = np.asarray(given[chart.mu]) * change
+    charts = [(made.charts[s], change) for s, change in finer(made.order.start, times).items()]
+    found: dict[Mark, object] = {
+        chart.mu: np.asarray(given[chart.mu]) * change for chart, change in charts if chart.chosen
+    }
     return found | {
         mark: np.asarray(value) * times
         for mark, value in given.items()

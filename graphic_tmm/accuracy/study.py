@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from graphic_tmm.accuracy.axes import Place, grid, own_setting, places, singly
+from graphic_tmm.accuracy.axes import Place, grid, own_setting, singly
 from graphic_tmm.accuracy.drawing import pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
 from graphic_tmm.accuracy.measure import Measure, Run
@@ -133,7 +133,7 @@ def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
 
 
 def _nothing(scene: Scene) -> str:
-    shown = ", ".join(sorted(places(scene)))
+    shown = ", ".join(sorted(scene.shown))
     return (
         f"its sheets show {shown}: nothing whose error can be told; place velocities, accelerations, diagrams, "
         "forces, flywheel, engine, cam or gears on a [[sheet]]"

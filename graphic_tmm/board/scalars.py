@@ -64,6 +64,10 @@ _SINE = (
 
 
 def _sine(x: Any) -> Any:
+    """Return the sine of angles up to 45°: the usual minimax polynomial of degree 13.
+
+    A polynomial runs at several positions in step, which a call of the system's sine does not.
+    """
     square = x * x
     s5, s4, s3, s2, s1, s0 = _SINE
     series = square * (

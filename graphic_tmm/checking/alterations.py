@@ -236,23 +236,18 @@ def numbered(shift: int | None) -> Callable[[Made], Iterator[Figures]]:
 
 def at_the_end(made: Made) -> Iterator[Figures]:
     """A chord's value stands at an end of its interval instead of its middle."""
-    found, names = cells_and_points(made), position_names(made)
     if made.work is None or made.work.project.kinematic is None:
         return
-    row = names[: made.work.project.count]
-    for step in (1, -1):
-        moved: dict[Key, Cell] = dict(found)
-        for k, name in enumerate(row):
-            other = row[(k + step) % len(row)]
-            for symbol in ("V", "a"):
-                key, next_ = ("diagrams", symbol, name), ("diagrams", symbol, other)
-                if key in found and next_ in found:
-                    moved[key] = _mean(found[key], found[next_])
-        yield moved
+    views = {chart.view for chart in made.work.project.kinematic.charts.values()}
+    steps = made.work.project.construction.steps
+    halved = {s.it: s.uses for s in steps if s.op.name == "halve" and s.it.view in views}
+    for end in (1, 0):
 
+        def change(step: Step, end: int = end) -> Step:
+            if step.op.name != "square" or step.uses[0] not in halved:
+                return step
+            return step._replace(uses=(halved[step.uses[0]][end], *step.uses[1:]))
 
-def _mean(one: Cell, other: Cell) -> Cell:
-    def middle(a: float | None, b: float | None) -> float | None:
-        return None if a is None or b is None else (a + b) / 2.0
-
-    return Cell(middle(one.mm, other.mm), middle(one.value, other.value), one.unit)
+        found = altered(made, change, {})
+        if found is not None:
+            yield found

@@ -60,8 +60,13 @@ def overlaid(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
     return written
 
 
-def underlay(scene: Scene, photo: str, corners: str, file: str) -> list[Path]:
-    """Write a sheet's photograph, flattened, under the exact sheet at true millimetres; return the files."""
+def underlay(
+    scene: Scene, photo: str, corners: str, file: str
+) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+    """Write a sheet's photograph, flattened, under the exact sheet at true millimetres.
+
+    Return the files, and what the photograph is warned about.
+    """
     from graphic_tmm.checking.photo import flatten, png
     from graphic_tmm.paper.frame import SIZES, drawing_area
     from graphic_tmm.paper.svg import svg
@@ -73,8 +78,6 @@ def underlay(scene: Scene, photo: str, corners: str, file: str) -> list[Path]:
     width, height = SIZES[sheet.format]
     frame, paper = (left, bottom, right, top), (0.0, 0.0, width, height)
     flat = flatten(Path(photo), _corners(corners), frame, area=paper)
-    for warning in flat.warnings:
-        say(warning)
     path = Path(file)
     image = path.with_suffix(".png").name
     text = svg(sheet)
@@ -85,14 +88,8 @@ def underlay(scene: Scene, photo: str, corners: str, file: str) -> list[Path]:
     )
     whole = text[:cut] + placed + text[cut:]
     files: dict[str, str | bytes] = {path.name: whole, image: png(flat)}
-    return list(write(path.parent, files, remedy="name another file with --overlay"))
-
-
-def say(text: str) -> None:
-    """Tell a warning of a photograph on the error stream."""
-    import sys
-
-    sys.stderr.write(f"graphic-tmm: warning: {text}\n")
+    written = write(path.parent, files, remedy="name another file with --overlay")
+    return tuple(written), tuple(flat.warnings)
 
 
 def _corners(text: str) -> list[tuple[float, float]]:

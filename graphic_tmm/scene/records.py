@@ -88,3 +88,8 @@ class Scene:
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     task: Task | None = None
+
+    @property
+    def shown(self) -> frozenset[str]:
+        """What the sheets show: their places."""
+        return frozenset(place for sheet in self.sheets for place in sheet.place)

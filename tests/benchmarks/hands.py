@@ -24,6 +24,8 @@ from trials import Blamed, Honest, Planted, blamed, honest, made, planted  # noq
 from graphic_tmm.checking.cells import cells  # noqa: E402
 
 HANDS = ("student", "careful")
+PART = ", one "
+"""What the label of a mistake says that befalls one position or one reading only."""
 Found = TypeVar("Found", Honest, Mapping[str, Planted], Blamed)
 
 
@@ -41,11 +43,12 @@ def honest_table(found: Iterable[tuple[str, str, Honest]]) -> Iterator[str]:
     """Yield the table of honest drawings."""
     yield "| scene | hand | readings | doubtful | drawings | with a wrong reading |"
     yield "|---|---|---:|---:|---:|---:|"
-    total = [0, 0, 0, 0]
+    total = {hand: Honest(0, 0, 0, 0) for hand in HANDS}
     for name, hand, one in found:
-        total = [a + b for a, b in zip(total, one, strict=True)]
+        total[hand] = Honest(*(a + b for a, b in zip(total[hand], one, strict=True)))
         yield _honest_row(name, hand, one)
-    yield _honest_row("all", "both", Honest(*total))
+    for hand, whole in total.items():
+        yield _honest_row("all", hand, whole)
 
 
 def _honest_row(name: str, hand: str, one: Honest) -> str:
@@ -62,11 +65,16 @@ def planted_table(found: Iterable[Mapping[str, Planted]]) -> Iterator[str]:
         for label, one in row.items():
             total[label] += one
             scenes_of[label] += 1
-    yield "| mistake | scenes | drawings | named first | some mistake named |"
-    yield "|---|---:|---:|---:|---:|"
-    for label, one in sorted(total.items(), key=lambda item: (", one " in item[0], item[0])):
-        first, some = percent(one.first, one.seen), percent(one.some, one.seen)
-        yield f"| {label} | {scenes_of[label]} | {one.seen} | {first} | {some} |"
+    yield "| mistake planted | scenes | drawings | first | some named | in one part: drawings | first | some |"
+    yield "|---|---:|---:|---:|---:|---:|---:|---:|"
+    for label in sorted(label for label in total if PART not in label):
+        part = next((one for other, one in total.items() if other.startswith(label + PART)), None)
+        cells = [f"{label} | {scenes_of[label]}", *_named(total[label])]
+        yield f"| {' | '.join(cells + _named(part or Planted()))} |"
+
+
+def _named(one: Planted) -> list[str]:
+    return [str(one.seen), percent(one.first, one.seen), percent(one.some, one.seen)]
 
 
 def blamed_table(found: Iterable[tuple[str, Blamed]]) -> Iterator[str]:
