@@ -10,11 +10,12 @@ import numpy as np
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, HANDS, Hand
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
+from graphic_tmm.plans.reaches import Reach
 from graphic_tmm.scaling import (
     chart_scale_values,
     chart_scales,
@@ -40,6 +41,12 @@ class Work:
     accelerated: Reading | None
     hand: Hand
     undrawn: tuple[int, ...]
+
+    @property
+    def reaches(self) -> dict[Figure, Reach]:
+        """How far every guide is used over the turn, mm on the sheet."""
+        mu = self.scales["positions"].value
+        return {guide: reach.times(1.0 / mu) for guide, reach in self.project.reaches.items()}
 
     def drawn_by(self, hand: Hand) -> Work:
         """Return the same drawing, to the same scales, by another hand."""

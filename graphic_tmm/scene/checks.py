@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import combinations
 
+from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene import geometry
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.lines import Path
@@ -17,9 +18,11 @@ def check(parts: Parts) -> Iterator[Found]:
     """Every contradiction in the sections that could be understood."""
     if parts.frame is not None:
         yield from _places(("frame",), parts.frame.points)
+    bodies = [body.points for body in (parts.frame, *parts.links) if body is not None]
+    pins = shared(bodies)
     for path, link in pairing(parts.links, "link"):
-        yield from _places((*path, "points"), link.points)
-        yield from _masses(path, link)
+        yield from _places((*path, "points"), link.points, link.centre)
+        yield from _masses(path, link, pins)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
@@ -39,9 +42,11 @@ def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
     return [((*path, "slides", i), slide) for i, slide in enumerate(link.slides)]
 
 
-def _places(path: Path, points: Mapping[str, complex]) -> Iterator[Found]:
-    """Two letters of one link at one place; a mass centre (S...) may lie on another letter."""
-    kept = [(letter, place) for letter, place in points.items() if not letter.startswith("S")]
+def _places(
+    path: Path, points: Mapping[str, complex], centre: str | None = None
+) -> Iterator[Found]:
+    """Two letters of one link at one place; its mass centre may lie on another letter."""
+    kept = [(letter, place) for letter, place in points.items() if letter != centre]
     for (first, place), (second, other) in combinations(kept, 2):
         if abs(place - other) < geometry.SAME_PLACE:
             says = (
@@ -50,11 +55,17 @@ def _places(path: Path, points: Mapping[str, complex]) -> Iterator[Found]:
             yield Found((*path, second), f"{says}; move one, or use one letter for both")
 
 
-def _masses(path: Path, link: LinkTable) -> Iterator[Found]:
-    centres = [letter for letter in link.points if letter.startswith("S")]
-    if link.centre is None and len(centres) > 1 and (link.mass is not None or link.J is not None):
-        listed = " or ".join(f'"{letter}"' for letter in centres)
-        yield Found((*path, "centre"), f"it is missing; say which is the mass centre, {listed}")
+def _masses(path: Path, link: LinkTable, pins: Collection[str]) -> Iterator[Found]:
+    """A mass whose centre is not declared, where a point seems to be meant: S2 that joins nothing."""
+    if link.centre is not None or not link.mass:
+        return
+    meant = [letter for letter in link.points if letter.startswith("S") and letter not in pins]
+    if meant:
+        listed = " or ".join(f'centre = "{letter}"' for letter in meant)
+        says = (
+            f"link {link.number} has a mass; no letter is a mass centre by itself: write {listed}"
+        )
+        yield Found((*path, "centre"), f"it is missing: {says}")
 
 
 def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:

@@ -41,6 +41,7 @@ def plan(
     return draw_positions_ink(
         work.project.construction,
         work.reading,
+        work.reaches,
         main=main,
         names=work.project.names,
         skipped=skipped,
