@@ -155,7 +155,7 @@ def _pin(mechanism: Mechanism, pivot: str) -> str:
         raise StructureError(
             f"the driving link {crank.number} has no second letter: give it the crank pin, e.g. A"
         )
-    return (pinned or [k for k in others if k != crank.centre] or others)[0]
+    return (pinned or others)[0]
 
 
 def _pairs(mechanism: Mechanism) -> tuple[Pair, ...]:

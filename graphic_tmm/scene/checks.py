@@ -21,8 +21,9 @@ def check(parts: Parts) -> Iterator[Found]:
     bodies = [body.points for body in (parts.frame, *parts.links) if body is not None]
     pins = shared(bodies)
     for path, link in pairing(parts.links, "link"):
-        yield from _places((*path, "points"), link.points, link.centre)
-        yield from _masses(path, link, pins)
+        centres = _centres(link, pins)
+        yield from _places((*path, "points"), link.points, centres)
+        yield from _masses(path, link, centres)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
@@ -43,10 +44,10 @@ def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
 
 
 def _places(
-    path: Path, points: Mapping[str, complex], centre: str | None = None
+    path: Path, points: Mapping[str, complex], centres: Collection[str] = ()
 ) -> Iterator[Found]:
     """Two letters of one link at one place; its mass centre may lie on another letter."""
-    kept = [(letter, place) for letter, place in points.items() if letter != centre]
+    kept = [(letter, place) for letter, place in points.items() if letter not in centres]
     for (first, place), (second, other) in combinations(kept, 2):
         if abs(place - other) < geometry.SAME_PLACE:
             says = (
@@ -55,17 +56,21 @@ def _places(
             yield Found((*path, second), f"{says}; move one, or use one letter for both")
 
 
-def _masses(path: Path, link: LinkTable, pins: Collection[str]) -> Iterator[Found]:
-    """A mass whose centre is not declared, where a point seems to be meant: S2 that joins nothing."""
+def _centres(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:
+    """Return the mass centre of a link; where a mass has none, the points that seem to be meant.
+
+    An S that joins the link to nothing seems to be; that is asked, and never taken for granted.
+    """
     if link.centre is not None or not link.mass:
-        return
-    meant = [letter for letter in link.points if letter.startswith("S") and letter not in pins]
-    if meant:
-        listed = " or ".join(f'centre = "{letter}"' for letter in meant)
-        says = (
-            f"link {link.number} has a mass; no letter is a mass centre by itself: write {listed}"
-        )
-        yield Found((*path, "centre"), f"it is missing: {says}")
+        return (link.centre,) if link.centre is not None else ()
+    return tuple(k for k in link.points if k.startswith("S") and k not in pins)
+
+
+def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[Found]:
+    if link.centre is None and centres:
+        listed = " or ".join(f'centre = "{letter}"' for letter in centres)
+        says = f"it is missing, and link {link.number} has a mass"
+        yield Found((*path, "centre"), f"{says}; no letter is a mass centre by itself: write {listed}")
 
 
 def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:
