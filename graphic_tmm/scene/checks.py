@@ -70,7 +70,9 @@ def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[F
     if link.centre is None and centres:
         listed = " or ".join(f'centre = "{letter}"' for letter in centres)
         says = f"it is missing, and link {link.number} has a mass"
-        yield Found((*path, "centre"), f"{says}; no letter is a mass centre by itself: write {listed}")
+        yield Found(
+            (*path, "centre"), f"{says}; no letter is a mass centre by itself: write {listed}"
+        )
 
 
 def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:
