@@ -25,6 +25,16 @@ class Reach(NamedTuple):
         """Return the reach in another unit of length."""
         return Reach(self.anchor, self.low * factor, self.high * factor)
 
+    def near(self, part: Reach, room: float) -> Reach:
+        """Return the reach, or ``part`` of it where the whole goes too far beyond: by ``room``, or half of it.
+
+        Where two guides become parallel the stone goes to infinity, and no sheet holds its path.
+        """
+        room = max(room, (part.high - part.low) / 2)
+        low = self.low if self.low >= part.low - room else part.low
+        high = self.high if self.high <= part.high + room else part.high
+        return Reach(self.anchor, min(low, part.low), max(high, part.high))
+
 
 def guides(construction: Construction) -> tuple[Figure, ...]:
     """Return the guides of the plan of positions in the order in which they were told."""
@@ -39,10 +49,16 @@ def reaches(survey: Survey) -> tuple[Reach, ...]:
     if not found:
         return ()
     _, reading = survey.turn(wanted)
-    return tuple(_reach(log, reading, guide) for guide in found)
+    return tuple(reach_of(log, reading, guide) for guide in found)
 
 
-def _reach(log: Construction, reading: Reading, guide: Figure) -> Reach:
+def reach_of(
+    log: Construction, reading: Reading, guide: Figure, anchor: int | None = None
+) -> Reach:
+    """Return the reach of a guide over the positions of a reading that can be drawn, mm of the drawing.
+
+    ``anchor``: the point it is told from; the one nearest to the guide if it is left out.
+    """
     at, line, *side = guide.marks
     way = reading[line].along * (reading[side[0]] if side else 1.0)
     stone = reading[at]
@@ -51,8 +67,9 @@ def _reach(log: Construction, reading: Reading, guide: Figure) -> Reach:
     )
     there = np.flatnonzero(np.isfinite(np.sum(own, axis=0))[0])
     if not there.size:
-        return Reach(0, 0.0, 0.0)
+        return Reach(anchor or 0, 0.0, 0.0)
     first = int(there[0])
-    anchor = min(range(len(own)), key=lambda k: float(abs(own[k][0, first].imag)))
+    if anchor is None:
+        anchor = min(range(len(own)), key=lambda k: float(abs(own[k][0, first].imag)))
     along = own[anchor][0, there].real
     return Reach(anchor, float(along.min()), float(along.max()))
