@@ -21,9 +21,7 @@ POOL = (
 def relettered(mechanism: Mechanism, seed: int) -> Mechanism:
     """Return the mechanism with its letters drawn from the pool; a mass centre may be left undeclared."""
     pick = random.Random(seed)
-    told = list(
-        dict.fromkeys(k for link in mechanism.by_number.values() for k in link.points)
-    )
+    told = list(dict.fromkeys(k for link in mechanism.by_number.values() for k in link.points))
     names = dict(zip(told, pick.sample(POOL, len(told)), strict=True))
 
     def link_of(link: Link) -> Link:

@@ -77,8 +77,8 @@ def draw_group(
     ink = PositionsInk(construction, reading, reaches, [index])
     links = [str(number) for number in shown.links]
     strokes: list[Stroke | Bezier] = []
-    for name in links:
-        strokes += ink.lines(name, index, HEAVY)
+    for link in links:
+        strokes += ink.lines(link, index, HEAVY)
     strokes += ink.symbols(links, index)
     drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), names)
     for force in shown.forces:

@@ -1,15 +1,17 @@
 """Links of random mechanisms as they are inked on a sheet, against their poses by the vector loops.
 
-What is seen is taken from the strokes of the sheet that is written. A heavy line is one of a link if it moves with
-that link: turned into the link's own axes and out again in another position, it lies on what is drawn there.
+What is seen is taken from the strokes of the sheet that is written. A heavy line is one of a link if it moves
+with that link: turned into the link's own axes and out again in another position, it lies on what is drawn there.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -24,7 +26,7 @@ from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols import GROUND_LENGTH
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
+from graphic_tmm.studio import sheets, table_columns
 from graphic_tmm.work import Work
 
 COUNT = 6
@@ -309,3 +311,138 @@ def test_random_links_are_inked_as_what_they_are(tmp_path: Path) -> None:
     plans, positions = run(40, 7, tmp_path)
     assert plans >= 38
     assert positions >= 2 * plans
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1000, 2000, 3000])
+def test_three_hundred_random_links_are_inked_as_what_they_are(seed: int, tmp_path: Path) -> None:
+    plans, positions = run(110, seed, tmp_path)
+    assert plans >= 108
+    assert positions >= 2 * plans
+
+
+CASES = Path(__file__).parent.parent / "cases" / "sheets"
+
+
+def case(name: str) -> Seen:
+    """Draw a case with an exact ruler, so that the vector loops close on its marks."""
+    scene = replace(read(CASES / f"{name}.toml"), ruler=None)
+    made, paper = sheets(scene)
+    assert made.work is not None
+    return Seen(made.work, paper)
+
+
+@pytest.mark.parametrize(
+    "name", ["bug-bell-crank-rocker", "hydraulic", "rotary", "whitworth-pin-S"]
+)
+def test_mechanisms_that_were_drawn_as_others_are_themselves(name: str) -> None:
+    judge(case(name))
+
+
+def bar_of(seen: Seen, number: int, way: complex) -> list[float]:
+    """Where the guide of a link begins and ends, along a direction in the link's own axes (mm)."""
+    found = [
+        sorted((seen.own(number, z, seen.main) / way).real for z in ends)
+        for ends, links in seen.heavy.items()
+        if number in links
+        and abs(
+            (
+                (seen.own(number, ends[1], seen.main) - seen.own(number, ends[0], seen.main)) / way
+            ).imag
+        )
+        < CLOSE
+    ]
+    return max(found, key=lambda ends: ends[1] - ends[0])
+
+
+def test_a_slotted_arm_is_as_long_as_the_path_of_its_stone() -> None:
+    seen = case("bug-bell-crank-rocker")
+    low, high = bar_of(seen, 3, 1 + 0j)
+    assert low == pytest.approx(0.0, abs=CLOSE)  # it begins at B; A stands 200 to 400 mm from there
+    assert high - 0.4 / seen.mu == pytest.approx(9.0, abs=CLOSE)
+
+
+def test_the_whole_path_is_covered_when_one_position_is_drawn() -> None:
+    text = (CASES / "bug-bell-crank-rocker.toml").read_text(encoding="utf-8")
+    seen = look_at(text.replace("positions = 8", "positions = 1").replace('"A4"', '"A1"'))
+    _, high = bar_of(seen, 3, 1 + 0j)
+    assert seen.main == 0  # OA stands square to OB: A is 316 mm from B there
+    assert high - 0.4 / seen.mu == pytest.approx(9.0, abs=CLOSE)
+
+
+def look_at(text: str) -> Seen:
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.toml"
+        path.write_text(text + '\n[hand]\nruler = "exact"\n', encoding="utf-8")
+        made, paper = sheets(read(path))
+    assert made.work is not None
+    return Seen(made.work, paper)
+
+
+def test_a_detached_group_holds_the_same_links() -> None:
+    scene = replace(read(CASES / "hydraulic.toml"), ruler=None)
+    made, paper = sheets(scene)
+    assert made.work is not None
+    seen, lengths = Seen(made.work, paper), []
+    reach = bar_of(seen, 3, 1 + 0j)
+    arm = abs(seen.mechanism.by_number[3].points["D"]) / seen.mu
+    for view in (d for s in paper for d in s.drawings if d.name.startswith("group-2-3")):
+        straight = [
+            abs(complex(*s.path[1][:2]) - complex(*s.path[0][:2]))
+            for s in view.strokes
+            if isinstance(s, Stroke) and s.pen in ("rod", "main") and len(s.path) == 2
+        ]
+        lengths.append(sorted(straight))
+    assert len(lengths) == len(seen.places)
+    for found in lengths:  # the guide and the arm CD, and no line to the stone
+        assert found == pytest.approx(sorted([arm, reach[1] - reach[0]]), abs=CLOSE)
+
+
+def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row() -> None:
+    made, _ = sheets(replace(read(CASES / "rotary.toml"), ruler=None))
+    assert made.work is not None
+    rows = {(c.plan, c.segment): c for c in table_columns(made.work)}
+    for place, degrees in enumerate(made.work.project.angles):
+        x = 120.0 * math.cos(math.radians(degrees))
+        reach = x + math.sqrt(x * x - 120.0**2 + 300.0**2)  # of A along the cylinder, mm
+        due = 10 * math.pi * reach / 1000
+        assert rows["velocities", "pa1"].value[place] == pytest.approx(due, rel=1e-9)
+    x = 120.0 * math.cos(math.radians(60.0))
+    reach = x + math.sqrt(x * x - 120.0**2 + 300.0**2)
+    found = rows["accelerations", "πa1"].value[2]
+    assert found == pytest.approx((10 * math.pi) ** 2 * reach / 1000, rel=1e-9)
+
+
+def test_a_helping_point_never_takes_a_letter_of_the_scene() -> None:
+    seen = look_at(YOKE)
+    judge(seen)
+    body = seen.work.project.positions.bodies[3]
+    apart = seen.work.reading[body.marks["B′"]] - seen.work.reading[body.marks["B"]]
+    assert np.abs(apart) * seen.mu == pytest.approx(0.05, rel=1e-9)
+
+
+YOKE = """
+title = "Yoke whose slot lies beside its points"
+language = "en"
+[frame]
+O = [0, 0]
+x = { through = [0, 0], angle = 0 }
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.1, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0] }
+slides = { on = 3, along = "y" }
+[[link]]
+number = 3
+points = { B = [0, 0], "B′" = [0.05, 0] }
+guides = { y = { through = [0.2, 0], angle = 80 } }
+slides = { on = "frame", along = "x" }
+[drive]
+link = 1
+speed = 10
+positions = 6
+[[sheet]]
+place = ["positions"]
+"""
