@@ -1,7 +1,7 @@
 """Links of random mechanisms as they are inked on a sheet, against their poses by the vector loops.
 
 What is seen is taken from the strokes of the sheet that is written. A heavy line is one of a link if it moves
-with that link: turned into the link's own axes and out again in another position, it lies on what is drawn there.
+with that link: turned into the link's own axes and out again in another position, it lies on what is drawn.
 """
 
 from __future__ import annotations
@@ -166,10 +166,13 @@ class Seen:
     def heavy(self) -> dict[tuple[complex, complex], set[int]]:
         """The heavy lines that are not the frame's, each with the links that it moves with."""
         found = {}
-        bars = [(a, b) for a, b in self.lines("main") if abs(a - b) > GROUND_LENGTH + CLOSE]
+        bars = [
+            ends
+            for ends in self.lines("main")
+            if abs(ends[0] - ends[1]) > GROUND_LENGTH + CLOSE
+            and not any(_along(self, ends, slide) for slide in self.fixed)
+        ]
         for ends in [*self.lines("rod"), *bars]:
-            if any(_along(self, ends, slide) for slide in self.fixed):
-                continue
             links = {k.number for k in self.mechanism.links if self.moves_with(k.number, ends)}
             found[ends] = links
         return found
@@ -223,7 +226,8 @@ def judge(seen: Seen) -> None:
         apart = max((abs(a - b) for a in spots.values() for b in spots.values()), default=0.0)
         if apart > 2 * MERGED:
             for letter, spot in spots.items():
-                assert min(_off(spot, ends) for ends in own) < MERGED, (link.number, letter)
+                off = min((_off(spot, ends) for ends in own), default=math.inf)
+                assert off < MERGED, (link.number, letter)
         if not own:
             rides = bool(link.slides) or any(
                 s.on == link.number for k in seen.mechanism.links for s in k.slides
