@@ -20,7 +20,7 @@ def as_json(
     table: Sequence[Column],
     results: dict[str, Any],
 ) -> str:
-    """Return the tables as one JSON object (see the README); null where a position cannot be drawn."""
+    """Return the tables as one JSON object (see scene/README.md); null where a position cannot be drawn."""
     document = {
         "scene": scene,
         "scales": scales,
