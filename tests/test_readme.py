@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+
 from graphic_tmm.__main__ import main as command_line
 
 ROOT = Path(__file__).parent.parent
