@@ -68,23 +68,22 @@ def _bar(symbol: str) -> str:
 
 def quantity(letter: str) -> str:
     """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}."""
-    if letter[0] in "ωε":
+    stem, _, rest = letter.partition("_")
+    if rest and stem in "ωε":
         return letter
-    if "_" in letter:
-        stem, _, rest = letter.partition("_")
-        ends = "".join(reversed(ends_of(rest.strip("{}"))))
-        return f"a_{{{ends.upper()}}}^{{{stem}}}"
-    symbol = QUANTITIES.get(letter[0])
-    if symbol is not None:
-        return f"{symbol}_{{{letter[1:].upper()}}}"
-    return f"v_{{{''.join(reversed(ends_of(letter))).upper()}}}"
+    ends = ends_of((rest or letter).strip("{}"))
+    if rest:
+        return f"a_{{{''.join(reversed(ends)).upper()}}}^{{{stem}}}"
+    if ends[0] in QUANTITIES:
+        return f"{QUANTITIES[ends[0]]}_{{{''.join(ends[1:]).upper()}}}"
+    return f"v_{{{''.join(reversed(ends)).upper()}}}"
 
 
 def ends_of(letter: str) -> list[str]:
     """Split a segment into the letters of its ends: aa3 -> a, a3."""
     ends: list[str] = []
     for sign in letter:
-        if sign.isdigit() or sign == "′":
+        if ends and (sign.isdigit() or sign == "′"):
             ends[-1] += sign
         else:
             ends.append(sign)

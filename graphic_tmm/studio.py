@@ -13,13 +13,18 @@ from graphic_tmm.parts import Part, draw_parts, draws_mechanism
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.cam import cam_angles, cam_columns, cam_names
-from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
+from graphic_tmm.tables.charts import (
+    chart_columns,
+    flywheel_columns,
+    flywheel_results,
+    rim_too_wide,
+)
 from graphic_tmm.tables.columns import Column, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.spread import spread_columns, spread_results
 from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
-from graphic_tmm.words import finding
+from graphic_tmm.words import finding, plain
 from graphic_tmm.work import Work, executed, hand_of, ranges, record
 
 if TYPE_CHECKING:
@@ -167,6 +172,8 @@ def warnings(work: Work) -> tuple[str, ...]:
     for found in work.findings():
         if found.kind != "touching":
             told.append(finding(found, names, "en"))
+    if wide := rim_too_wide(work.project, work.reading, "en"):
+        told.append(f"flywheel: {plain(wide)}")
     return tuple(told)
 
 

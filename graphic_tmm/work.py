@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, HANDS, Hand
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
+from graphic_tmm.plans.reaches import Reach, reach_of
 from graphic_tmm.scaling import (
     chart_scale_values,
     chart_scales,
@@ -40,6 +42,18 @@ class Work:
     accelerated: Reading | None
     hand: Hand
     undrawn: tuple[int, ...]
+
+    @cached_property
+    def reaches(self) -> dict[Figure, Reach]:
+        """How far every guide is used over the turn, mm on the sheet."""
+        project, mu = self.project, self.scales["positions"].value
+        crank = project.mechanism.by_number[project.structure.driver].points
+        circle = 2.0 * abs(crank[project.structure.pin] - crank[project.structure.pivot]) / mu
+        found = {}
+        for guide, whole in project.reaches.items():
+            drawn = reach_of(project.construction, self.reading, guide, whole.anchor)
+            found[guide] = whole.times(1.0 / mu).near(drawn, circle)
+        return found
 
     def drawn_by(self, hand: Hand) -> Work:
         """Return the same drawing, to the same scales, by another hand."""

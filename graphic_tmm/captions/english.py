@@ -24,6 +24,9 @@ ENGLISH: dict[str, str] = {
     "energy-mass": "Energy–mass diagram",
     "flywheel": "Flywheel",
     "table flywheel": "Flywheel, by positions",
+    "rim too wide": "the rim of D_{{e}} = {outer} m is {width} m wide: choose D_{{e}} = {least} m or more",
+    "rim too wide, speed": "the rim of D_{{e}} = {outer} m is {width} m wide, and D_{{e}} is {most} m at most: "
+    "put the flywheel on a faster shaft, or allow a larger δ",
     "sketch": "Sketch of the flywheel",
     "results of": "Results",
     "T_L": "T_{L}",
@@ -100,7 +103,7 @@ ENGLISH: dict[str, str] = {
     "engine K": "K",
     "engine M": "M",
     "diagram engine P": "Forces on the piston: P, P_{in} and P′ = P + P_{in}",
-    "diagram engine N": "Normal force N on the guide",
+    "diagram engine N": "Pressure N on the guide",
     "diagram engine Q": "Force Q along the rod",
     "diagram engine T": "Tangential force T",
     "diagram engine K": "Radial force K",

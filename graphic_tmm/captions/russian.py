@@ -24,6 +24,9 @@ RUSSIAN: dict[str, str] = {
     "energy-mass": "Диаграмма энергия–масса",
     "flywheel": "Маховик",
     "table flywheel": "Расчёт маховика",
+    "rim too wide": "обод D_{{e}} = {outer} м имеет ширину {width} м: взять D_{{e}} = {least} м или больше",
+    "rim too wide, speed": "обод D_{{e}} = {outer} м имеет ширину {width} м, а D_{{e}} не больше {most} м: "
+    "поставить маховик на более быстрый вал или допустить большее δ",
     "sketch": "Эскиз маховика",
     "results of": "Результаты",
     "T_L": "T_{зв}",

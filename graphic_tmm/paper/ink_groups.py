@@ -13,15 +13,16 @@ from typing import NamedTuple
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.statics import arm
-from graphic_tmm.board.values import Line, Point
+from graphic_tmm.board.values import Line
 from graphic_tmm.paper.arrows import arrow, told_arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.ink_polygons import LEAST, bar, spot
-from graphic_tmm.paper.ink_positions import PositionsInk
+from graphic_tmm.paper.ink_positions import HEAVY, PositionsInk
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import round_arrow
 from graphic_tmm.plans.loads import VIEW, Couple, Force
+from graphic_tmm.plans.reaches import Reach
 
 SIZE = 3.5
 SHOWN = 18.0
@@ -59,6 +60,7 @@ class Detached(NamedTuple):
 def draw_group(
     construction: Construction,
     reading: Reading,
+    reaches: Mapping[Figure, Reach],
     shown: Detached,
     index: int,
     name: str,
@@ -72,30 +74,25 @@ def draw_group(
 
     ``names``: letters of the log that the language of the sheet calls otherwise.
     """
-    ink = PositionsInk(construction, reading, [index])
-    figures = [
-        f
-        for f in construction.figures
-        if f.view == "positions" and f.kind != "frame" and f.name in map(str, shown.links)
-    ]
+    ink = PositionsInk(construction, reading, reaches, [index])
+    links = [str(number) for number in shown.links]
     strokes: list[Stroke | Bezier] = []
-    for figure in figures:
-        strokes += ink.link(figure, index, "rod")
-    for figure in figures:
-        strokes += ink.symbols(figure, index)
+    for link in links:
+        strokes += ink.lines(link, index, HEAVY)
+    strokes += ink.symbols(links, index)
     drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), names)
     for force in shown.forces:
         drawing.force(force)
     for reaction in shown.reactions:
         drawing.reaction(reaction)
     for couple in shown.couples:
-        drawing.couple(couple, _middle(ink, figures, couple, index))
+        drawing.couple(couple, _middle(ink, couple, index))
     drawing.arms(construction, shown.forces)
     for pin, radius in shown.circles:
         rho = float(reading[radius][0, 0]) / float(reading[mu_l][0, 0])
         strokes.append(circle("thin", spot(reading, pin, index), rho))
     strokes += drawing.strokes
-    wanted = [*ink.letters(figures, index), *drawing.wanted]
+    wanted = [*ink.letters(links, index), *drawing.wanted]
     if not lettered:
         spots = [z for stroke in strokes if isinstance(stroke, Stroke) for z in _ends(stroke)]
         x, y = [z.real for z in spots], [z.imag for z in spots]
@@ -110,15 +107,10 @@ def _ends(stroke: Stroke) -> Iterable[complex]:
     return (complex(x, y) for x, y, _ in stroke.path)
 
 
-def _middle(ink: PositionsInk, figures: Sequence[Figure], couple: Couple, index: int) -> complex:
+def _middle(ink: PositionsInk, couple: Couple, index: int) -> complex:
     """Return about where a couple is drawn: in the middle of its link, off its pins."""
-    pins = [
-        ink.at(mark, index)
-        for figure in figures
-        if figure.kind == "link" and figure.name == str(couple.link)
-        for mark in figure.marks
-        if mark.kind is Point
-    ]
+    name = str(couple.link)
+    pins = [*ink.spots(name, index), *(bar.foot for bar in ink.bars(name, index))]
     if len(pins) < 2:
         return pins[0] if pins else 0j
     far = max(((a, b) for a in pins for b in pins), key=lambda ends: abs(ends[1] - ends[0]))

@@ -18,7 +18,7 @@ from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.flywheel import VIEWS, Flywheel
 from graphic_tmm.plans.indicator import Indicator
-from graphic_tmm.tables.charts import flywheel_columns, flywheel_results
+from graphic_tmm.tables.charts import flywheel_columns, flywheel_results, rim_too_wide
 from graphic_tmm.words import number, unit
 from graphic_tmm.work import Work
 
@@ -142,9 +142,10 @@ def _sketch(drawn: Work, made: Flywheel) -> Drawing:
     large = 1000 * max(outer, width)
     reduction = next((r for r in (1, *REDUCTIONS) if large / r <= SKETCH), REDUCTIONS[-1])
     title = CAPTIONS[language]["sketch"]
-    return captioned(
-        draw_flywheel(sizes, reduction, title, language), title, f"1:{number(reduction, language)}"
-    )
+    drawing = draw_flywheel(sizes, reduction, title, language)
+    told = rim_too_wide(drawn.project, drawn.reading, language)
+    scale = f"1:{number(reduction, language)}"
+    return captioned(drawing, title, scale, *(told.split(": ") if told else ()))
 
 
 def _results(drawn: Work) -> Drawing:

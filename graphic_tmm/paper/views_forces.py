@@ -69,6 +69,7 @@ def _pair(
     figure = draw_group(
         project.construction,
         drawn.reading,
+        drawn.reaches,
         shown,
         place,
         f"group-{name}-{project.names[place]}",

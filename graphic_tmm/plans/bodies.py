@@ -131,13 +131,19 @@ def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float)
     return draft.board.draw(incline, name, through, to, draft.angle(f"∠{bare}", degrees))
 
 
+def nearest(body: Body, pair: Pair, levelled: float) -> str:
+    """Return the letter of the body's point that lies nearest to a level (m) of a guide."""
+    number = body.link.number
+    return min(body.own, key=lambda k: abs(levelled - level(pair, number, body.own[k])))
+
+
 def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str) -> Mark:
     """Draw the path, on a body, of the point that slides at the given level (m) off the guide.
 
     The line starts from the point of the body that is nearest to it.
     """
     number = body.link.number
-    letter = min(body.own, key=lambda k: abs(levelled - level(pair, number, body.own[k])))
+    letter = nearest(body, pair, levelled)
     own = body.own[letter]
     size = max(abs(own), abs(body.at), abs(levelled))
     by = levelled - level(pair, number, own)

@@ -1,8 +1,8 @@
 """The forces of an engine's crank mechanism: P, P_in, P', N, Q, T, K, M as force triangles in every position.
 
 The mass of the rod is shared between the crank pin and the crosshead, so that the rod carries its load along
-itself: P' at B with the guide's N gives Q along the rod; Q carried to A is the sum of T along the tangent of
-the crank circle and K along the crank. Forces are positive towards the crank.
+itself: P' at B is the sum of Q along the rod and of N, the pressure on the guide; Q carried to A is the sum of
+T along the tangent of the crank circle and K along the crank. Forces are positive towards the crank.
 """
 
 from __future__ import annotations
@@ -55,7 +55,8 @@ class Triangles(NamedTuple):
 class Engine:
     """The forces as drawn; ``values``: the marks of P, P_in, P′, N, Q, T, K (force unit), M, NOB (times metre).
 
-    ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram.
+    ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram;
+    ``guide``: the line that B slides along.
     """
 
     order: EngineOrder
@@ -67,6 +68,7 @@ class Engine:
     mu: Mark
     charts: tuple[Chart, ...]
     curves: dict[str, tuple[str, ...]]
+    guide: Mark
 
 
 class _Legs(NamedTuple):
@@ -113,7 +115,7 @@ def draw_engine(
     values["P′"] = board.draw(added, "P′", values["P"], used, unit=order.unit)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
     charts, curves = _diagrams(draft, machine, values, order)
-    found = (acceleration, values, triangles, mu, charts, curves)
+    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line)
     return Engine(order, lumped, harmonics, *found)
 
 
@@ -150,10 +152,10 @@ def _triangles(
     inward = board.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
     end_p = board.draw(lay_off, "1", inward, board.draw(to_board, "y_P′", values["P′"], mu))
     sense = 1 if machine.mechanism.drive.speed > 0 else -1
-    across = board.draw(square, "(N)", end_p, inward, sense=-sense)
+    across = board.draw(square, "(N)", end_p, inward, sense=sense)
     rod = board.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
     end_q = board.draw(meet, "2", across, rod)
-    length_n = board.draw(measure_along, "y_N", end_p, end_q, across)
+    length_n = board.draw(measure_along, "y_N", end_q, end_p, across)
     length_q = board.draw(measure_along, "y_Q", at_b, end_q, rod)
     carried = board.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
     end_qa = board.draw(lay_off, "3", carried, length_q)

@@ -27,6 +27,7 @@ from graphic_tmm.board.statics import (
 from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Load
+from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.plans.cylinder import Cylinder
 from graphic_tmm.plans.draft import Draft
@@ -130,15 +131,6 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
     return loads
 
 
-def _centre(ground: Ground, link: Link) -> str:
-    if link.centre is None or link.centre not in link.points:
-        raise StructureError(
-            f"link {link.number} has a mass but no mass centre: give it a point S{link.number}, or centre = "
-            f'"{next(iter(link.points), "A")}"'
-        )
-    return link.centre
-
-
 def _at(ground: Ground, link: int, letter: str) -> tuple[Mark, Mark]:
     """Return a link's point on the plan of positions, and its image on that of velocities."""
     body = ground.positions.bodies[link]
@@ -147,7 +139,7 @@ def _at(ground: Ground, link: int, letter: str) -> tuple[Mark, Mark]:
 
 def _weight(ground: Ground, link: Link) -> Force:
     draft, n = ground.draft, link.number
-    point, image = _at(ground, n, _centre(ground, link))
+    point, image = _at(ground, n, mass_centre(ground.mechanism, link))
     mass = draft.take(Number, f"m_{n}", link.mass, "kg")
     g = draft.take(Number, draft.board.free("g"), GRAVITY, "m/s²")
     value = draft.board.draw(weight, f"G_{n}", mass, g, unit="N")
@@ -183,7 +175,7 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
 
 def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     draft, n = ground.draft, link.number
-    centre = _centre(ground, link)
+    centre = mass_centre(ground.mechanism, link)
     point, image = _at(ground, n, centre)
     end = plan.images.by_letter[n][centre]
     segment = reading_of(draft, plan, end)

@@ -109,7 +109,6 @@ def _guides(tables: dict[str, m.GuideTable]) -> tuple[Guide, ...]:
 
 
 def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], frame: int) -> Link:
-    centres = [letter for letter in table.points if letter.startswith("S")]
     side = Side(*table.side, flips_at=table.flips_at) if table.side else None
     return Link(
         number=table.number,
@@ -119,7 +118,7 @@ def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], fra
         name=table.name,
         mass=table.mass,
         inertia=table.J,
-        centre=table.centre or (centres[0] if len(centres) == 1 else None),
+        centre=table.centre,
         side=side,
     )
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import combinations
 
+from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene import geometry
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.lines import Path
@@ -17,9 +18,12 @@ def check(parts: Parts) -> Iterator[Found]:
     """Every contradiction in the sections that could be understood."""
     if parts.frame is not None:
         yield from _places(("frame",), parts.frame.points)
+    bodies = [body.points for body in (parts.frame, *parts.links) if body is not None]
+    pins = shared(bodies)
     for path, link in pairing(parts.links, "link"):
-        yield from _places((*path, "points"), link.points)
-        yield from _masses(path, link)
+        centres = _centres(link, pins)
+        yield from _places((*path, "points"), link.points, centres)
+        yield from _masses(path, link, centres)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
@@ -39,9 +43,11 @@ def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
     return [((*path, "slides", i), slide) for i, slide in enumerate(link.slides)]
 
 
-def _places(path: Path, points: Mapping[str, complex]) -> Iterator[Found]:
-    """Two letters of one link at one place; a mass centre (S...) may lie on another letter."""
-    kept = [(letter, place) for letter, place in points.items() if not letter.startswith("S")]
+def _places(
+    path: Path, points: Mapping[str, complex], centres: Collection[str] = ()
+) -> Iterator[Found]:
+    """Two letters of one link at one place; its mass centre may lie on another letter."""
+    kept = [(letter, place) for letter, place in points.items() if letter not in centres]
     for (first, place), (second, other) in combinations(kept, 2):
         if abs(place - other) < geometry.SAME_PLACE:
             says = (
@@ -50,11 +56,23 @@ def _places(path: Path, points: Mapping[str, complex]) -> Iterator[Found]:
             yield Found((*path, second), f"{says}; move one, or use one letter for both")
 
 
-def _masses(path: Path, link: LinkTable) -> Iterator[Found]:
-    centres = [letter for letter in link.points if letter.startswith("S")]
-    if link.centre is None and len(centres) > 1 and (link.mass is not None or link.J is not None):
-        listed = " or ".join(f'"{letter}"' for letter in centres)
-        yield Found((*path, "centre"), f"it is missing; say which is the mass centre, {listed}")
+def _centres(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:
+    """Return the mass centre of a link; where a mass has none, the points that seem to be meant.
+
+    An S that joins the link to nothing seems to be; that is asked, and never taken for granted.
+    """
+    if link.centre is not None or not link.mass:
+        return (link.centre,) if link.centre is not None else ()
+    return tuple(k for k in link.points if k.startswith("S") and k not in pins)
+
+
+def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[Found]:
+    if link.centre is None and centres:
+        listed = " or ".join(f'centre = "{letter}"' for letter in centres)
+        says = f"it is missing, and link {link.number} has a mass"
+        yield Found(
+            (*path, "centre"), f"{says}; no letter is a mass centre by itself: write {listed}"
+        )
 
 
 def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:

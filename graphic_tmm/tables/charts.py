@@ -6,8 +6,11 @@ import math
 from collections.abc import Sequence
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.plans.project import Project
+from graphic_tmm.plans.rim import wanted_outer
 from graphic_tmm.tables.columns import Column, quiet, row_of, segment_name
+from graphic_tmm.words import number
 
 
 def chart_columns(
@@ -81,6 +84,21 @@ def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[floa
         marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
     values = {name: (float(reading[mark][0, 0]), unit) for name, (mark, unit) in marks.items()}
     return {name: found for name, found in values.items() if math.isfinite(found[0])}
+
+
+def rim_too_wide(project: Project, reading: Reading, language: str) -> str:
+    """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
+    results = flywheel_results(project, reading)
+    if not {"D_max", "D_e", "rim_width"} <= set(results):
+        return ""
+    most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))
+    least = wanted_outer(outer, width)
+    if least is None:
+        return ""
+    key = "rim too wide" if least <= most else "rim too wide, speed"
+    sizes = {"outer": outer, "width": width, "least": least, "most": most}
+    told = {name: number(size, language, 3) for name, size in sizes.items()}
+    return CAPTIONS[language][key].format(**told)
 
 
 def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:

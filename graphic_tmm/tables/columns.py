@@ -41,8 +41,9 @@ class Column(NamedTuple):
 
 def segment_name(letter: str) -> str:
     """Return a letter of the log as machines read it: n_{ab} -> nab, ω_2 -> omega2."""
-    if letter[0] in RATES:
-        return RATES[letter[0]] + letter[1:].strip("_{}")
+    stem, _, rest = letter.partition("_")
+    if rest and stem in RATES:
+        return RATES[stem] + rest.strip("{}")
     return letter.translate({ord(sign): None for sign in "_{}"})
 
 

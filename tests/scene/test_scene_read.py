@@ -164,6 +164,7 @@ points = { B = [0, 0], C′1 = [0, 0.2], S = [0, 0.2] }
     { on = 2, along = "q", side = "-", flips_at = [10.5] },
 ]
 mass = "2 кг"
+centre = "S"
 """,
         DRIVE,
         """acceleration = "3 1/s^2"
