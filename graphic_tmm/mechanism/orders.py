@@ -108,8 +108,9 @@ class FlywheelOrder:
     ``indicator``: the gas forces of which diagram; None: by the loads of the links.
 
     ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``pole``: H in mm.
-    ``integration``: ordinates at the "middles" of the curve, or of "chords". ``tangents``: of the energy–mass
-    curve, at its "points" or at the smooth "curve" through them; None leaves that method out.
+    ``integration``: mean ordinates, of the "areas" below the curve, its ordinates at the "middles" of the
+    intervals, or those of "chords". ``tangents``: of the energy–mass curve, at the "curve" or at its "points"
+    only; None leaves that method out.
     """
 
     indicator: IndicatorOrder | None
@@ -118,8 +119,8 @@ class FlywheelOrder:
     pole: float = 40.0
     base: float = 120.0
     mu_M: float | None = None
-    integration: str = "middles"
-    tangents: str | None = "points"
+    integration: str = "areas"
+    tangents: str | None = "curve"
     rim: Rim | None = None
 
 
