@@ -67,7 +67,9 @@ def erect(curve: Curve, foot: Point) -> Point:
 @operation("Над {foot} провести касательную {it} к кривой {curve}.", fails=_OUTSIDE)
 def touching(curve: Curve, foot: Point) -> Line:
     """Above {foot} draw the tangent {it} to the curve {curve}."""
-    return Line(erect.run(curve, foot), unit(1.0 + 1j * rise_of(curve, foot)))
+    return Line(
+        erect.run(curve, foot), unit(np.asarray(1.0 + 1j * rise_of(curve, foot), np.complex128))
+    )
 
 
 def rise_of(curve: Curve, foot: Complexes) -> Reals:
@@ -182,6 +184,7 @@ def lowest(curve: Curve, start: Point, end: Point) -> Point:
     return Point(_extreme(curve, start, end, -1.0))
 
 
+_NOWHERE = complex(np.nan, np.nan)
 EVEN = 1e-9
 """Ordinates that differ by less of the curve's height are as high as one another."""
 
@@ -192,19 +195,13 @@ def _extreme(curve: Curve, start: Complexes, end: Complexes, sign: float) -> Com
     The first of those that are as high but for rounding, so that this does not choose among them.
     """
     feet = np.concatenate(alike(start[:, :1].real, end[:, :1].real), axis=1)
-    spots, feet = alike(
-        np.concatenate([curve.knots, *stationary(curve.knots, curve.tangents, -1j)], axis=1), feet
-    )
-    ends = erect.run(curve, feet)
-    spots, ends, feet = alike(spots, ends, feet)
-    inside = (spots.real > feet[:, :1]) & (spots.real < feet[:, 1:])
-    spots = np.concatenate([ends, np.where(inside, spots, np.nan)], axis=1)
-    heights = sign * spots.imag
-    best = np.nanmax(heights, axis=1, initial=-np.inf, keepdims=True)
-    level = heights >= best - EVEN * (
-        best - np.nanmin(heights, axis=1, initial=np.inf, keepdims=True)
-    )
-    first = np.argmin(np.where(level, spots.real, np.inf), axis=1)[:, None]
-    whole = np.isfinite(curve.knots) & np.isfinite(curve.tangents)
-    found = np.where(whole.all(axis=1, keepdims=True), 1.0, np.nan)
-    return np.asarray(np.take_along_axis(spots, first, axis=1) * found)
+    knots, tangents, feet = alike(curve.knots, curve.tangents, feet)
+    spots = np.concatenate([knots, *stationary(knots, tangents, -1j)], axis=1)
+    spots = np.where((spots.real > feet[:, :1]) & (spots.real < feet[:, 1:]), spots, _NOWHERE)
+    spots = np.concatenate([erect.run(curve, feet), spots], axis=1)
+    heights = np.where(np.isfinite(spots), sign * spots.imag, -np.inf)
+    best = heights.max(axis=1, keepdims=True)
+    even = EVEN * np.ptp(knots.imag, axis=1, keepdims=True)
+    first = np.argmin(np.where(heights >= best - even, spots.real, np.inf), axis=1)[:, None]
+    whole = (np.isfinite(knots) & np.isfinite(tangents)).all(axis=1, keepdims=True)
+    return np.where(whole, np.take_along_axis(spots, first, axis=1), _NOWHERE)

@@ -107,7 +107,8 @@ class FlywheelOrder:
 
     ``indicator``: the gas forces of which diagram; None: by the loads of the links.
 
-    ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``pole``: H in mm.
+    ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``A``: the scale of the
+    works, or the pole distance that gives it.
     ``integration``: mean ordinates, of the "areas" below the curve, its ordinates at the "middles" of the
     intervals, or those of "chords". ``tangents``: of the energy–mass curve, at the "curve" or at its "points"
     only; None leaves that method out.
@@ -116,7 +117,7 @@ class FlywheelOrder:
     indicator: IndicatorOrder | None
     delta: float
     constant: str = "resisting"
-    pole: float = 40.0
+    A: Drawn = Drawn()
     base: float = 120.0
     mu_M: float | None = None
     integration: str = "areas"

@@ -18,8 +18,6 @@ from graphic_tmm.plans.energy import Energies
 from graphic_tmm.plans.graphs import Axes
 
 VIEW = "energy-mass"
-ROOM = 100.0
-"""Room for the largest reduced inertia, mm."""
 
 
 class Surplus(NamedTuple):
@@ -81,6 +79,6 @@ def draw_energy_mass(
     segment = board.draw(measure_along, "ab", ends[1], ends[0], up)
     found = board.draw(flywheel_inertia, "J_F", segment, mu_T, delta, omega, unit="kg·m²")
     measured = board.draw(measure_along, "J_r", origin, feet, along)
-    chart = Chart(VIEW, "J", "kg·m²", mu_J, (measured,), True, None, ROOM)
+    chart = Chart(VIEW, "J", "kg·m²", mu_J, (measured,), True, None, None)
     pair, spots = (lines_found[0], lines_found[1]), (ends[0], ends[1])
     return EnergyMass(chart, mu_T, points, curve, pair, spots, segment, found)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.board.calculations import scale_of_integral, to_board, turn_per_mm
+from graphic_tmm.board.calculations import to_board, turn_per_mm
 from graphic_tmm.board.energetics import (
     added,
     flywheel_inertia,
@@ -26,7 +26,7 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.orders import FlywheelOrder
 from graphic_tmm.plans import graphs
-from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.charts import Chart, integrated_scale
 from graphic_tmm.plans.cylinder import Cylinder, Machine
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.energy import Energies, draw_energies
@@ -37,8 +37,6 @@ from graphic_tmm.plans.indicator import Indicator
 from graphic_tmm.plans.rim import DrawnRim, draw_rim
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
-ROOM = 110.0
-"""Room for the highest ordinate of the moment, mm."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +90,7 @@ def draw_flywheel(
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
     reading = graphs.read(draft, axes, at.points, "M")
-    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, ROOM)
+    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
     done = _works(draft, axes, at, curve, order)
     energies, gained, own, charts = _energies(draft, machine, axes, at, done)
     energy_axes = gained.axes
@@ -121,10 +119,9 @@ def draw_flywheel(
 def _refuse(order: FlywheelOrder) -> None:
     if not order.delta > 0.0:
         raise StructureError(f"flywheel: δ = {order.delta:g} is not greater than 0")
-    if not order.pole > 0.0:
-        raise StructureError(
-            f"flywheel: the pole distance H = {order.pole:g} mm is not greater than 0"
-        )
+    pole = order.A.pole
+    if pole is not None and not pole > 0.0:
+        raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -172,16 +169,16 @@ class _Works(NamedTuple):
     straight: Mark
     surplus: Mark
     pole: Mark
+    chart: Chart
 
 
 def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder) -> _Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
     board = draft.board
     board.open(VIEWS["work"])
-    distance = draft.take(Length, "H", order.pole, "mm")
-    mu = board.draw(scale_of_integral, "μ_A", source.mu, source.base.mu, distance, unit="J/mm")
-    axes = graphs.draw_axes(draft, VIEWS["work"], source.base, mu)
-    pole = graphs.set_pole(draft, source, distance)
+    scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
+    axes = graphs.draw_axes(draft, VIEWS["work"], source.base, scaled.mu)
+    pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
     graphs.along_rays(draft, axes, found, pole.point, at, source)
     straight = board.draw(join, "(A′)", axes.origin, found.end)
@@ -191,7 +188,9 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     ends = (other, found.points) if ahead else (found.points, other)
     surplus = board.draw(measure_along, "ΔT", *ends, axes.up)
     level = _level_pole(draft, source, pole, straight, ahead=ahead)
-    return _Works(axes, found, other, surplus, level)
+    rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
+    chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
+    return _Works(axes, found, other, surplus, level, chart)
 
 
 def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
@@ -230,10 +229,10 @@ def _energies(
         graphs.read(draft, axes, points.points, letter)
         for points, letter in ((gained, "ΔT"), (links, "T_L"), (own, "T_F"))
     ]
-    none = (False, None, ROOM)
-    works = Chart(VIEWS["work"], "A", "J", work.mu, (done.surplus,), *none)
-    energy = Chart(VIEWS["energy"], "T", "J", work.mu, tuple(readings), *none)
-    return energies, Surplus(axes, ahead), curve, (works, energy)
+    energy = done.chart._replace(
+        view=VIEWS["energy"], symbol="T", ordinates=tuple(readings), besides=()
+    )
+    return energies, Surplus(axes, ahead), curve, (done.chart, energy)
 
 
 def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:

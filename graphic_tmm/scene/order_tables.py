@@ -72,7 +72,7 @@ class FlywheelTable(Table):
 
     delta: o.Irregularity = key("coefficient of irregularity", 0.04)
     constant: o.Constant = key("which moment is constant", "resisting", "resisting")
-    H: v.Drawn = key("pole distance of the integration", "40 mm", 40.0)
+    H: v.Drawn | None = key("pole distance of the integration", "40 mm", None)
     base: v.Drawn = key("length of the base for a turn", "120 mm", 120.0)
     mu_M: o.MuMoment | None = key("(N·m)/mm", "8 N*m/mm", None)
     integration: o.Integration = key(
