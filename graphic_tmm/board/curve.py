@@ -108,7 +108,7 @@ def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
     if drawn.all():
         runs = [np.append(np.arange(knots.size), 0)] if curve.closed else [np.arange(knots.size)]
     else:
-        runs = neighbours(drawn)
+        runs = neighbours(drawn, closed=curve.closed)
     found = []
     for run in runs:
         p, m = knots[run], tangents[run] / 3
