@@ -10,7 +10,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
-from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.charts import HEIGHT, Chart
 from graphic_tmm.plans.forces import VIEW
 from graphic_tmm.plans.project import Project
 from graphic_tmm.scene.records import Scales
@@ -142,31 +142,45 @@ def engine_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, 
     }
 
 
-def chart_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, float]:
+def chart_scales(project: Project, given: Mapping[Mark, object], format_: str) -> dict[Mark, float]:
     """Return the values of the scale marks of the graphs, with the plans' own scales ``given``.
 
     With every scale that may be chosen at 1, an ordinate times its μ is what it stands for.
     """
-    return free_scales(project.charts, project.construction, given)
+    return free_scales(project.charts, project.construction, given, format_)
 
 
 def free_scales(
-    charts: Sequence[Chart], construction: Construction, given: Mapping[Mark, object]
+    charts: Sequence[Chart],
+    construction: Construction,
+    given: Mapping[Mark, object],
+    format_: str = "A1",
 ) -> dict[Mark, float]:
-    """Return the values of the scale marks of graphs that may be chosen, all else ``given``."""
+    """Return the values of the scale marks of graphs that may be chosen, all else ``given``.
+
+    Graphs that share a scale are all of them held to their room.
+    """
     free = {chart.mu: 1.0 for chart in charts if chart.chosen}
-    wanted = [mark for chart in charts for mark in (*chart.ordinates, chart.mu)]
+    wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.besides, chart.mu)]
     reading = execute(construction, {**given, **free}, wanted)
-    found = {}
+    found: dict[Mark, float] = {}
     for chart in charts:
-        if not chart.chosen:
-            continue
-        heights = np.abs(
-            np.concatenate([np.ravel(reading[m] * reading[chart.mu]) for m in chart.ordinates])
-        )
-        highest = float(np.max(heights, initial=0.0, where=np.isfinite(heights)))
-        found[chart.mu] = chart.wanted or standard(highest, chart.room)
+        if chart.chosen:
+            mu = chart.wanted or standard(*_figure(chart, reading, format_))
+            found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
     return found
+
+
+def _figure(chart: Chart, reading: Reading, format_: str) -> tuple[float, float]:
+    """Return what the size of a graph stands for (SI), and the room for it, mm."""
+    marks = [np.ravel(reading[m]) for m in chart.ordinates]
+    marks += [np.ravel(reading[m]).imag for m in chart.besides]
+    heights = np.concatenate(marks) * float(reading[chart.mu][0, 0])
+    there = np.isfinite(heights)
+    if chart.room is not None:
+        return float(np.max(np.abs(heights), initial=0.0, where=there)), chart.room
+    reach = [float(np.max(sign * heights, initial=0.0, where=there)) for sign in (1.0, -1.0)]
+    return sum(reach), HEIGHT[format_]
 
 
 def _free(project: Project) -> dict[Mark, float]:

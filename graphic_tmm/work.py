@@ -148,7 +148,7 @@ def executed(
         given[project.scale(plan)] = scale.value
     given |= force_scales(project, given)
     given |= engine_scales(project, given)
-    given |= chart_scales(project, given)
+    given |= chart_scales(project, given, _graphs_on(scene))
     hand = EXACT if exact else hand_of(scene)
     reading, accelerated = _read(project, given, hand)
     scales |= chart_scale_values(project, reading)
@@ -168,6 +168,12 @@ def executed(
             f"{scene.source}: none of the positions can be drawn" + ranges(project)
         )
     return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
+
+
+def _graphs_on(scene: Scene) -> str:
+    """Return the format of the sheet that shows the graphs of the flywheel; of several the smaller."""
+    formats = {sheet.format for sheet in scene.sheets if "flywheel" in sheet.place}
+    return "A4" if "A4" in formats else "A1"
 
 
 def _of_forces(found: tuple[Finding, ...], project: Project) -> Iterator[Finding]:

@@ -136,11 +136,8 @@ def _poles(own: Setting, trials: int) -> Iterator[Place]:
     kinematic = _diagrams(own) is not None
     flywheel = own.scene.flywheel if "flywheel" in own.scene.shown else None
     for times in POLES if kinematic or flywheel is not None else ():
-        scene = own.scene
-        if flywheel is not None:
-            scene = replace(scene, flywheel=replace(flywheel, pole=flywheel.pole * times))
         only = (*(DIAGRAMS if kinematic else ()), *(FLYWHEEL if flywheel is not None else ()))
-        yield Place("pole", f"{times:g}", replace(own, scene=scene, pole=times), only)
+        yield Place("pole", f"{times:g}", replace(own, pole=times), only)
 
 
 def _passes(own: Setting, trials: int) -> Iterator[Place]:

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.curve import natural, neighbours
+from graphic_tmm.board.curve import natural, neighbours, stationary
 from graphic_tmm.board.geometry import along, cis, degrees, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
-from graphic_tmm.board.graphs import not_a_knot
+from graphic_tmm.board.graph_curves import free_ends
 from graphic_tmm.board.values import (
     Angle,
     Arc,
@@ -22,7 +22,6 @@ from graphic_tmm.board.values import (
     Line,
     Number,
     Point,
-    Reals,
     Side,
 )
 
@@ -105,21 +104,11 @@ def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
     tangents = np.full_like(knots, np.nan)
     for trial, row in enumerate(knots):
         if np.isfinite(row).all():
-            tangents[trial] = _smooth(row)
+            tangents[trial] = free_ends(row)
             continue
         for run in neighbours(np.isfinite(row), closed=False):
             tangents[trial, run] = natural(row[run])
     return Curve(knots, tangents, False)
-
-
-def _smooth(row: Complexes) -> Complexes:
-    """Return the tangents through evenly spaced points: of a chord, a parabola, a free spline."""
-    if row.size == 2:
-        return np.full_like(row, row[1] - row[0])
-    if row.size == 3:
-        rise, bend = (row[2] - row[0]) / 2.0, row[0] - 2.0 * row[1] + row[2]
-        return np.array([rise - bend, rise, rise + bend])
-    return not_a_knot(row)
 
 
 @operation(
@@ -201,22 +190,3 @@ def _farthest(curve: Curve, way: Complexes) -> Complexes:
         best = found[np.argmax(np.nan_to_num((found * turned).real, nan=-np.inf))]
         spots.append(best if (np.isfinite(p) & np.isfinite(m)).all() else np.nan)
     return np.array(spots, dtype=np.complex128)[:, None]
-
-
-def stationary(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
-    """Return the points of each Hermite arc of an open curve where its height Re(z·``turned``) is stationary.
-
-    ``p``, ``m``: knots and tangents, (knot,). Two rows (arc,), NaN where an arc has no such point.
-    """
-    q, n = p[1:], m[1:]
-    p, m = p[:-1], m[:-1]
-    h0, h1, g0, g1 = ((z * turned).real for z in (p, q, m, n))
-    a, b, c = 6 * (h0 - h1) + 3 * (g0 + g1), 6 * (h1 - h0) - 4 * g0 - 2 * g1, g0
-    inside: Reals = b * b - 4 * a * c
-    root = np.sqrt(np.where(inside >= 0, inside, np.nan))
-    half = -(b + np.copysign(root, b)) / 2
-    found = []
-    for u in (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half)):
-        t = np.where((u >= 0) & (u <= 1), u, np.nan)
-        found.append(p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n))))
-    return found

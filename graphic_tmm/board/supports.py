@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from graphic_tmm.board.curve import stationary
 from graphic_tmm.board.geometry import along, cis, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
@@ -56,28 +57,14 @@ def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     for trial in range(curve.knots.shape[0]):
         p, m = curve.knots[trial], curve.tangents[trial]
         turned = above * np.conj(1j * way[min(trial, way.shape[0] - 1), 0])
-        found = np.concatenate([p, *_levels(p, m, turned)])
+        round_ = np.append(np.arange(p.size), 0)
+        found = np.concatenate([p, *stationary(p[round_], m[round_], turned)])
         heights = (found * turned).real
         whole = np.isfinite(p).all() and np.isfinite(m).all()
         best = found[np.argmax(np.nan_to_num(heights, nan=-np.inf))]
         spots.append(best if whole else np.nan)
     spot = np.array(spots, dtype=np.complex128)[:, None]
     return Line(spot, np.broadcast_to(way, spot.shape))
-
-
-def _levels(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
-    """Return the points of each arc of a closed curve where its height along a direction is stationary."""
-    q, n = np.roll(p, -1), np.roll(m, -1)
-    h0, h1, g0, g1 = ((z * turned).real for z in (p, q, m, n))
-    a, b, c = 6 * (h0 - h1) + 3 * (g0 + g1), 6 * (h1 - h0) - 4 * g0 - 2 * g1, g0
-    root = np.sqrt(np.where(b * b - 4 * a * c >= 0, b * b - 4 * a * c, np.nan))
-    half = -(b + np.copysign(root, b)) / 2
-    found = []
-    for u in (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half)):
-        t = np.where((u >= 0) & (u <= 1), u, np.nan)
-        spots = p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n)))
-        found.append(spots)
-    return found
 
 
 @operation("Обвести {curve} планиметром; площадь, мм², есть {it}.", across=True, fails=WHOLE_ROW)

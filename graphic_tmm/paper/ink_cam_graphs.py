@@ -12,9 +12,10 @@ import numpy as np
 
 from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board import graphs as g
-from graphic_tmm.board.cams import divide_semicircle, smooth_stretch
+from graphic_tmm.board.cams import divide_semicircle
 from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import join, lay_off, meet, place
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes
@@ -88,7 +89,7 @@ class _Ink:
         self.axis_lines = (self.marks.along, self.marks.up)
         self.ranges: dict[Mark, list[tuple[int, int]]] = {}
         for step in self.steps:
-            if step.op is smooth_stretch:
+            if step.op is graph_of_stretch:
                 ends = (step.choice["first"], step.choice["last"])
                 self.ranges.setdefault(step.uses[0], []).append(ends)
 
@@ -147,7 +148,7 @@ class _Ink:
 
     def curve_of(self, step: Step) -> Iterator[Bezier]:
         """The curve of a step."""
-        if step.op is smooth_stretch:
+        if step.op is graph_of_stretch:
             for controls in bezier(self.reading[step.it]):
                 yield Bezier("main", tuple(complex(z) for z in controls), step.it.letter)
 
@@ -164,7 +165,7 @@ class _Ink:
         """The points through which curves are drawn."""
         found: dict[complex, None] = {}
         for step in self.steps:
-            if step.op is smooth_stretch:
+            if step.op is graph_of_stretch:
                 part = slice(step.choice["first"], step.choice["last"] + 1)
                 found |= {
                     complex(z): None for z in self.points(step.uses[0])[part] if np.isfinite(z)

@@ -40,8 +40,15 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
     views = [] if made.indicator is None else [indicator_view(drawn, made.indicator, lettered)]
     views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
+        segment = number(_value(drawn, made.energy_mass.segment), language)
         found = draw_energy_mass_ink(
-            log, reading, made.energy_mass, names, words["energy-mass"], lettered=lettered
+            log,
+            reading,
+            made.energy_mass,
+            names,
+            words["energy-mass"],
+            segment,
+            lettered=lettered,
         )
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
         angles = [_angle(drawn, name) for name in ("ψ_{max}", "ψ_{min}")]
@@ -89,6 +96,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             symbol,
             "φ",
             {"energy": curves, "work": works}.get(key, {}),
+            {"cd": number(_value(drawn, made.segment), language)},
         )
         graph = draw_graph(
             project.construction,

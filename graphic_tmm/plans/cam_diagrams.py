@@ -12,7 +12,8 @@ import numpy as np
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.calculations import to_board, turn_per_mm
-from graphic_tmm.board.cams import in_turn, phase_end, smooth_stretch
+from graphic_tmm.board.cams import in_turn, phase_end
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
@@ -179,7 +180,7 @@ def _diagram(
     for spots, (first, last) in zip(points, stretches, strict=True):
         curves.append(
             board.draw(
-                smooth_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
+                graph_of_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
             )
         )
         readings.append(

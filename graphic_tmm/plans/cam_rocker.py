@@ -20,6 +20,7 @@ from graphic_tmm.board.cams import (
     slew,
     smooth_stretch,
 )
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import (
     cross,
     cut,
@@ -168,7 +169,7 @@ def _limit_diagram(
         high = board.draw(f.on_protractor, "y", angle, mu)
         spots = board.draw(lay_off, board.free("β"), lines, high)
         for first, last in phase.stretches:
-            curve = board.draw(smooth_stretch, "(β–β)", spots, first=first, last=last)
+            curve = board.draw(graph_of_stretch, "(β–β)", spots, first=first, last=last)
             own = board.draw(crest_of_curve, board.free("k"), curve, above=1)
             top = (
                 own

@@ -13,7 +13,8 @@ import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, rescaled, to_board, total
-from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, phase_end, smooth_stretch
+from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, phase_end
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
@@ -172,7 +173,7 @@ def _outline(
 def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[Mark, ...]:
     return tuple(
         draft.board.draw(
-            smooth_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last
+            graph_of_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last
         )
         for own, (_, first, last) in zip(points, diagrams.stretches, strict=True)
     )

@@ -198,7 +198,8 @@ def _diagrams(
         for letter in letters:
             heights = board.draw(to_board, f"h_{letter}", values[letter], mu)
             at = graphs.lay_ordinates(draft, axes, heights, board.free(letter[0].lower()))
-            graphs.through(draft, axes, at)
+            # the links' own inertia is smooth, what the gas has a part in is not
+            (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)
             found.append(graphs.read(draft, axes, at.points, f"y_{letter}"))
         charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
         curves[view] = letters

@@ -85,9 +85,12 @@ RimRatio = Annotated[float, Rule(lambda value, names: _share(value, 1.0), SCALE)
 Constant = Annotated[
     str, choice("resisting", "driving", сопротивления="resisting", движущий="driving")
 ]
-Integration = Annotated[str, choice("middles", "chords", середины="middles", хорды="chords")]
+Integration = Annotated[
+    str,
+    choice("areas", "middles", "chords", площади="areas", середины="middles", хорды="chords"),
+]
 Tangents = Annotated[
-    str, choice("points", "curve", "none", точки="points", кривая="curve", нет="none")
+    str, choice("curve", "points", "none", кривая="curve", точки="points", нет="none")
 ]
 Material = Annotated[str, choice("steel", "cast iron", сталь="steel", чугун="cast iron")]
 Studs = Annotated[int, whole(1, 24)]

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from graphic_tmm.board import graph_curves as curves
 from graphic_tmm.board import graphs as g
 from graphic_tmm.board.values import Curve, Line
 
@@ -60,12 +61,12 @@ def value(x: np.ndarray, arcs: np.ndarray, at: np.ndarray, order: int = 0) -> np
 
 
 def closed() -> Curve:
-    return g.closed_graph.run(FEET + 1j * Y, OVER, row=N)
+    return curves.closed_graph.run(FEET + 1j * Y, OVER, row=N)
 
 
 def opened() -> tuple[Curve, np.ndarray]:
     y = np.append(Y, 7.0)
-    return g.open_graph.run(FEET + 1j * Y, END + 7j, row=N), y
+    return curves.open_graph.run(FEET + 1j * Y, END + 7j, row=N), y
 
 
 @pytest.mark.parametrize("kind", ["periodic", "open"])
@@ -94,7 +95,7 @@ def test_knots_are_met_exactly_and_nothing_stands_outside_the_base() -> None:
 
 def test_a_closed_graph_through_middles_covers_the_whole_base() -> None:
     middles = FEET + STEP / 2
-    curve = g.closed_graph.run(middles + 1j * Y, OVER, row=N)
+    curve = curves.closed_graph.run(middles + 1j * Y, OVER, row=N)
     both = g.erect.run(curve, np.array([[0.0, LENGTH]]) + 0j).imag[0]
     assert both[0] == pytest.approx(both[1], abs=1e-10)
     np.testing.assert_allclose(g.erect.run(curve, middles).imag[0], Y, atol=1e-12)
@@ -107,7 +108,7 @@ def test_a_cubic_is_prolonged_exactly_by_half_an_interval(c: list[float]) -> Non
         return c[0] + c[1] * t + c[2] * t**2 + c[3] * t**3
 
     middles = X + STEP / 2
-    curve = g.open_graph_of_middles.run((middles + 1j * cubic(middles))[None, :], row=N)
+    curve = curves.open_graph_of_middles.run((middles + 1j * cubic(middles))[None, :], row=N)
     found = g.erect.run(curve, FINE[None, :] + 0j).imag[0]
     np.testing.assert_allclose(found, cubic(FINE), atol=1e-10)
 
@@ -116,8 +117,8 @@ def test_a_missing_point_touches_its_trial_only_and_leaves_runs() -> None:
     rows = np.concatenate([FEET + 1j * Y] * 3)
     rows[1, 5] = np.nan
     for curve in (
-        g.closed_graph.run(rows, OVER, row=N),
-        g.open_graph.run(rows, END + 7j, row=N),
+        curves.closed_graph.run(rows, OVER, row=N),
+        curves.open_graph.run(rows, END + 7j, row=N),
     ):
         found = g.erect.run(curve, FINE[None, :] + 0j).imag
         assert np.isfinite(found[[0, 2]]).all()
@@ -129,7 +130,7 @@ def test_a_missing_point_touches_its_trial_only_and_leaves_runs() -> None:
 
 def test_trials_of_curve_and_feet_go_together() -> None:
     rows = np.concatenate([FEET + 1j * Y, FEET + 2j * Y])
-    curve = g.closed_graph.run(rows, OVER, row=N)
+    curve = curves.closed_graph.run(rows, OVER, row=N)
     one = g.erect.run(curve, FEET)
     np.testing.assert_allclose(one[1].imag, 2 * Y)
     many = g.erect.run(closed(), np.concatenate([FEET, FEET + 1.0]))

@@ -38,7 +38,7 @@ def view(which: str, lettered: bool = True) -> Drawing:
         return draw_indicator_ink(log, work.reading, made, names, "X", lettered=lettered)
     second = flywheel().energy_mass
     assert second is not None
-    return draw_energy_mass_ink(log, work.reading, second, names, "X", lettered=lettered)
+    return draw_energy_mass_ink(log, work.reading, second, names, "X", "1", lettered=lettered)
 
 
 def curves(of: Drawing) -> list[shapely.LineString]:

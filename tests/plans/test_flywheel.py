@@ -10,7 +10,7 @@ import pytest
 from gallery import SHEETS
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.orders import FlywheelOrder, Gas
+from graphic_tmm.mechanism.orders import Drawn, FlywheelOrder, Gas
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.plans.flywheel import Flywheel
 from graphic_tmm.scene.read import read
@@ -240,7 +240,7 @@ def test_a_constant_driving_moment_tells_the_resistance_of_the_gas_and_the_same_
 
 
 def test_another_pole_distance_changes_the_drawing_and_not_the_result() -> None:
-    other = drawn(pole=25.0)
+    other = drawn(A=Drawn(pole=25.0))
     assert other.scales["work"].value == pytest.approx(drawn().scales["work"].value * 25 / 40)
     assert inertia(other) == pytest.approx(inertia(drawn()), rel=1e-12)
     assert other.reading[fly(other).segment][0, 0] == pytest.approx(60.82 * 40 / 25, abs=0.01)
@@ -256,11 +256,11 @@ def bare(mechanism: Mechanism) -> Mechanism:
     [
         ({"delta": 0.0}, "δ = 0 is not greater than 0"),
         ({"delta": -0.1}, "δ = -0.1"),
-        ({"pole": 0.0}, "H = 0 mm"),
-        ({"pole": -5.0}, "H = -5 mm"),
+        ({"A": Drawn(pole=0.0)}, "H = 0 mm"),
+        ({"A": Drawn(pole=-5.0)}, "H = -5 mm"),
     ],
 )
-def test_what_cannot_be_built_is_refused(changes: dict[str, float], says: str) -> None:
+def test_what_cannot_be_built_is_refused(changes: dict[str, object], says: str) -> None:
     with pytest.raises(StructureError, match=says):
         work(scene(**changes))
 
