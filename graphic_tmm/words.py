@@ -73,7 +73,7 @@ def _letters(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
 
 
 def _value(reading: Reading, mark: Mark, place: int) -> float:
-    row = reading[mark][0]
+    row = reading.figure(mark)[0]
     return float(row[place if row.size > 1 else 0])
 
 
@@ -188,10 +188,18 @@ def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
         "doubtful": "точка ненадёжна, верных цифр: {}"
         if language == "ru"
         else "the point is uncertain, digits that are sure: {}",
+        "lost": "округление не оставляет верных цифр; опущены: {}"
+        if language == "ru"
+        else "rounding leaves no digit that is sure; left out: {}",
+        "idle": "все силы равны нулю: строить нечего, масштаба нет"
+        if language == "ru"
+        else "all forces are zero: there is nothing to draw, and no scale",
     }[found.kind]
     if found.kind == "undrawn" and found.gap is not None:
         text = (found.gap.ru if language == "ru" else found.gap.en).format(**words)
         why += f" ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
+    if found.kind == "lost":
+        why = why.format(", ".join(plain(letter) for letter in found.letters))
     if found.kind == "doubtful":
         why = why.format(max(0, math.floor(-math.log10(found.amount))) if found.amount < 1.0 else 0)
     plan = CAPTIONS[language].get(found.step.it.view, found.step.it.view).lower()
