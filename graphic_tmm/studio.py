@@ -19,8 +19,8 @@ from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.spread import spread_columns, spread_results
 from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
-from graphic_tmm.words import finding
-from graphic_tmm.work import Work, doubted, executed, hand_of, ranges, record
+from graphic_tmm.words import finding, left_out
+from graphic_tmm.work import Work, assumed, doubted, executed, hand_of, ranges, record
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
@@ -165,10 +165,10 @@ def warnings(work: Work) -> tuple[str, ...]:
     if work.undrawn:
         missing = ", ".join(names[i] for i in work.undrawn)
         told.append(f"positions {missing} cannot be drawn" + ranges(work.project))
-    for found in work.findings():
-        if found.kind != "touching":
-            told.append(finding(found, names, "en"))
-    return tuple(told)
+    findings = work.findings()
+    told += [finding(f, names, "en") for f in findings if f.kind not in ("touching", "lost")]
+    told += left_out([f for f in findings if f.kind == "lost"], names, "en")
+    return (*told, *assumed(work))
 
 
 def packaged() -> list[Path]:

@@ -8,13 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.findings import Finding, examine, step_number
 from graphic_tmm.board.hand import EXACT, HANDS, Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
+from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scaling import (
     chart_scale_values,
@@ -59,7 +60,30 @@ class Work:
         log, project = self.project.construction, self.project
         marks = [step.it for step in log.steps if not step.op.across]
         found = examine(log, self.given, marks, hand=self.hand, doubts=self.reading.doubts)
-        return (*_asked_for(found, project), *_idle(project, self.scales))
+        return (*_asked_for(found, project, self.reading), *_idle(project, self.scales))
+
+
+def assumed(drawn: Work) -> Iterator[str]:
+    """Yield, for people, which keys are left out whose defaults matter."""
+    yield from drawn.scene.assumed
+    project = drawn.project
+    drive = project.mechanism.drive
+    inertial = project.forces is not None and project.forces.order.inertia
+    velocities = project.velocities
+    if velocities is None or not (inertial or project.flywheel is not None):
+        return
+    # a crank that turns evenly has no inertia couple, and an energy that does not change
+    even = {drive.link} if drive.acceleration == 0.0 else set()
+    bare = [
+        str(link.number)
+        for link in project.mechanism.links
+        if link.mass and link.inertia is None and link.number in velocities.rates.keys() - even
+    ]
+    if bare:
+        yield (
+            f"link {', '.join(bare)}: J is left out, with a mass given: no inertia couple and no energy of "
+            "turning is taken; write J, or J = 0"
+        )
 
 
 def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
@@ -160,9 +184,7 @@ def executed(
         polygons = project.forces.polygons
         lever = project.forces.lever.mu
         scales["lever"] = Scale("μ_v", float(reading[lever][0, 0]), lever.unit)
-        scales |= {
-            p.view: Scale("μ_F", sized[p.mu], "N/mm") for p in polygons if p.mu in sized
-        }
+        scales |= {p.view: Scale("μ_F", sized[p.mu], "N/mm") for p in polygons if p.mu in sized}
     undrawn = _undrawn(project, reading)
     if len(undrawn) == len(project.names):
         raise StructureError(
@@ -171,8 +193,17 @@ def executed(
     return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, doubts)
 
 
-def _asked_for(found: tuple[Finding, ...], project: Project) -> Iterator[Finding]:
-    """Yield findings of plans of accelerations and of forces only at positions that have such a plan."""
+def _balanced(made: Forces, reading: Reading) -> set[int]:
+    """Return the positions at which both methods find no force that balances the crank."""
+    none = [reading.figure(mark) == 0.0 for mark in (made.balance, made.lever.balance)]
+    return {int(k) for k in np.flatnonzero(np.logical_and(*none)[0])}
+
+
+def _asked_for(found: tuple[Finding, ...], project: Project, reading: Reading) -> Iterator[Finding]:
+    """Yield findings of plans of accelerations and of forces only at positions that have such a plan.
+
+    Where both methods find that nothing is needed, there is nothing to compare, and nothing to tell.
+    """
     made = project.forces
     gained = set(project.accelerated)
     if made is not None and made.order.inertia:
@@ -183,6 +214,8 @@ def _asked_for(found: tuple[Finding, ...], project: Project) -> Iterator[Finding
             places &= gained
         elif made is not None and made.owns(one.step.it.view):
             places &= set(project.forced)
+            if one.step.it == made.difference and one.kind == "undrawn":
+                places -= _balanced(made, reading)
         if places:
             yield one._replace(positions=tuple(sorted(places)))
 
@@ -205,7 +238,11 @@ def _read(
     """
     log = project.construction
     exact = hand.ruler is None and not hand.slips and hand.digits is None
-    own = doubts if exact else Doubts(log.steps, given, doubts.lost)
+    own = (
+        doubts
+        if exact
+        else Doubts(log.steps, given, doubts.lost, coarse=_ruled(project, given, hand))
+    )
     still = {m for m in log.given if m.view != "accelerations"}
     still |= {m for s in log.steps if s.it.view != "accelerations" for m in (s.it, *s.uses)}
     reading = execute(log, given, still, hand=hand).without(doubts.lost).doubted(own)
@@ -216,6 +253,15 @@ def _read(
     places = project.accelerated
     planned = execute(log, given, whole, hand=hand, positions=places)
     return reading, planned.without(doubts.lost, places).doubted(own, places)
+
+
+def _ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[int, Doubts]:
+    """Return what the ruler leaves of the difference of the two methods: its digits follow from readings."""
+    if project.forces is None or hand.ruler is None:
+        return {}
+    difference = project.forces.difference
+    steps = needed(project.construction, [difference])
+    return {difference.slot: Doubts(steps, given, ruler=hand.ruler)}
 
 
 def ranges(project: Project) -> str:

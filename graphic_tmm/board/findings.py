@@ -16,12 +16,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.doubt import DOUBTFUL, FIGURES, Doubts
+from graphic_tmm.board.doubt import DOUBTFUL, Doubts
 from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.geometry import TANGENT
 from graphic_tmm.board.grammar import WHOLE_ROW, Gap
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.sizes import FIGURES
 from graphic_tmm.board.values import Curve, Line, Reals, undefined
 
 
@@ -67,7 +68,9 @@ def examine(
     marks = {mark for step in steps for mark in (step.it, *step.uses)}
     reading = execute(construction, given, marks, hand=hand, positions=positions)
     if doubts is None:
-        doubts = Doubts(steps, {mark: reading[mark] for mark in marks if mark in construction.given})
+        doubts = Doubts(
+            steps, {mark: reading[mark] for mark in marks if mark in construction.given}
+        )
     found: list[Finding] = []
     with np.errstate(all="ignore"):
         broken: set[str] = set()
@@ -78,7 +81,8 @@ def examine(
                 continue
             told, lost[step.it] = _told(step, doubts.share(step.it), lost)
             values = [reading[mark] for mark in step.uses]
-            found += _of_step(construction, step, values, reading[step.it], told)
+            result = reading[step.it]
+            found += _of_step(construction, step, values, result, told, _handed(step, doubts))
     found += _left_out(construction, steps, reading, doubts)
     if positions is None:
         return tuple(found)
@@ -156,13 +160,24 @@ def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, An
     return np.where(before, 0.0, share), before | (share > DOUBTFUL)
 
 
+def _handed(step: Step, doubts: Doubts) -> Any:
+    used = [doubts.lost[mark.slot] for mark in step.uses if mark.slot in doubts.lost]
+    return np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, 1), bool), *used))
+
+
 def _of_step(
-    construction: Construction, step: Step, values: list[Any], result: Any, share: Reals
+    construction: Construction,
+    step: Step,
+    values: list[Any],
+    result: Any,
+    share: Reals,
+    handed: Any,
 ) -> list[Finding]:
+    """Return what happened in a step; ``handed``: where it was handed what is lost, and cannot but fail."""
     there = [undefined(value) for value in values if not isinstance(value, Curve)]
     bad = undefined(result)
     fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros_like(bad), *there))
-    failed = fine & bad
+    failed = fine & bad & ~handed
     found = []
     if failed.any():
         gap, amount = _worst_gap(step, values, failed)

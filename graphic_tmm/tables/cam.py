@@ -58,9 +58,7 @@ def cam_columns(part: Drawn) -> tuple[Column, ...]:
     return tuple(found)
 
 
-def _column(
-    segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None
-) -> Column:
+def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
     def row(values: Reals) -> Row:
         return row_of(values[:, :count], range(count), count)
 

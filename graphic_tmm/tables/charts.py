@@ -82,7 +82,9 @@ def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[floa
         marks |= {n: (mark, unit) for n, mark, unit in zip(named, sizes, units, strict=True)}
     for side in found.indicator.sides if found.indicator is not None else ():
         marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
-    values = {name: (float(reading.figure(mark)[0, 0]), unit) for name, (mark, unit) in marks.items()}
+    values = {
+        name: (float(reading.figure(mark)[0, 0]), unit) for name, (mark, unit) in marks.items()
+    }
     return {name: found for name, found in values.items() if math.isfinite(found[0])}
 
 

@@ -12,7 +12,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.polygons import Reaction
 from graphic_tmm.plans.project import Project
-from graphic_tmm.tables.columns import Column, row_of, segment_name
+from graphic_tmm.tables.columns import Column, Row, row_of, segment_name
 
 PLAN = "forces"
 
@@ -41,7 +41,7 @@ def force_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
     found = []
     for row in rows:
         value = _at(reading.figure(row.value, row.scale), places)
-        mm = (None,) * count
+        mm: Row = (None,) * count
         if row.mm is not None:
             mm = row_of(_at(reading.figure(row.mm), places), places, count)
         told = row_of(np.abs(value) if row.size else value, places, count)
