@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, Hand
@@ -53,12 +54,13 @@ class Part:
             marks = {**cam_marks(self.made), **marks}
         if isinstance(self.made, Planetary):
             marks = {**self.made.results, **marks}
-        more = {k: (float(self.reading[m].ravel()[0]), _unit(m)) for k, m in marks.items()}
+        more = {k: (float(self.reading.figure(m).ravel()[0]), _unit(m)) for k, m in marks.items()}
         return found | more
 
     def drawn_by(self, hand: Hand) -> Part:
         """Return the same drawing by another hand."""
-        return replace(self, reading=execute(self.construction, self.given, hand=hand), hand=hand)
+        reading = execute(self.construction, self.given, hand=hand)
+        return replace(self, reading=replace(reading, doubts=self.reading.doubts), hand=hand)
 
     def trial(self, k: int) -> Part:
         """Return one of the drawings of a hand that drew several times."""
@@ -137,7 +139,7 @@ def _part(
     extra: Mapping[str, Mark],
 ) -> Part:
     log = draft.board.construction()
-    reading = execute(log, given, hand=hand)
+    reading = execute(log, given, hand=hand).doubted(Doubts(log.steps, given))
     return Part(kind, scene, made, log, given, reading, hand, extra)
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
@@ -27,12 +29,16 @@ POLYGON = 200.0
 
 
 def choose_scales(
-    project: Project, wanted: Scales, room: float, vectors: tuple[float, float]
+    project: Project,
+    wanted: Scales,
+    room: float,
+    vectors: tuple[float, float],
+    doubts: Doubts,
 ) -> dict[str, Scale]:
     """Return μ of every plan drawn: what the scene fixes, else a standard one, found with the exact hand.
 
     A segment fixed in mm (OA, pa, πa) gives its μ; the choice makes the plan of positions and the longest
-    vectors as large as ``room`` and ``vectors`` (mm) allow.
+    vectors as large as ``room`` and ``vectors`` (mm) allow. What is lost by ``doubts`` has no part in it.
     """
     log, given = project.construction, dict(project.given)
     for plan in PLANS:
@@ -40,12 +46,12 @@ def choose_scales(
             given[project.scale(plan)] = 1.0
     arm, pin_speed, pin_acceleration = _crank(project)
     points = [m for m in project.marks("positions") if m.kind is Point]
-    reading = execute(log, given, points)
+    reading = execute(log, given, points).without(doubts.lost)
     extent = _extent([reading[mark] for mark in points])
     mu_l = wanted.mu_l or (arm / wanted.OA if wanted.OA else standard_length(extent, room))
     scales = {"positions": Scale("μ_l", mu_l, "m/mm")}
     if project.velocities is not None:
-        longest = _longest(project, given, "velocities", None)
+        longest = _longest(project, given, "velocities", None, doubts)
         mu_v = wanted.mu_v or (
             pin_speed / wanted.pa if wanted.pa else standard(longest, vectors[0])
         )
@@ -54,7 +60,7 @@ def choose_scales(
         scales["velocities"] = Scale("μ_v", mu_v, "(m/s)/mm")
     if project.accelerations is not None:
         places = project.accelerated or project.forced
-        longest = _longest(project, given, "accelerations", places)
+        longest = _longest(project, given, "accelerations", places, doubts)
         mu_a = wanted.mu_a or (
             pin_acceleration / wanted.pi_a if wanted.pi_a else standard(longest, vectors[1])
         )
@@ -77,45 +83,62 @@ def _extent(points: list[np.ndarray]) -> float:
 
 
 def _longest(
-    project: Project, given: Mapping[Mark, object], plan: str, at: tuple[int, ...] | None
+    project: Project,
+    given: Mapping[Mark, object],
+    plan: str,
+    at: tuple[int, ...] | None,
+    doubts: Doubts,
 ) -> float:
     points = [m for m in project.marks(plan) if m.kind is Point]
-    reading = execute(project.construction, given, points, positions=at)
+    reading = execute(project.construction, given, points, positions=at).without(doubts.lost, at)
     lengths = [np.abs(reading[m]) for m in points]
     return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
 
 
-def force_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, float]:
+def polygon_scales(project: Project) -> list[Mark]:
+    """Return the marks of μ of every polygon of forces."""
+    views = project.construction.views if project.forces is not None else ()
+    return [view.scale for view in views if view.scale is not None and view.name.startswith(VIEW)]
+
+
+def force_scales(
+    project: Project, given: Mapping[Mark, object], doubts: Doubts
+) -> dict[Mark, float]:
     """Return μ of every polygon of forces: what the scene fixes, else a standard one.
 
-    The largest side of a polygon in any position whose forces are asked for takes `POLYGON` mm at most.
+    The largest side of a polygon in any position whose forces are asked for takes `POLYGON` mm at most. A
+    polygon whose forces are all nothing has no μ but the scene's.
     """
     made = project.forces
     if made is None:
         return {}
-    log = project.construction
-    scales = [
-        view.scale for view in log.views if view.scale is not None and view.name.startswith(VIEW)
-    ]
+    log, scales = project.construction, polygon_scales(project)
     ones = {**given, **_free(project), **dict.fromkeys(scales, 1.0)}
     marks = [
         step.it for step in log.steps if step.it.view.startswith(VIEW) and step.it.kind is Point
     ]
-    reading = execute(log, ones, marks)
+    reading = execute(log, ones, marks).without(doubts.lost)
     found = {}
     for mu in scales:
-        spots = [_at(reading[m], project.forced) for m in marks if m.view == mu.view]
+        spots = [_at(_told(reading, m, doubts), project.forced) for m in marks if m.view == mu.view]
         extent = _extent([np.concatenate([[0j], *spots])])
-        found[mu] = made.order.mu or standard(extent, POLYGON)
-    return found | {made.lever.times: _enlarged(project, {**ones, **found})}
+        if made.order.mu or extent > 0.0:
+            found[mu] = made.order.mu or standard(extent, POLYGON)
+    return found | {made.lever.times: _enlarged(project, {**ones, **found}, doubts)}
 
 
-def _enlarged(project: Project, given: Mapping[Mark, object]) -> float:
+def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
+    """Return where a point is, with all scales 1; what is nothing but rounding is at the beginning."""
+    return np.asarray(doubts.figure(mark, reading[mark]))
+
+
+def _enlarged(project: Project, given: Mapping[Mark, object], doubts: Doubts) -> float:
     """Return how many times the lever is larger than the velocity plan, so that arms can be measured."""
     assert project.forces is not None
     lever = project.forces.lever
     images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
     reading = execute(project.construction, {**given, lever.times: 1.0}, [*images, lever.pole])
+    reading = reading.without(doubts.lost)
     extent = _extent([np.concatenate([[0j], *(_at(reading[m], project.forced) for m in images)])])
     return next((k for k in ENLARGED if k * extent <= LEVER), 1.0)
 
@@ -124,14 +147,16 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
     return np.asarray(values[0, list(places)] if values.shape[1] > 1 else values[0])
 
 
-def engine_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, float]:
+def engine_scales(
+    project: Project, given: Mapping[Mark, object], doubts: Doubts
+) -> dict[Mark, float]:
     """Return μ of an engine's force triangles and of its rotating vectors: standard ones."""
     made = project.engine
     if made is None:
         return {}
     ones = {**given, **_free(project), made.mu: 1.0, made.harmonics.mu: 1.0}
     ends = list(made.harmonics.ends)
-    reading = execute(project.construction, ones, [made.values["P′"], *ends])
+    reading = execute(project.construction, ones, [made.values["P′"], *ends]).without(doubts.lost)
     sizes = {
         made.mu: np.abs(reading[made.values["P′"]]),
         made.harmonics.mu: np.abs(reading[ends[0]]),
@@ -142,12 +167,14 @@ def engine_scales(project: Project, given: Mapping[Mark, object]) -> dict[Mark, 
     }
 
 
-def chart_scales(project: Project, given: Mapping[Mark, object], format_: str) -> dict[Mark, float]:
+def chart_scales(
+    project: Project, given: Mapping[Mark, object], doubts: Doubts, format_: str
+) -> dict[Mark, float]:
     """Return the values of the scale marks of the graphs, with the plans' own scales ``given``.
 
     With every scale that may be chosen at 1, an ordinate times its μ is what it stands for.
     """
-    return free_scales(project.charts, project.construction, given, format_)
+    return free_scales(project.charts, project.construction, given, format_, doubts.lost)
 
 
 def free_scales(
@@ -155,6 +182,7 @@ def free_scales(
     construction: Construction,
     given: Mapping[Mark, object],
     format_: str = "A1",
+    lost: Mapping[int, np.ndarray] = MappingProxyType({}),
 ) -> dict[Mark, float]:
     """Return the values of the scale marks of graphs that may be chosen, all else ``given``.
 
@@ -162,7 +190,7 @@ def free_scales(
     """
     free = {chart.mu: 1.0 for chart in charts if chart.chosen}
     wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.besides, chart.mu)]
-    reading = execute(construction, {**given, **free}, wanted)
+    reading = execute(construction, {**given, **free}, wanted).without(lost)
     found: dict[Mark, float] = {}
     for chart in charts:
         if chart.chosen:

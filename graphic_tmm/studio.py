@@ -24,8 +24,8 @@ from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.spread import spread_columns, spread_results
 from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
-from graphic_tmm.words import finding, plain
-from graphic_tmm.work import Work, executed, hand_of, ranges, record
+from graphic_tmm.words import finding, left_out, plain
+from graphic_tmm.work import Work, assumed, doubted, executed, hand_of, ranges, record
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
@@ -131,12 +131,13 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
     from graphic_tmm.paper.compose import Cells, needed
 
     project = record(scene)
+    doubts = doubted(project)
     cells: Cells = {}
     tried: dict[tuple[float, ...], float] = {}
 
     def count(rooms: tuple[float, float]) -> float:
         """Return how many sheets the plans take; without end if one of them fits none."""
-        made = executed(scene, project, exact=True, vectors=rooms)
+        made = executed(scene, project, exact=True, vectors=rooms, doubts=doubts)
         factors = tuple(scale.value for scale in made.scales.values())
         if factors not in tried:
             try:
@@ -152,7 +153,7 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
         rooms = (rooms[0], larger) if count((rooms[0], larger)) <= most else rooms
     for larger in reversed([r for r in VECTORS if r > rooms[0]]):
         rooms = (larger, rooms[1]) if count((larger, rooms[1])) <= most else rooms
-    return executed(scene, project, exact=exact, vectors=rooms)
+    return executed(scene, project, exact=exact, vectors=rooms, doubts=doubts)
 
 
 def part_warnings(part: Part) -> tuple[str, ...]:
@@ -169,12 +170,12 @@ def warnings(work: Work) -> tuple[str, ...]:
     if work.undrawn:
         missing = ", ".join(names[i] for i in work.undrawn)
         told.append(f"positions {missing} cannot be drawn" + ranges(work.project))
-    for found in work.findings():
-        if found.kind != "touching":
-            told.append(finding(found, names, "en"))
+    findings = work.findings()
+    told += [finding(f, names, "en") for f in findings if f.kind not in ("touching", "lost")]
+    told += left_out([f for f in findings if f.kind == "lost"], names, "en")
     if wide := rim_too_wide(work.project, work.reading, "en"):
         told.append(f"flywheel: {plain(wide)}")
-    return tuple(told)
+    return (*told, *assumed(work))
 
 
 def packaged() -> list[Path]:

@@ -6,7 +6,7 @@ The sentences live on the operations; here letters and numbers are put into them
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -73,7 +73,7 @@ def _letters(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
 
 
 def _value(reading: Reading, mark: Mark, place: int) -> float:
-    row = reading[mark][0]
+    row = reading.figure(mark)[0]
     return float(row[place if row.size > 1 else 0])
 
 
@@ -188,13 +188,45 @@ def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
         "doubtful": "точка ненадёжна, верных цифр: {}"
         if language == "ru"
         else "the point is uncertain, digits that are sure: {}",
+        "lost": "округление не оставляет верных цифр; опущены: {}"
+        if language == "ru"
+        else "rounding leaves no digit that is sure; left out: {}",
+        "idle": "все силы равны нулю: строить нечего, масштаба нет"
+        if language == "ru"
+        else "all forces are zero: there is nothing to draw, and no scale",
     }[found.kind]
     if found.kind == "undrawn" and found.gap is not None:
         text = (found.gap.ru if language == "ru" else found.gap.en).format(**words)
         why += f" ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
+    if found.kind == "lost":
+        why = why.format(_letters_of(found))
     if found.kind == "doubtful":
         why = why.format(max(0, math.floor(-math.log10(found.amount))) if found.amount < 1.0 else 0)
     plan = CAPTIONS[language].get(found.step.it.view, found.step.it.view).lower()
     step = "шаг" if language == "ru" else "step"
     where = CAPTIONS[language]["at positions"]
     return f"{plan}, {step} {found.number} '{words['it']}': {why}; {where} {at}"
+
+
+def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) -> Iterator[str]:
+    """Yield, as sentences, the figures of which no digit is sure, together those of the same positions."""
+    for places in dict.fromkeys(one.positions for one in found):
+        some = [one for one in found if one.positions == places]
+        plans = dict.fromkeys(one.step.it.view for one in some)
+        told = []
+        for plan in plans:
+            letters = ", ".join(_letters_of(one) for one in some if one.step.it.view == plan)
+            told.append(f"{CAPTIONS[language].get(plan, plan).lower()} {letters}")
+        where = CAPTIONS[language]["at positions"]
+        why = (
+            "округление не оставляет верных цифр, опущены"
+            if language == "ru"
+            else "rounding leaves no digit that is sure, left out are"
+        )
+        at = ", ".join(names[i] for i in places)
+        yield f"{why}: {'; '.join(told)}; {where} {at}"
+
+
+def _letters_of(found: Finding) -> str:
+    """Return the letters that are left out, each once, however often it is primed."""
+    return ", ".join(dict.fromkeys(plain(letter).rstrip("′") for letter in found.letters))

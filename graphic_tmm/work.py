@@ -8,13 +8,15 @@ from functools import cached_property
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.findings import Finding, examine
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import Reading, execute, needed
+from graphic_tmm.board.findings import Finding, examine, step_number
 from graphic_tmm.board.hand import EXACT, HANDS, Hand
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
+from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.plans.reaches import Reach, reach_of
 from graphic_tmm.scaling import (
@@ -23,6 +25,7 @@ from graphic_tmm.scaling import (
     choose_scales,
     engine_scales,
     force_scales,
+    polygon_scales,
 )
 from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene
 
@@ -42,6 +45,7 @@ class Work:
     accelerated: Reading | None
     hand: Hand
     undrawn: tuple[int, ...]
+    doubts: Doubts
 
     @cached_property
     def reaches(self) -> dict[Figure, Reach]:
@@ -57,7 +61,7 @@ class Work:
 
     def drawn_by(self, hand: Hand) -> Work:
         """Return the same drawing, to the same scales, by another hand."""
-        reading, accelerated = _read(self.project, self.given, hand)
+        reading, accelerated = _read(self.project, self.given, hand, self.doubts)
         return replace(self, reading=reading, accelerated=accelerated, hand=hand)
 
     def trial(self, k: int) -> Work:
@@ -66,17 +70,34 @@ class Work:
         return replace(self, reading=self.reading.trial(k), accelerated=accelerated)
 
     def findings(self) -> tuple[Finding, ...]:
-        """Return what could not be drawn, or was drawn at the edge of its possibility."""
-        log = self.project.construction
-        plain = [s.it for s in log.steps if s.it.view != "accelerations" and not s.op.across]
-        found = examine(log, self.given, plain, hand=self.hand)
-        if self.project.forces is not None:
-            found = tuple(_of_forces(found, self.project))
-        if self.accelerated is None:
-            return found
-        marks = self.project.marks("accelerations")
-        more = examine(log, self.given, marks, hand=self.hand, positions=self.project.accelerated)
-        return (*found, *(f for f in more if f.step.it.view == "accelerations"))
+        """Return what could not be drawn, or was drawn at the edge of its possibility, or is left out."""
+        log, project = self.project.construction, self.project
+        marks = [step.it for step in log.steps if not step.op.across]
+        found = examine(log, self.given, marks, hand=self.hand, doubts=self.reading.doubts)
+        return (*_asked_for(found, project, self.reading), *_idle(project, self.scales))
+
+
+def assumed(drawn: Work) -> Iterator[str]:
+    """Yield, for people, which keys are left out whose defaults matter."""
+    yield from drawn.scene.assumed
+    project = drawn.project
+    drive = project.mechanism.drive
+    inertial = project.forces is not None and project.forces.order.inertia
+    velocities = project.velocities
+    if velocities is None or not (inertial or project.flywheel is not None):
+        return
+    # a crank that turns evenly has no inertia couple, and an energy that does not change
+    even = {drive.link} if drive.acceleration == 0.0 else set()
+    bare = [
+        str(link.number)
+        for link in project.mechanism.links
+        if link.mass and link.inertia is None and link.number in velocities.rates.keys() - even
+    ]
+    if bare:
+        yield (
+            f"link {', '.join(bare)}: J is left out, with a mass given: no inertia couple and no energy of "
+            "turning is taken; write J, or J = 0"
+        )
 
 
 def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
@@ -85,7 +106,17 @@ def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (8
     ``exact`` switches the rounding of the ruler off; ``vectors`` is the room, mm, for the
     longest vector of the plans of velocities and of accelerations.
     """
-    return executed(scene, record(scene), exact=exact, vectors=vectors)
+    project = record(scene)
+    return executed(scene, project, exact=exact, vectors=vectors, doubts=doubted(project))
+
+
+def doubted(project: Project) -> Doubts:
+    """Return how far rounding moves the marks of a project, with a scale factor of 1 for every plan.
+
+    Where it leaves no digit of a mark does not depend on scale factors; they are chosen by the others.
+    """
+    log = project.construction
+    return Doubts(log.steps, {**dict.fromkeys(log.given, 1.0), **project.given}, to_scale=False)
 
 
 def record(scene: Scene) -> Project:
@@ -137,20 +168,26 @@ def executed(
     *,
     exact: bool,
     vectors: tuple[float, float],
+    doubts: Doubts | None = None,
 ) -> Work:
-    """Choose the scale factors of a recorded project and execute it; see `work`."""
+    """Choose the scale factors of a recorded project and execute it; see `work`.
+
+    ``doubts``: of the project; what is lost by them sets no scale factor, and is not there.
+    """
     formats = [sheet.format for sheet in scene.sheets]
+    doubts = doubts or doubted(project)
     scales = choose_scales(
-        project, scene.scales, ROOM["A4" if set(formats) == {"A4"} else "A1"], vectors
+        project, scene.scales, ROOM["A4" if set(formats) == {"A4"} else "A1"], vectors, doubts
     )
     given = dict(project.given)
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
-    given |= force_scales(project, given)
-    given |= engine_scales(project, given)
-    given |= chart_scales(project, given, _graphs_on(scene))
+    sized = force_scales(project, given, doubts)
+    given |= {**dict.fromkeys(polygon_scales(project), 1.0), **sized}
+    given |= engine_scales(project, given, doubts)
+    given |= chart_scales(project, given, doubts, _graphs_on(scene))
     hand = EXACT if exact else hand_of(scene)
-    reading, accelerated = _read(project, given, hand)
+    reading, accelerated = _read(project, given, hand, doubts)
     scales |= chart_scale_values(project, reading)
     if project.engine is not None:
         mu = project.engine.mu
@@ -161,13 +198,13 @@ def executed(
         polygons = project.forces.polygons
         lever = project.forces.lever.mu
         scales["lever"] = Scale("μ_v", float(reading[lever][0, 0]), lever.unit)
-        scales |= {p.view: Scale("μ_F", float(reading[p.mu][0, 0]), "N/mm") for p in polygons}
+        scales |= {p.view: Scale("μ_F", sized[p.mu], "N/mm") for p in polygons if p.mu in sized}
     undrawn = _undrawn(project, reading)
     if len(undrawn) == len(project.names):
         raise StructureError(
             f"{scene.source}: none of the positions can be drawn" + ranges(project)
         )
-    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
+    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, doubts)
 
 
 def _graphs_on(scene: Scene) -> str:
@@ -176,31 +213,75 @@ def _graphs_on(scene: Scene) -> str:
     return "A4" if "A4" in formats else "A1"
 
 
-def _of_forces(found: tuple[Finding, ...], project: Project) -> Iterator[Finding]:
-    """Yield findings; those of forces only at positions whose forces are asked for."""
-    assert project.forces is not None
+def _balanced(made: Forces, reading: Reading) -> set[int]:
+    """Return the positions at which both methods find no force that balances the crank."""
+    none = [reading.figure(mark) == 0.0 for mark in (made.balance, made.lever.balance)]
+    return {int(k) for k in np.flatnonzero(np.logical_and(*none)[0])}
+
+
+def _asked_for(found: tuple[Finding, ...], project: Project, reading: Reading) -> Iterator[Finding]:
+    """Yield findings of plans of accelerations and of forces only at positions that have such a plan.
+
+    Where both methods find that nothing is needed, there is nothing to compare, and nothing to tell.
+    """
+    made = project.forces
+    gained = set(project.accelerated)
+    if made is not None and made.order.inertia:
+        gained |= set(project.forced)
     for one in found:
-        if not project.forces.owns(one.step.it.view):
-            yield one
-            continue
-        places = tuple(k for k in one.positions if k in project.forced)
+        places = set(one.positions)
+        if one.step.it.view == "accelerations":
+            places &= gained
+        elif made is not None and made.owns(one.step.it.view):
+            places &= set(project.forced)
+            if one.step.it == made.difference and one.kind == "undrawn":
+                places -= _balanced(made, reading)
         if places:
-            yield one._replace(positions=places)
+            yield one._replace(positions=tuple(sorted(places)))
+
+
+def _idle(project: Project, scales: Mapping[str, Scale]) -> Iterator[Finding]:
+    """Yield the polygons that have no scale, for all their forces are nothing."""
+    made, log = project.forces, project.construction
+    for polygon in made.polygons if made is not None else ():
+        if polygon.view not in scales:
+            step = next(step for step in log.steps if step.it.view == polygon.view)
+            yield Finding("idle", step, step_number(log, step), project.forced, 0.0)
 
 
 def _read(
-    project: Project, given: Mapping[Mark, object], hand: Hand
+    project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Doubts
 ) -> tuple[Reading, Reading | None]:
-    """Execute the log: everything but the plans of accelerations, and these at their positions."""
+    """Execute the log: everything but the plans of accelerations, and these at their positions.
+
+    What is lost is not there.
+    """
     log = project.construction
+    exact = hand.ruler is None and not hand.slips and hand.digits is None
+    own = (
+        doubts
+        if exact
+        else Doubts(log.steps, given, doubts.lost, coarse=_ruled(project, given, hand))
+    )
     still = {m for m in log.given if m.view != "accelerations"}
     still |= {m for s in log.steps if s.it.view != "accelerations" for m in (s.it, *s.uses)}
-    reading = execute(log, given, still, hand=hand)
+    reading = execute(log, given, still, hand=hand).without(doubts.lost).doubted(own)
     if project.accelerations is None or not project.accelerated:
         return reading, None
     steps = [step for step in log.steps if step.it.view == "accelerations"]
     whole = {mark for step in steps for mark in (step.it, *step.uses)}
-    return reading, execute(log, given, whole, hand=hand, positions=project.accelerated)
+    places = project.accelerated
+    planned = execute(log, given, whole, hand=hand, positions=places)
+    return reading, planned.without(doubts.lost, places).doubted(own, places)
+
+
+def _ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[int, Doubts]:
+    """Return what the ruler leaves of the difference of the two methods: its digits follow from readings."""
+    if project.forces is None or hand.ruler is None:
+        return {}
+    difference = project.forces.difference
+    steps = needed(project.construction, [difference])
+    return {difference.slot: Doubts(steps, given, ruler=hand.ruler)}
 
 
 def ranges(project: Project) -> str:

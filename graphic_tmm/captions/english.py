@@ -129,6 +129,8 @@ ENGLISH: dict[str, str] = {
     "M_bal_forces": "M_{b}",
     "M_bal_lever": "M_{b}^{Zh}",
     "bal_difference": "Δ",
+    "nothing to compare": "Δ: there is nothing to compare",
+    "no forces": "all forces are zero: there is no polygon",
     "bal_open": "Δ_{friction}",
     "A driving": "A_{drv}",
     "A resisting": "A_{res}",

@@ -129,6 +129,8 @@ RUSSIAN: dict[str, str] = {
     "M_bal_forces": "M_{ур}",
     "M_bal_lever": "M_{ур}^{Ж}",
     "bal_difference": "Δ",
+    "nothing to compare": "Δ: сравнивать нечего",
+    "no forces": "все силы равны нулю: плана сил нет",
     "bal_open": "Δ_{трения}",
     "A driving": "A_{дс}",
     "A resisting": "A_{пс}",

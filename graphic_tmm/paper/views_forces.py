@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from graphic_tmm.board.record import Mark
@@ -64,8 +65,9 @@ def _pair(
     at = f"{words['position']} {escape(project.names[place])}"
     key = "group of forces" if "-" in name else "link of forces"
     title = f"{words[key].format(name=name)}, {at}"
-    scale = drawn.scales[polygon.view]
-    scales = ", ".join(mu_text(s, language) for s in (drawn.scales["positions"], scale))
+    scale = drawn.scales.get(polygon.view)
+    both = (drawn.scales["positions"], scale)
+    scales = ", ".join(mu_text(s, language) for s in both if s is not None)
     figure = draw_group(
         project.construction,
         drawn.reading,
@@ -78,6 +80,8 @@ def _pair(
         words,
         lettered=lettered,
     )
+    if scale is None:
+        return [captioned(figure, title, scales, words["no forces"])]
     key = "polygon of group" if "-" in name else "polygon of link"
     caption = f"{words[key].format(name=name)}, {at}"
     plan = draw_polygon(
@@ -186,7 +190,7 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
     words = CAPTIONS[language]
 
     def at(mark: Mark) -> float:
-        row = drawn.reading[mark][0]
+        row = drawn.reading.figure(mark)[0]
         return float(row[place if row.size > 1 else 0])
 
     of = unit("N" if made.order.balance == "force" else "N·m", language)
@@ -196,6 +200,8 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
         for way, mark in (("forces", made.balance), ("lever", made.lever.balance))
     ]
     apart, limit = at(made.difference), made.order.limit
+    if not math.isfinite(apart):
+        return [", ".join(both), words["nothing to compare"]]
     sign = "≤" if apart <= limit else "&gt;"
     judged = f"Δ = {number(apart, language, 2)} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]

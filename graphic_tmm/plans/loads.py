@@ -26,7 +26,7 @@ from graphic_tmm.board.statics import (
 )
 from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Load
+from graphic_tmm.mechanism.loads import AGAINST, ForcesOrder, Load
 from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.plans.cylinder import Cylinder
@@ -121,7 +121,7 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
     loads = Loads()
     for link in sorted(ground.mechanism.links, key=attrgetter("number")):
         if order.gravity and link.mass:
-            loads.add(_weight(ground, link))
+            loads.add(_weight(ground, link, order.g))
         if order.inertia:
             _inertia(ground, link, loads, single=link.number in order.single)
     for load in order.loads:
@@ -137,11 +137,11 @@ def _at(ground: Ground, link: int, letter: str) -> tuple[Mark, Mark]:
     return body.marks[letter], ground.velocities.images.by_letter[link][letter]
 
 
-def _weight(ground: Ground, link: Link) -> Force:
+def _weight(ground: Ground, link: Link, gravity: float) -> Force:
     draft, n = ground.draft, link.number
     point, image = _at(ground, n, mass_centre(ground.mechanism, link))
     mass = draft.take(Number, f"m_{n}", link.mass, "kg")
-    g = draft.take(Number, draft.board.free("g"), GRAVITY, "m/s²")
+    g = draft.take(Number, draft.board.free("g"), gravity, "m/s²")
     value = draft.board.draw(weight, f"G_{n}", mass, g, unit="N")
     line = draft.board.draw(ray, f"(G_{n})", point, draft.angle("∠G", -90.0))
     return Force(f"G_{n}", n, point, line, value, image)

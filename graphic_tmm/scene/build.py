@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.mechanism.loads import GRAVITY, ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.scene import build_cam, build_forces, build_orders, build_wheels, geometry
 from graphic_tmm.scene import models as m
 from graphic_tmm.scene.force_tables import EffectsTable
+from graphic_tmm.scene.quantities import KGF
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
@@ -16,7 +17,7 @@ DIVISIONS = {"exact": 0.1, "cad": 0.01, "careful": 0.1, "student": 0.5}
 """Divisions of the rulers of named hands, mm."""
 
 
-def scene(parts: Parts, source: str) -> Scene:
+def scene(parts: Parts, source: str, *, kgf: bool = False) -> Scene:
     """Return the scene of sections in which no fault was found.
 
     Parameters
@@ -25,6 +26,8 @@ def scene(parts: Parts, source: str) -> Scene:
         All of them understood.
     source : str
         The file they come from.
+    kgf : bool
+        Whether a quantity in it is given in kgf.
     """
     head, frame, drive = parts.head, parts.frame, parts.drive
     plans, scales, hand, block = parts.plans, parts.scales, parts.hand, parts.title_block
@@ -61,6 +64,18 @@ def scene(parts: Parts, source: str) -> Scene:
         sheets=tuple(SheetOrder(sheet.format, sheet.place) for sheet in sheets),
         title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
+        assumed=_assumed(parts) if kgf else (),
+    )
+
+
+def _assumed(parts: Parts) -> tuple[str, ...]:
+    """Return that weights and kgf speak of two accelerations of gravity, if they do."""
+    effects = parts.effects
+    if parts.forces is None or effects is None or not effects.gravity or effects.g is not None:
+        return ()
+    return (
+        f"effects.g is left out: weights are taken with {GRAVITY} m/s², while a kgf is {KGF} N; "
+        f'write g = "{KGF} m/s^2", or the one that is meant',
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import AGAINST, ForcesOrder, Friction, Load, Travel
+from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Friction, Load, Travel
 from graphic_tmm.mechanism.orders import EngineOrder, IndicatorOrder
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.force_tables import (
@@ -35,6 +35,7 @@ def forces(
         single=table.single,
         limit=table.limit,
         mu=table.mu_F,
+        g=GRAVITY if effects.g is None else effects.g,
     )
 
 

@@ -12,6 +12,7 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.scene import build, checks, force_checks, order_checks, references
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.lines import locate
+from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.sections import Document, understand
 from graphic_tmm.scene.syntax import syntax_fault
@@ -52,7 +53,7 @@ def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scen
         lines = locate(text)
         faults = {fault(doc, lines, item) for item in found}
         raise SceneError(str(file), tuple(sorted(faults, key=lambda f: (f.line, f.key, f.message))))
-    return build.scene(parts, str(file))
+    return build.scene(parts, str(file), kgf=in_kgf(doc))
 
 
 def _text(file: Path) -> str:
