@@ -269,7 +269,7 @@ def steps(
     chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
     lines = list(protocol(drawn.work, chosen, position, spoken)) if drawn.work is not None else []
-    for line in [*lines, *part_protocol(drawn.parts, chosen, spoken)]:
+    for line in [*lines, *part_protocol(drawn.parts, chosen, spoken, position if drawn.work is None else None)]:
         click.echo(line)
     warn(drawn)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -35,22 +35,25 @@ def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
     """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
     from graphic_tmm.paper.compose import compose
 
-    made = make(scene)
+    made = make(scene, wanted=scene.shown)
     return made, compose(scene, made.work, made.parts)
 
 
-def make(scene: Scene, *, exact: bool = False) -> Made:
+def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Made:
     """Draw a scene: its mechanism, if it has one, and its parts.
+
+    All that it calls for is drawn, or of that only what is ``wanted`` (places of a sheet); but whether the rest
+    can be drawn is found out nevertheless.
 
     Raises
     ------
     SceneError
         If it has neither.
     """
-    parts = draw_parts(scene, exact=exact)
+    parts = draw_parts(scene, exact=exact, wanted=wanted)
     if not draws_mechanism(scene, parts):
         return Made(scene, None, parts)
-    return Made(scene, fitted(scene, parts=parts, exact=exact), parts)
+    return Made(scene, fitted(scene, parts=parts, exact=exact, wanted=wanted), parts)
 
 
 class Made(NamedTuple):
@@ -117,15 +120,22 @@ def sheet_files(
     return made, files
 
 
-def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> Work:
+def fitted(
+    scene: Scene,
+    *,
+    parts: Sequence[Part] = (),
+    exact: bool = False,
+    wanted: Set[str] | None = None,
+) -> Work:
     """Draw a scene with its plans as large as fit on the sheets ordered, or on as few more as they need.
 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
-    the sheets too.
+    the sheets too; ``wanted`` as in `make`.
     """
     from graphic_tmm.paper.compose import Cells, needed
 
-    project = record(scene)
+    whole = record(scene)
+    project = whole if scene.called == scene.shown else record(scene, scene.shown)
     cells: Cells = {}
     tried: dict[tuple[float, ...], float] = {}
 
@@ -147,14 +157,13 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
         rooms = (rooms[0], larger) if count((rooms[0], larger)) <= most else rooms
     for larger in reversed([r for r in VECTORS if r > rooms[0]]):
         rooms = (larger, rooms[1]) if count((larger, rooms[1])) <= most else rooms
-    return executed(scene, project, exact=exact, vectors=rooms)
+    final = whole if wanted is None else project if wanted == scene.shown else record(scene, wanted)
+    return executed(scene, final, exact=exact, vectors=rooms)
 
 
 def part_warnings(part: Part) -> tuple[str, ...]:
     """Return, for people, what of a part could not be drawn and why."""
-    count = part.reading.positions
-    names = tuple(str(k + 1) for k in range(count))
-    told = [finding(f, names, "en") for f in part.findings() if f.kind == "undrawn"]
+    told = [finding(f, part.names, "en") for f in part.findings() if f.kind == "undrawn"]
     return (*told, *part.limits("en"))
 
 

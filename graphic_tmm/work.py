@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -74,8 +74,8 @@ def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (8
     return executed(scene, record(scene), exact=exact, vectors=vectors)
 
 
-def record(scene: Scene) -> Project:
-    """Record the plans that the scene's sheets ask for.
+def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
+    """Record what the scene calls for, or of that only what is ``wanted`` (places of a sheet).
 
     Raises
     ------
@@ -89,7 +89,7 @@ def record(scene: Scene) -> Project:
             "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
         )
         raise SceneError(scene.source, (Fault("", 0, says),))
-    wanted = scene.shown
+    wanted = scene.called if wanted is None else wanted
     try:
         return draw_project(
             scene.mechanism,

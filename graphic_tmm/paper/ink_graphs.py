@@ -148,7 +148,7 @@ class _Ink:
         """The curve of a step, over the base only; straight lines that were joined to be read along."""
         if step.it.kind is Curve:
             for controls in bezier(self.reading[step.it]):
-                yield from _clipped(controls, self.length, step.it.letter)
+                yield from _clipped(controls, self.length, step.it.name)
 
     def dots(self) -> list[complex]:
         """The points through which curves are drawn."""
@@ -161,7 +161,7 @@ class _Ink:
 
     def poles(self) -> list[complex]:
         """The pole, where there is one."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.letter == "P"]
+        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name == "P"]
         return [complex(self.points(mark)[0]) for mark in marks]
 
     def extent(self) -> tuple[float, float]:
@@ -192,20 +192,20 @@ class _Ink:
         for spot in self.poles():
             yield Wanted("P", spot, NUMBER, 1.0, -1 + 0j)
         for step in self.steps:
-            if step.it.letter in names.curves and step.op in (join, g.open_graph):
+            if step.it.name in names.curves and step.op in (join, g.open_graph):
                 spot = self.outermost(step.uses[1 if step.op is join else 0])
                 spot = 0.6 * spot if step.op is join else spot
                 if np.isfinite(spot):
-                    yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, 1j - 0.5)
-            if step.op is measure_along and step.it.letter in names.curves:
+                    yield Wanted(names.curves[step.it.name], spot, NUMBER, 1.0, 1j - 0.5)
+            if step.op is measure_along and step.it.name in names.curves:
                 spot = self.outermost(step.uses[1])
                 if np.isfinite(spot):
-                    letter = names.curves[step.it.letter]
+                    letter = names.curves[step.it.name]
                     yield Wanted(letter, spot, NUMBER, 1.0, spot.imag * 1j)
-            if step.op is meet and step.it.letter in ("c", "d"):
+            if step.op is meet and step.it.name in ("c", "d"):
                 spot = complex(self.points(step.it)[0])
                 if np.isfinite(spot):
-                    yield Wanted(step.it.letter, spot, SIZE, 1.0, -1 + 0j)
+                    yield Wanted(step.it.name, spot, SIZE, 1.0, -1 + 0j)
         feet = self.points(self.marks.feet)
         for name, foot in zip(names.positions, feet, strict=True):
             yield Wanted(name, complex(foot), NUMBER, TICK, -1 - 1.5j)
@@ -228,7 +228,7 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 
 def _laid(ink: _Ink, step: Step) -> Ends:
-    if step.it.letter != "P" and step.it not in (ink.marks.feet, ink.marks.end):
+    if step.it.name != "P" and step.it not in (ink.marks.feet, ink.marks.end):
         yield ink.starts(step.uses[0]), ink.points(step.it)
 
 

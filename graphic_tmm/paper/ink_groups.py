@@ -7,13 +7,14 @@ only by direction.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.statics import arm
 from graphic_tmm.board.values import Line, Point
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arrows import arrow, told_arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import markup
@@ -64,13 +65,13 @@ def draw_group(
     name: str,
     title: str,
     mu_l: Mark,
-    names: Mapping[str, str],
+    language: str,
     *,
     lettered: bool = True,
 ) -> Drawing:
     """Return a detached group, or the driving link, in one position.
 
-    ``names``: letters of the log that the language of the sheet calls otherwise.
+    ``language``: of the sheet.
     """
     ink = PositionsInk(construction, reading, [index])
     figures = [
@@ -83,7 +84,7 @@ def draw_group(
         strokes += ink.link(figure, index, "rod")
     for figure in figures:
         strokes += ink.symbols(figure, index)
-    drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), names)
+    drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), language)
     for force in shown.forces:
         drawing.force(force)
     for reaction in shown.reactions:
@@ -128,8 +129,8 @@ def _middle(ink: PositionsInk, figures: Sequence[Figure], couple: Couple, index:
 class _Loads:
     """Arrows and arms while they are drawn; arrows from one point do not lie on each other."""
 
-    def __init__(self, reading: Reading, index: int, mu: float, names: Mapping[str, str]) -> None:
-        self.reading, self.index, self.mu, self.names = reading, index, mu, names
+    def __init__(self, reading: Reading, index: int, mu: float, language: str) -> None:
+        self.reading, self.index, self.mu, self.language = reading, index, mu, language
         self.strokes: list[Stroke] = []
         self.wanted: list[Wanted] = []
         self.taken: list[tuple[complex, complex]] = []
@@ -138,6 +139,10 @@ class _Loads:
         value: Line = self.reading[mark]
         at, along = (complex(p[0, self.index if p.shape[1] > 1 else 0]) for p in value)
         return at, along
+
+    def named(self, letter: str) -> str:
+        """Return what a letter of the log is called in the language of the sheet."""
+        return symbol(letter, self.language)
 
     def free(self, at: complex, way: complex) -> bool:
         """Whether no arrow goes from a place in that direction yet."""
@@ -159,7 +164,7 @@ class _Loads:
         else:
             self.strokes += arrow(start, start + vector, pen)
         end = start + vector if start == at else start
-        self.wanted.append(Wanted(bar(self.names.get(letter, letter)), end, SIZE, 1.5, end - at))
+        self.wanted.append(Wanted(bar(self.named(letter)), end, SIZE, 1.5, end - at))
 
     def force(self, force: Force) -> None:
         """A load, to scale, at its point."""
@@ -183,14 +188,14 @@ class _Loads:
         sweep = math.copysign(210.0, value)
         self.strokes += round_arrow(at, ROUND, 120.0 if value > 0 else 60.0, sweep)
         top = at + ROUND * 1j
-        self.wanted.append(Wanted(markup(couple.letter), top, SIZE, 2.0, 1j))
+        self.wanted.append(Wanted(markup(self.named(couple.letter)), top, SIZE, 2.0, 1j))
 
     def displaced(self, centre: Mark, step: Step) -> None:
         """How far a force that stands for a force and a couple lies off the mass centre."""
         a, b = spot(self.reading, centre, self.index), spot(self.reading, step.it, self.index)
         if abs(b - a) >= LEAST:
             self.strokes.append(line("thin", a, b))
-            letter = markup(step.uses[1].letter)
+            letter = markup(self.named(step.uses[1].name))
             self.wanted.append(Wanted(letter, (a + b) / 2, 2.5, 0.8, 1j * (b - a)))
 
     def arms(self, construction: Construction, forces: Sequence[Force]) -> None:
@@ -212,6 +217,6 @@ class _Loads:
             further = foot + along * math.copysign(3.0, reach)
             self.strokes.append(line("thin", at, further))
             self.strokes.append(line("thin", about, foot))
-            letter = markup(step.it.letter.rstrip("′"))
+            letter = markup(self.named(step.it.name))
             middle = (about + foot) / 2
             self.wanted.append(Wanted(letter, middle, 2.5, 0.8, 1j * (foot - about)))

@@ -9,7 +9,7 @@ import shapely
 
 from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Figure, Mark
+from graphic_tmm.board.record import TALLY, Construction, Figure, Mark
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import TOGETHER, markup
@@ -237,7 +237,7 @@ class PositionsInk:
             if step.it.view == PLAN and step.it.kind is Curve:
                 for controls in bezier(self.reading[step.it]):
                     found.append(
-                        Bezier("thin", tuple(complex(z) for z in controls), step.it.letter)
+                        Bezier("thin", tuple(complex(z) for z in controls), step.it.name)
                     )
         return found
 
@@ -246,14 +246,14 @@ class PositionsInk:
         marks = list(dict.fromkeys(m for f in figures for m in f.marks if m.kind is Point))
         spots: list[tuple[complex, list[str]]] = []
         for mark in marks:
-            if mark.letter.endswith("′"):
+            if mark.letter.endswith(("′", TALLY)):
                 continue
             spot = self.at(mark, main)
             near = next((names for z, names in spots if abs(z - spot) < TOGETHER), None)
             if near is None:
-                spots.append((spot, [mark.letter]))
+                spots.append((spot, [mark.name]))
             else:
-                near.append(mark.letter)
+                near.append(mark.name)
         return [Wanted(", ".join(map(markup, names)), z, SIZE, 2.2) for z, names in spots]
 
     def numbers(self, crank: tuple[Mark, Mark], names: Sequence[str], main: int) -> list[Wanted]:
@@ -267,4 +267,4 @@ class PositionsInk:
 
 def _centre(mark: Mark) -> bool:
     """Whether a point is a mass centre by its letter: S, S2 ..."""
-    return mark.letter[0] == "S" and (len(mark.letter) == 1 or mark.letter[1:].isdigit())
+    return mark.name[0] == "S" and (len(mark.name) == 1 or mark.name[1:].isdigit())

@@ -21,6 +21,7 @@ from graphic_tmm.board.operations import join, measure_along, meet, parallel, sq
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.bounds import DELTA
 from graphic_tmm.mechanism.orders import FlywheelOrder
 from graphic_tmm.plans import graphs
 from graphic_tmm.plans.charts import Chart
@@ -114,8 +115,7 @@ def draw_flywheel(
 
 
 def _refuse(order: FlywheelOrder) -> None:
-    if not order.delta > 0.0:
-        raise StructureError(f"flywheel: δ = {order.delta:g} is not greater than 0")
+    DELTA.refuse("flywheel", "delta", order.delta)
     if not order.pole > 0.0:
         raise StructureError(
             f"flywheel: the pole distance H = {order.pole:g} mm is not greater than 0"

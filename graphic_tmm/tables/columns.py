@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import TALLY, Construction, Mark, Step
 from graphic_tmm.board.values import Length, Reals
 
 UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
@@ -43,7 +43,7 @@ def segment_name(letter: str) -> str:
     """Return a letter of the log as machines read it: n_{ab} -> nab, ω_2 -> omega2."""
     if letter[0] in RATES:
         return RATES[letter[0]] + letter[1:].strip("_{}")
-    return letter.translate({ord(sign): None for sign in "_{}"})
+    return letter.replace(TALLY, "′").translate({ord(sign): None for sign in "_{}"})
 
 
 def columns(
@@ -73,9 +73,9 @@ def columns(
     turning = quiet([reading[mark] for mark in rates.values()])
     made = []
     for step, mm in zip(steps, lengths, strict=True):
-        letter = step.it.letter
         rows = row_of(mm, places, count), row_of(mm * mu, places, count)
-        made.append(Column(plan, segment_name(letter), letter, UNITS[plan], *rows))
+        segment = segment_name(step.it.letter)
+        made.append(Column(plan, segment, step.it.name, UNITS[plan], *rows))
     empty = (None,) * count
     for (link, mark), value in zip(rates.items(), turning, strict=True):
         letter = f"{'ω' if plan == 'velocities' else 'ε'}_{link}"

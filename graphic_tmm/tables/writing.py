@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.tables.columns import Column
 from graphic_tmm.words import fixed, number, plain, unit
 
@@ -71,7 +72,7 @@ def rich_tables(
         for head in (words["segment"], words["unit"], *(names[k] for k in shown)):
             out.add_column(Text(head), justify="right", no_wrap=True)
         for column in rows:
-            letter = Text(plain(words.get(column.letter, column.letter)))
+            letter = Text(plain(column_name(column, language)))
             if any(x is not None for x in column.mm):
                 cells = [fixed(column.mm[k], decimals, language) for k in shown]
                 out.add_row(letter, unit("mm", language), *cells)
@@ -96,6 +97,11 @@ def result_tables(results: Mapping[str, tuple[float, str]], language: str, title
     for name, (value, of) in results.items():
         out.add_row(Text(name), number(value, language, 6), unit(of, language))
     return [out]
+
+
+def column_name(column: Column, language: str) -> str:
+    """Return what a column is called, as mark-up: a word of the catalogue, or its mark's name."""
+    return CAPTIONS[language].get(column.letter) or symbol(column.letter, language)
 
 
 def _figure(value: float | None, language: str) -> str:
