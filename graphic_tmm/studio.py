@@ -12,13 +12,15 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.parts import Part, draw_parts, draws_mechanism
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables.cam import cam_angles, cam_columns, cam_names
+from graphic_tmm.tables.cam import cam_columns, cam_positions
 from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
-from graphic_tmm.tables.columns import Column, columns
+from graphic_tmm.tables.columns import Column, Positions, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.spread import spread_columns, spread_results
-from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
+from graphic_tmm.tables.text import result_tables, rich_tables
+from graphic_tmm.tables.wheels import wheel_columns
+from graphic_tmm.tables.writing import as_csv, as_json, decimals_of
 from graphic_tmm.words import finding
 from graphic_tmm.work import Work, executed, hand_of, ranges, record
 
@@ -94,6 +96,8 @@ SCALE_KEYS = {
     "energy-mass": "mu_J",
 }
 """What scale factors are called where machines read them."""
+WIDTH = 220
+"""Characters of a line of text where no terminal tells how many it has."""
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
 
@@ -219,23 +223,19 @@ def table_columns(work: Work) -> list[Column]:
     return [column.without(work.undrawn) for column in found]
 
 
-def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
+def table(
+    made: Made | Work, form: str, trials: int = 1, *, width: int = WIDTH, comma: bool = False
+) -> str | list[Any]:
     """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
 
-    ``trials``: how often the scene's hand draws everything; more than once, each figure is followed by the
+    ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``: how often the scene's hand draws everything; more than once, each figure is followed by the
     median and the 5th and 95th hundredths of them.
     """
     if isinstance(made, Work):
         made = Made(made.scene, made, ())
     work, scene = made.work, made.scene
-    names = work.project.names if work is not None else ()
-    angles = work.project.angles if work is not None else ()
-    positions = list(zip(names, angles, strict=True))
     found = scene_columns(made)
-    if work is None and (cam := _cam(made)) is not None:
-        assert isinstance(cam.made, Cam)
-        names, angles = tuple(cam_names(cam.made)), tuple(cam_angles(cam.made))
-        positions = list(zip(names, angles, strict=True))
+    positions = _positions(made)
     results, numbers = _structure(made), scene_results(made)
     if trials > 1:
         drawn = list(drawings(made, hand_of(made.scene, trials)))
@@ -248,16 +248,29 @@ def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
         if math.isfinite(value)
     }
     if form == "csv":
-        return as_csv(positions, found)
+        return as_csv(positions, found, None if made.exact else _division(made), comma=comma)
     if form == "text":
-        decimals = 3 if made.exact else 1
-        tables = rich_tables(found, names, scene.language, scene.title, decimals)
-        shown = numbers if trials > 1 else _part_results(made)
-        return [*tables, *result_tables(shown, scene.language, scene.title)]
+        decimals = 3 if made.exact else decimals_of(_division(made))
+        tables = rich_tables(found, positions, scene.language, scene.title, decimals, width)
+        return [*tables, *result_tables(numbers, scene.language, scene.title)]
     scales = {k: s for k, s in work.scales.items()} if work is not None else {}
     scales |= {view: s for part in made.parts for view, s in part.scales().items()}
     told = {_scale_key(plan): {"value": s.value, "unit": s.unit} for plan, s in scales.items()}
     return as_json(scene_name(scene.source), told, positions, found, results)
+
+
+def _positions(made: Made) -> Positions:
+    """Return the positions of a scene: those of its mechanism, else of its cam; none of wheels alone."""
+    if made.work is not None:
+        return tuple(zip(made.work.project.names, made.work.project.angles, strict=True))
+    cam = _cam(made)
+    return cam_positions(cam) if cam is not None else ()
+
+
+def _division(made: Made) -> float:
+    """Return the division of the coarsest ruler that a scene is read with, mm."""
+    hands = [part.hand for part in made.parts] + ([made.work.hand] if made.work else [])
+    return max((hand.ruler for hand in hands if hand.ruler is not None), default=0.1)
 
 
 def _part_results(made: Made) -> dict[str, tuple[float, str]]:
@@ -269,11 +282,11 @@ def _cam(made: Made) -> Part | None:
 
 
 def scene_columns(made: Made) -> list[Column]:
-    """Return the columns of a scene: of its mechanism, else of its cam."""
-    if made.work is not None:
-        return table_columns(made.work)
-    cam = _cam(made)
-    return list(cam_columns(cam)) if cam is not None else []
+    """Return the columns of a scene: of its mechanism and of its parts, each of these with its own positions."""
+    found = table_columns(made.work) if made.work is not None else []
+    for part in made.parts:
+        found += cam_columns(part) if isinstance(part.made, Cam) else wheel_columns(part)
+    return found
 
 
 def drawings(made: Made, hand: Hand) -> Iterator[Made]:

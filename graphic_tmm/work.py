@@ -22,7 +22,7 @@ from graphic_tmm.scaling import (
     engine_scales,
     force_scales,
 )
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, NEEDS, Scene
 
 ROOM = {"A1": 230.0, "A4": 140.0}
 """For a format: room for the plan of positions, mm."""
@@ -90,6 +90,7 @@ def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
         )
         raise SceneError(scene.source, (Fault("", 0, says),))
     wanted = scene.called if wanted is None else wanted
+    wanted = {*wanted, *(plan for place in wanted for plan in NEEDS.get(place, ()))}
     try:
         return draw_project(
             scene.mechanism,

@@ -35,6 +35,12 @@ PLAN_PLACES = (
     "diagrams", "flywheel", *FORCE_PLACES, *ENGINE_PLACES, "structure", "results",
 )  # fmt: skip
 """What a sheet can show of a mechanism, in the order in which it stands on one that does not say."""
+NEEDS: Mapping[str, tuple[str, ...]] = {
+    "velocity table": ("velocities",),
+    "acceleration table": ("accelerations",),
+    **dict.fromkeys(("equations", "results"), ("velocities", "accelerations")),
+}
+"""The plans without which a place shows nothing."""
 ALL_PLACES = (*PLAN_PLACES, *PART_PLACES)
 """What stands on a sheet that does not say what does, of what the scene calls for."""
 
@@ -79,6 +85,7 @@ class Scene:
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
     drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train.
+    ``remarks``: what of the file comes to nothing, and defaults that matter, a line each.
     """
 
     source: str
@@ -105,6 +112,7 @@ class Scene:
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     task: Task | None = None
+    remarks: tuple[str, ...] = ()
 
     @property
     def shown(self) -> frozenset[str]:

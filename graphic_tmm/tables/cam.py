@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.mechanism.cam_orders import RockerFollower
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.plans.cam_centre import Centre
-from graphic_tmm.tables.columns import Column, quiet, row_of
+from graphic_tmm.tables.columns import Column, Positions, quiet, row_of
 
 PLAN = "cam"
 
@@ -37,6 +37,12 @@ def cam_angles(made: Cam) -> list[float]:
     return [round(float(angle), 9) for angle in made.diagrams.turn.angles]
 
 
+def cam_positions(part: Drawn) -> Positions:
+    """Return the cam's positions: their numbers and angles."""
+    assert isinstance(part.made, Cam)
+    return tuple(zip(cam_names(part.made), cam_angles(part.made), strict=True))
+
+
 def cam_columns(part: Drawn) -> tuple[Column, ...]:
     """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
     made = part.made
@@ -54,7 +60,8 @@ def cam_columns(part: Drawn) -> tuple[Column, ...]:
         found.append(_column(segment, motion, mm * mu, count, mm))
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", part.reading[made.centre.pressure], count))
-    return tuple(found)
+    at = cam_positions(part)
+    return tuple(column._replace(at=at) for column in found)
 
 
 def _column(segment: str, unit: str, value: object, count: int, mm: object = None) -> Column:

@@ -20,8 +20,16 @@ NOISE = 1e-12
 RATES = {"ω": "omega", "ε": "epsilon"}
 
 
+Positions = tuple[tuple[str, float | None], ...]
+"""Positions by their numbers and the angles of what turns, degrees."""
+
+
 class Column(NamedTuple):
-    """One row of figures along the positions: mm on the sheet (None where nothing is measured) and SI."""
+    """One row of figures along the positions: mm on the sheet (None where nothing is measured) and SI.
+
+    ``at``: the numbers of its positions and their angles (degrees, None where there is none), if they are not
+    those of the mechanism.
+    """
 
     plan: str
     segment: str
@@ -29,6 +37,7 @@ class Column(NamedTuple):
     unit: str
     mm: tuple[float | None, ...]
     value: tuple[float | None, ...]
+    at: Positions = ()
 
     def without(self, places: Sequence[int]) -> Column:
         """Return the column with nothing at the places (indices) of positions that cannot be drawn."""
