@@ -224,5 +224,5 @@ def chart_scale_values(project: Project, reading: Reading) -> dict[str, Scale]:
     }
     if project.kinematic is not None:
         mu = project.kinematic.base.mu
-        found["base"] = Scale(mu.letter, float(reading[mu][0, 0]), mu.unit)
+        found["base"] = Scale(mu.name, float(reading[mu][0, 0]), mu.unit)
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -27,7 +27,7 @@ from graphic_tmm.scaling import (
     force_scales,
     polygon_scales,
 )
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, NEEDS, Scene
 
 ROOM = {"A1": 230.0, "A4": 140.0}
 """For a format: room for the plan of positions, mm."""
@@ -119,8 +119,8 @@ def doubted(project: Project) -> Doubts:
     return Doubts(log.steps, {**dict.fromkeys(log.given, 1.0), **project.given}, to_scale=False)
 
 
-def record(scene: Scene) -> Project:
-    """Record the plans that the scene's sheets ask for.
+def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
+    """Record what the scene calls for, or of that only what is ``wanted`` (places of a sheet).
 
     Raises
     ------
@@ -134,7 +134,8 @@ def record(scene: Scene) -> Project:
             "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
         )
         raise SceneError(scene.source, (Fault("", 0, says),))
-    wanted = scene.shown
+    wanted = scene.called if wanted is None else wanted
+    wanted = {*wanted, *(plan for place in wanted for plan in NEEDS.get(place, ()))}
     try:
         return draw_project(
             scene.mechanism,

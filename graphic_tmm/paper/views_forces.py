@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ink_groups import Detached, Reactive, draw_group
@@ -77,7 +77,7 @@ def _pair(
         f"group-{name}-{project.names[place]}",
         title,
         project.mu_l,
-        words,
+        language,
         lettered=lettered,
     )
     if scale is None:
@@ -92,18 +92,18 @@ def _pair(
         f"forces-{name}-{project.names[place]}",
         caption,
         scale.value,
-        words,
+        language,
         lettered=lettered,
     )
     return [
         captioned(figure, title, scales),
-        captioned(plan, caption, mu_text(scale, language), _equation(polygon, words)),
+        captioned(plan, caption, mu_text(scale, language), _equation(polygon, language)),
     ]
 
 
-def _equation(polygon: Polygon, words: Mapping[str, str]) -> str:
+def _equation(polygon: Polygon, language: str) -> str:
     """Return the vector equation of a polygon: two lines under what was known, one under a direction."""
-    letters = [words.get(letter, letter) for letter, _, _ in polygon.sides]
+    letters = [symbol(letter, language) for letter, _, _ in polygon.sides]
     known = len(letters) - (2 if "-" in polygon.view else 1)
     terms = [
         f"\\{'uu' if k < known else 'u'}{{{bar(letter)}}}"
@@ -168,7 +168,11 @@ def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
         if force is not None:
             along = drawn.reading[force.line].along[0]
             way = complex(along[place if along.size > 1 else 0])
-            balance = (words[force.letter], float(drawn.reading[made.lever.balance][0, place]), way)
+            balance = (
+                symbol(force.letter, language),
+                float(drawn.reading[made.lever.balance][0, place]),
+                way,
+            )
         view = draw_lever_ink(
             project.construction,
             drawn.reading,
@@ -177,6 +181,7 @@ def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
             place,
             f"lever-{project.names[place]}",
             title,
+            language,
             lettered=lettered,
         )
         scale = mu_text(drawn.scales["lever"], language)
@@ -202,7 +207,7 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
     apart, limit = at(made.difference), made.order.limit
     if not math.isfinite(apart):
         return [", ".join(both), words["nothing to compare"]]
-    sign = "≤" if apart <= limit else "&gt;"
+    sign = "≤" if apart <= limit else ">"
     judged = f"Δ = {number(apart, language, 2)} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]
 

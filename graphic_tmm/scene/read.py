@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import NoReturn
 
@@ -14,6 +15,7 @@ from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.lines import locate
 from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import Document, understand
 from graphic_tmm.scene.syntax import syntax_fault
 
@@ -53,7 +55,7 @@ def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scen
         lines = locate(text)
         faults = {fault(doc, lines, item) for item in found}
         raise SceneError(str(file), tuple(sorted(faults, key=lambda f: (f.line, f.key, f.message))))
-    return build.scene(parts, str(file), kgf=in_kgf(doc))
+    return replace(build.scene(parts, str(file), kgf=in_kgf(doc)), remarks=remarks(doc, parts))
 
 
 def _text(file: Path) -> str:

@@ -55,7 +55,7 @@ def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
     count, made = len(project.names), []
     for chart in project.flywheel.charts:
         for mark in chart.ordinates:
-            letter = mark.letter.replace("y_", "p_") if chart.symbol == "p" else mark.letter
+            letter = mark.name.replace("y_", "p_") if chart.symbol == "p" else mark.name
             if chart.view == "work":
                 continue  # ΔT is laid off, and read, once more among the energies
             rows = _rows(reading, mark, chart.mu, count)
