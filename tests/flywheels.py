@@ -1,7 +1,7 @@
 """An oracle of the flywheel's graphs: numpy alone; what a careful student would draw, and the fine truth.
 
-Curves are Hermite arcs on even intervals: the moment's with tangents kept between 0 and three chords, that of the
-links' energy smooth, that of the flywheel's energy with the slopes of both.
+Curves are Hermite arcs on even intervals: the moment's with tangents kept between 0 and three chords, that of
+the links' energy smooth, that of the flywheel's energy with the slopes of both.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def along(y: np.ndarray, m: np.ndarray, parts: int) -> np.ndarray:
 
 
 class Graphs(NamedTuple):
-    """What the graphs show: ΔT at the positions; ΔT, energy of the links and of the flywheel along their curves."""
+    """What the graphs show: ΔT at the positions; ΔT, energies of links and flywheel along their curves."""
 
     surplus: np.ndarray
     ahead: np.ndarray
@@ -177,6 +177,7 @@ points = {{ O = [0, 0], A = [{of.r!r}, 0] }}
 number = 2
 points = {{ A = [0, 0], B = [{of.l!r}, 0], S2 = [{of.s!r}, 0] }}
 mass = {of.masses[0]!r}
+centre = "S2"
 J = {of.inertia!r}
 [[link]]
 number = 3

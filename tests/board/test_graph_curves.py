@@ -1,6 +1,8 @@
-"""Curves of graphs: nowhere outside their neighbours, level where these are, smooth where they turn; extremes."""
+"""Curves of graphs: nowhere outside their neighbours, level where these are, smooth where they turn."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -48,7 +50,7 @@ def arcs(curve: Curve) -> np.ndarray:
         for k in range(0, len(controls) - 1, 3):
             p = [z.imag for z in controls[k : k + 4]]
             while len(p) > 1:
-                p = [a + U * (b - a) for a, b in zip(p, p[1:], strict=False)]
+                p = [a + U * (b - a) for a, b in pairwise(p)]
             found.append(p[0])
     return np.array(found)
 

@@ -89,9 +89,8 @@ def test_lines_of_the_division_are_parallel() -> None:
 def test_the_tangents_leave_the_curve_on_one_side_and_end_in_a_and_b() -> None:
     made = flywheel().energy_mass
     assert made is not None
-    curve = np.array(
-        [z for s in view("energy-mass").strokes if isinstance(s, Bezier) for z in flat(s.controls)]
-    )
+    beziers = [s for s in view("energy-mass").strokes if isinstance(s, Bezier)]
+    curve = np.array([z for s in beziers for z in flat(s.controls)])
     lines = [
         s
         for s in view("energy-mass", False).strokes
