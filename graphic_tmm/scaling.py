@@ -189,7 +189,7 @@ def free_scales(
     Graphs that share a scale are all of them held to their room.
     """
     free = {chart.mu: 1.0 for chart in charts if chart.chosen}
-    wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.besides, chart.mu)]
+    wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.figure, chart.mu)]
     reading = execute(construction, {**given, **free}, wanted).without(lost)
     found: dict[Mark, float] = {}
     for chart in charts:
@@ -201,9 +201,8 @@ def free_scales(
 
 def _figure(chart: Chart, reading: Reading, format_: str) -> tuple[float, float]:
     """Return what the size of a graph stands for (SI), and the room for it, mm."""
-    marks = [np.ravel(reading[m]) for m in chart.ordinates]
-    marks += [np.ravel(reading[m]).imag for m in chart.besides]
-    heights = np.concatenate(marks) * float(reading[chart.mu][0, 0])
+    rows = [reading[m].imag for m in chart.figure] or [reading[m] for m in chart.ordinates]
+    heights = np.concatenate(list(map(np.ravel, rows))) * float(reading[chart.mu][0, 0])
     there = np.isfinite(heights)
     if chart.room is not None:
         return float(np.max(np.abs(heights), initial=0.0, where=there)), chart.room

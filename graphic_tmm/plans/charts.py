@@ -16,7 +16,7 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.mechanism.orders import Drawn
 from graphic_tmm.plans.draft import Draft
 
-HEIGHT = {"A1": 130.0, "A4": 48.0}
+HEIGHT = {"A1": 130.0, "A4": 45.0}
 """Of the graphs of moment, work and energy by format: how high one may be, mm; three stand in a column."""
 
 
@@ -26,7 +26,7 @@ class Chart(NamedTuple):
     ``end``: the ordinate at the end of the base where it was integrated to (Length). ``chosen``: its scale is
     a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
     of the ordinates takes ``room`` mm at most. ``room`` None: the whole figure, from its lowest to its highest
-    point, takes at most the `HEIGHT` of the format; ``besides``: points that stand in the figure too.
+    point, takes at most the `HEIGHT` of the format; ``figure``: its points, where they are not the ordinates.
     """
 
     view: str
@@ -38,7 +38,7 @@ class Chart(NamedTuple):
     wanted: float | None
     room: float | None
     end: Mark | None = None
-    besides: tuple[Mark, ...] = ()
+    figure: tuple[Mark, ...] = ()
 
 
 class Scaled(NamedTuple):

@@ -230,7 +230,7 @@ def _energies(
         for points, letter in ((gained, "ΔT"), (links, "T_L"), (own, "T_F"))
     ]
     energy = done.chart._replace(
-        view=VIEWS["energy"], symbol="T", ordinates=tuple(readings), besides=()
+        view=VIEWS["energy"], symbol="T", ordinates=tuple(readings), figure=()
     )
     return energies, Surplus(axes, ahead), curve, (done.chart, energy)
 

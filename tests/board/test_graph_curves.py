@@ -1,6 +1,8 @@
-"""Curves of graphs: nowhere outside their neighbours, level where these are, smooth where they turn; extremes."""
+"""Curves of graphs: nowhere outside their neighbours, level where these are, smooth where they turn."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -48,7 +50,7 @@ def arcs(curve: Curve) -> np.ndarray:
         for k in range(0, len(controls) - 1, 3):
             p = [z.imag for z in controls[k : k + 4]]
             while len(p) > 1:
-                p = [a + U * (b - a) for a, b in zip(p, p[1:], strict=False)]
+                p = [a + U * (b - a) for a, b in pairwise(p)]
             found.append(p[0])
     return np.array(found)
 
@@ -155,7 +157,9 @@ def test_a_smooth_graph_of_a_sine_is_its_spline_and_rises_between_two_equal_ordi
     np.testing.assert_allclose(curve.tangents[0, 1:-1].imag, spline(y), atol=1e-12 * 50)
     top = arcs(curve).max()
     # the error of a C² spline: 5/384 of the fourth derivative
-    assert abs(top - 50) <= 5 / 384 * (2 * np.pi / n) ** 4 * 50 + 50 * (2 * np.pi / n) ** 2 / 8 / 33**2
+    assert (
+        abs(top - 50) <= 5 / 384 * (2 * np.pi / n) ** 4 * 50 + 50 * (2 * np.pi / n) ** 2 / 8 / 33**2
+    )
 
 
 def test_a_spike_does_not_ring() -> None:
@@ -165,7 +169,7 @@ def test_a_spike_does_not_ring() -> None:
         drawn = arcs(closed(op, y))
         assert drawn.max() <= 1e-12
         assert np.ptp(drawn[np.r_[0:5, 7:13]]) == 0.0
-    assert 12.0 < (spline(y)[4] - spline(y)[3]) / -8  # what the bare spline would rise to
+    assert (spline(y)[4] - spline(y)[3]) / -8 > 12.0  # what the bare spline would rise to
 
 
 @given(ROWS)
@@ -179,7 +183,9 @@ def test_given_tangents_are_honoured(y: np.ndarray) -> None:
     assert (curve.knots == np.append(feet(n)[0] + 1j * y, end[0, 0])).all()
     slopes = curve.tangents[0].imag / curve.tangents[0].real
     np.testing.assert_allclose(slopes, due, rtol=1e-14, atol=1e-14 * float(np.abs(due).max()))
-    right = c.graph_of_rays.run(feet(n) + 1j * y, end, -pole.conj(), feet(n) + 1j * heights, axis, row=n)
+    right = c.graph_of_rays.run(
+        feet(n) + 1j * y, end, -pole.conj(), feet(n) + 1j * heights, axis, row=n
+    )
     np.testing.assert_allclose(right.tangents.imag, -curve.tangents.imag, rtol=1e-14)
 
 
@@ -212,7 +218,9 @@ def test_extremes_are_those_of_the_drawn_curve(y: np.ndarray, op: object) -> Non
         assert 0.0 <= found.real <= n * STEP + 1e-9
 
 
-def test_an_extreme_before_or_behind_the_limits_does_not_count_and_the_first_of_equals_does() -> None:
+def test_an_extreme_before_or_behind_the_limits_does_not_count_and_the_first_of_equals_does() -> (
+    None
+):
     y = np.array([0, 30, 0, -20, 0, 30, 0, -20.0])
     curve = closed(c.closed_graph, y)
     start, end = np.array([[2 * STEP + 0j]]), np.array([[4 * STEP + 0j]])
@@ -223,14 +231,18 @@ def test_an_extreme_before_or_behind_the_limits_does_not_count_and_the_first_of_
     y[4] = np.nan
     broken = closed(c.closed_graph, y)
     assert np.isnan(g.highest.run(broken, feet(8)[:, :1], np.array([[8 * STEP + 0j]])))
-    both = Curve(*(np.concatenate([a, b]) for a, b in zip(curve[:2], broken[:2], strict=True)), False)
+    both = Curve(
+        *(np.concatenate([a, b]) for a, b in zip(curve[:2], broken[:2], strict=True)), False
+    )
     found = g.highest.run(both, feet(8)[:, :1], np.array([[8 * STEP + 0j]]))
     assert np.isfinite(found[0, 0])
     assert np.isnan(found[1, 0])
 
 
 @given(ROWS, st.booleans())
-def test_a_rectangle_is_as_large_as_the_figure_below_the_curve(y: np.ndarray, between: bool) -> None:
+def test_a_rectangle_is_as_large_as_the_figure_below_the_curve(
+    y: np.ndarray, between: bool
+) -> None:
     """By Gauss's four points on each half: exact for any cubic, and other points than the operation's."""
     n = y.size
     points = feet(n) + (STEP / 2 if between else 0.0) + 1j * y
