@@ -16,7 +16,6 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
-from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.plans.reaches import Reach, reach_of
 from graphic_tmm.scaling import (
@@ -74,7 +73,7 @@ class Work:
         log, project = self.project.construction, self.project
         marks = [step.it for step in log.steps if not step.op.across]
         found = examine(log, self.given, marks, hand=self.hand, doubts=self.reading.doubts)
-        return (*_asked_for(found, project, self.reading), *_idle(project, self.scales))
+        return (*_asked_for(found, project, self.doubts), *_idle(project, self.scales))
 
 
 def assumed(drawn: Work) -> Iterator[str]:
@@ -214,31 +213,45 @@ def _graphs_on(scene: Scene) -> str:
     return "A4" if "A4" in formats else "A1"
 
 
-def _balanced(made: Forces, reading: Reading) -> set[int]:
-    """Return the positions at which both methods find no force that balances the crank."""
-    none = [reading.figure(mark) == 0.0 for mark in (made.balance, made.lever.balance)]
-    return {int(k) for k in np.flatnonzero(np.logical_and(*none)[0])}
+def _balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
+    """Return, by the slot of their difference, where both methods find that nothing balances the crank.
 
-
-def _asked_for(found: tuple[Finding, ...], project: Project, reading: Reading) -> Iterator[Finding]:
-    """Yield findings of plans of accelerations and of forces only at positions that have such a plan.
-
-    Where both methods find that nothing is needed, there is nothing to compare, and nothing to tell.
+    There is nothing to compare then.
     """
     made = project.forces
+    if made is None:
+        return {}
+    none = doubts.nothing(made.balance) & doubts.nothing(made.lever.balance)
+    return {made.difference.slot: np.broadcast_to(none, (1, len(project.names)))}
+
+
+def _asked_for(found: tuple[Finding, ...], project: Project, doubts: Doubts) -> Iterator[Finding]:
+    """Yield findings of plans of accelerations and of forces only at positions that have such a plan."""
     gained = set(project.accelerated)
-    if made is not None and made.order.inertia:
+    if project.forces is not None and project.forces.order.inertia:
         gained |= set(project.forced)
     for one in found:
         places = set(one.positions)
         if one.step.it.view == "accelerations":
             places &= gained
-        elif made is not None and made.owns(one.step.it.view):
+        elif project.forces is not None and project.forces.owns(one.step.it.view):
             places &= set(project.forced)
-            if one.step.it == made.difference and one.kind == "undrawn":
-                places -= _balanced(made, reading)
-        if places:
+            one = _compared(one, places, project, doubts)
+        if places and (one.letters or one.kind != "lost"):
             yield one._replace(positions=tuple(sorted(places)))
+
+
+def _compared(one: Finding, places: set[int], project: Project, doubts: Doubts) -> Finding:
+    """Return a finding without what it says of comparing nothing with nothing; its places are cut down."""
+    assert project.forces is not None
+    difference = project.forces.difference
+    (balanced,) = _balanced(project, doubts).values()
+    nothing = set(np.flatnonzero(balanced[0]).tolist())
+    if one.kind == "undrawn" and one.step.it == difference:
+        places -= nothing
+    if one.kind == "lost" and places <= nothing:
+        return one._replace(letters=tuple(k for k in one.letters if k != difference.letter))
+    return one
 
 
 def _idle(project: Project, scales: Mapping[str, Scale]) -> Iterator[Finding]:
@@ -266,7 +279,8 @@ def _read(
     )
     still = {m for m in log.given if m.view != "accelerations"}
     still |= {m for s in log.steps if s.it.view != "accelerations" for m in (s.it, *s.uses)}
-    reading = execute(log, given, still, hand=hand).without(doubts.lost).doubted(own)
+    reading = execute(log, given, still, hand=hand).doubted(own)
+    reading = reading.without(doubts.lost).without(_balanced(project, doubts))
     if project.accelerations is None or not project.accelerated:
         return reading, None
     steps = [step for step in log.steps if step.it.view == "accelerations"]

@@ -101,6 +101,11 @@ class Doubts:
         gone = self.lost.get(mark.slot)
         return told if gone is None else np.where(at(gone, places), np.nan, told)
 
+    def nothing(self, mark: Mark) -> Mask:
+        """Where a figure is nothing but rounding, drawn exactly, (1, position)."""
+        value = self._found.values[mark.slot]
+        return np.asarray(self.figure(mark, value) == 0.0)
+
     def _by_ruler(self, mark: Mark, value: Any, places: Any) -> Any:
         """Return a value to the digits that the ruler leaves of it, but whole at least."""
         if mark.slot not in self._coarse:
