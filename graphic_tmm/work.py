@@ -16,16 +16,20 @@ from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.scaling import (
+    Extents,
+    Sizes,
+    base_lengths,
     chart_scale_values,
     chart_scales,
     choose_scales,
     engine_scales,
+    extents,
     force_scales,
 )
 from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene
 
-ROOM = {"A1": 230.0, "A4": 140.0}
-"""For a format: room for the plan of positions, mm."""
+NARROW = {"A4": 140.0}
+"""Room for the plan of positions on a format that has less than the usual one, mm."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +44,7 @@ class Work:
     accelerated: Reading | None
     hand: Hand
     undrawn: tuple[int, ...]
+    sizes: Sizes
 
     def drawn_by(self, hand: Hand) -> Work:
         """Return the same drawing, to the same scales, by another hand."""
@@ -65,13 +70,20 @@ class Work:
         return (*found, *(f for f in more if f.step.it.view == "accelerations"))
 
 
-def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
-    """Draw a scene: record its plans, choose the scale factors, execute.
+def work(scene: Scene, *, exact: bool = False) -> Work:
+    """Draw a scene in the usual size: record its plans, choose the scale factors, execute.
 
-    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room, mm, for the
-    longest vector of the plans of velocities and of accelerations.
+    ``exact`` switches the rounding of the ruler off.
     """
-    return executed(scene, record(scene), exact=exact, vectors=vectors)
+    project = record(scene)
+    return executed(scene, project, usual(scene), extents(project), exact=exact)
+
+
+def usual(scene: Scene) -> Sizes:
+    """Return the sizes that the formats of a scene's sheets suggest."""
+    formats = [o.format for o in scene.sheets if "positions" in o.place] or ["A1"]
+    most = Sizes().positions
+    return Sizes(positions=min(NARROW.get(format, most) for format in formats))
 
 
 def record(scene: Scene) -> Project:
@@ -117,24 +129,15 @@ def hand_of(scene: Scene, trials: int = 1) -> Hand:
     return HANDS[scene.hand]._replace(ruler=scene.ruler, seed=scene.seed, trials=trials)
 
 
-def executed(
-    scene: Scene,
-    project: Project,
-    *,
-    exact: bool,
-    vectors: tuple[float, float],
-) -> Work:
-    """Choose the scale factors of a recorded project and execute it; see `work`."""
-    formats = [sheet.format for sheet in scene.sheets]
-    scales = choose_scales(
-        project, scene.scales, ROOM["A4" if set(formats) == {"A4"} else "A1"], vectors
-    )
-    given = dict(project.given)
+def executed(scene: Scene, project: Project, sizes: Sizes, reach: Extents, *, exact: bool) -> Work:
+    """Choose the scale factors of a recorded project, whose `extents` are known, and execute it; see `work`."""
+    scales = choose_scales(project, scene.scales, sizes, reach)
+    given = {**project.given, **base_lengths(project, sizes.graphs, scene.told)}
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
-    given |= force_scales(project, given)
-    given |= engine_scales(project, given)
-    given |= chart_scales(project, given)
+    given |= force_scales(project, given, sizes)
+    given |= engine_scales(project, given, sizes)
+    given |= chart_scales(project, given, sizes)
     hand = EXACT if exact else hand_of(scene)
     reading, accelerated = _read(project, given, hand)
     scales |= chart_scale_values(project, reading)
@@ -153,7 +156,7 @@ def executed(
         raise StructureError(
             f"{scene.source}: none of the positions can be drawn" + ranges(project)
         )
-    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn)
+    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, sizes)
 
 
 def _of_forces(found: tuple[Finding, ...], project: Project) -> Iterator[Finding]:

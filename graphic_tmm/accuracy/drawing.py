@@ -19,6 +19,7 @@ from graphic_tmm.plans.kinematic import Kinematic
 from graphic_tmm.plans.planetary import Planetary
 from graphic_tmm.plans.project import Project
 from graphic_tmm.plans.survey import survey
+from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made
 from graphic_tmm.work import executed, record
@@ -91,7 +92,7 @@ def draw(
         project = record(scene)
         given = _pin(MECHANISM, dict(project.given), project.construction, scales)
         if missing := [m for m in project.construction.given if m not in given]:
-            free = executed(scene, project, exact=True, vectors=(80.0, 80.0)).given
+            free = executed(scene, project, Sizes(), extents(project), exact=True).given
             given |= {mark: free[mark] for mark in missing}
         if project.kinematic is not None and pole != 1.0:
             given |= _farther(project.kinematic, given, pole)

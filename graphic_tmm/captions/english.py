@@ -167,6 +167,7 @@ ENGLISH: dict[str, str] = {
     "group": "Group {name}: class II, order 2, kind {kind}",
     "results": "Results",
     "segment": "Segment",
+    "continued": "continued",
     "value": "Quantity",
     "unit": "Unit",
     "mm": "mm",

@@ -167,6 +167,7 @@ RUSSIAN: dict[str, str] = {
     "group": "Группа {name}: класс II, порядок 2, вид {kind}",
     "results": "Результаты",
     "segment": "Отрезок",
+    "continued": "продолжение",
     "value": "Величина",
     "unit": "Ед.",
     "mm": "мм",

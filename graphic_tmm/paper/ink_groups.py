@@ -43,7 +43,7 @@ class Reactive(NamedTuple):
 
 
 class Detached(NamedTuple):
-    """What a figure shows: its links, forces and couples on them, reactions, the scale of the polygon (Number).
+    """What a figure shows: its links, forces and couples on them, reactions, the scale of its forces (N/mm).
 
     ``circles``: friction circles, their pins and radii (m).
     """
@@ -52,7 +52,7 @@ class Detached(NamedTuple):
     forces: Sequence[Force]
     couples: Sequence[Couple]
     reactions: Sequence[Reactive]
-    mu: Mark
+    mu: float
     circles: Sequence[tuple[Mark, Mark]] = ()
 
 
@@ -83,7 +83,7 @@ def draw_group(
         strokes += ink.link(figure, index, "rod")
     for figure in figures:
         strokes += ink.symbols(figure, index)
-    drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), names)
+    drawing = _Loads(reading, index, shown.mu, names)
     for force in shown.forces:
         drawing.force(force)
     for reaction in shown.reactions:

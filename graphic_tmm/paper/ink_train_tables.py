@@ -5,7 +5,9 @@ from __future__ import annotations
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.mechanism.tooth_search import Solutions
+from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.planetary import Planetary
@@ -80,7 +82,15 @@ def rate_table(
         unit("mm", language),
         f"ω, {unit('1/s', language)}",
     ]
-    return table("table-planetary-rates", words["rates"], heads, rows, size=SIZE)
+    return breakable(
+        "table-planetary-rates",
+        words["rates"],
+        heads,
+        rows,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        lead=1,
+    )
 
 
 def ratio_lines(
@@ -103,7 +113,15 @@ def train_table(found: Solutions, language: str, *, rows: int = 12) -> Drawing:
         cells = [str(int(z)) for z in found.teeth[rank]] + [str(int(found.satellites[rank]))]
         cells.append(fixed(float(found.ratio[rank]), 3, language))
         body.append([*cells, fixed(1000.0 * float(found.size[rank]), 1, language)])
-    return table("table-trains", words["trains"], heads, body, size=SIZE)
+    return breakable(
+        "table-trains",
+        words["trains"],
+        heads,
+        body,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        lead=1,
+    )
 
 
 class _Log:

@@ -133,11 +133,11 @@ def _diagrams(drawn: Work, lettered: bool) -> list[Drawing]:
         )
         scales = [mu_text(drawn.scales[key], language) for key in (chart.view, "base")]
         views.append(captioned(view, title, ", ".join([*scales, *pole_texts(drawn, chart.view)])))
-    narrow = all(o.format == "A4" for o in drawn.scene.sheets if "diagrams" in o.place)
-    if not narrow:
-        views = [stacked("diagrams", views)]
     rows = chart_columns(project, drawn.reading, drawn.accelerated)
-    return [*views, result_table("diagrams", rows, project.names, language, upright=narrow)]
+    return [
+        stacked("diagrams", views),
+        result_table("diagrams", rows, project.names, language),
+    ]
 
 
 def _structure(drawn: Work, lettered: bool) -> list[Drawing]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard
 from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
@@ -33,7 +34,7 @@ def force_views(drawn: Work, lettered: bool) -> list[Drawing]:
     for place in _places(drawn):
         for solved in made.groups:
             name = solved.closing.group.name
-            shown = _group(made, solved)
+            shown = _group(drawn, made, solved)
             views += _pair(drawn, shown, solved.polygon, solved.reactions, name, place, lettered)
         crank = str(drawn.project.structure.driver)
         reactions = (made.driven.reaction,)
@@ -65,7 +66,8 @@ def _pair(
     key = "group of forces" if "-" in name else "link of forces"
     title = f"{words[key].format(name=name)}, {at}"
     scale = drawn.scales[polygon.view]
-    scales = ", ".join(mu_text(s, language) for s in (drawn.scales["positions"], scale))
+    arrows = scale._replace(value=shown.mu)
+    scales = ", ".join(mu_text(s, language) for s in (drawn.scales["positions"], arrows))
     figure = draw_group(
         project.construction,
         drawn.reading,
@@ -109,7 +111,7 @@ def _equation(polygon: Polygon, words: Mapping[str, str]) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(made: Forces, solved: Solved) -> Detached:
+def _group(drawn: Work, made: Forces, solved: Solved) -> Detached:
     closing = solved.closing
     links = closing.group.links
     unknown = []
@@ -126,11 +128,17 @@ def _group(made: Forces, solved: Solved) -> Detached:
         [f for k in links for f in made.acting.forces.get(k, [])],
         [c for k in links for c in made.acting.couples.get(k, [])],
         unknown,
-        solved.polygon.mu,
+        _arrows(drawn, solved.polygon),
         _circles(
             made, [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
         ),
     )
+
+
+def _arrows(drawn: Work, polygon: Polygon) -> float:
+    """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them."""
+    mu, size = drawn.scales[polygon.view].value, drawn.sizes.groups
+    return standard(mu / size, 1.0) if size < 1.0 else mu
 
 
 def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
@@ -148,7 +156,7 @@ def _driver(drawn: Work, made: Forces) -> Detached:
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
     circles = _circles(made, [pivot, body.marks[drawn.project.structure.pin]])
-    return Detached((crank,), forces, couples, [found], driven.polygon.mu, circles)
+    return Detached((crank,), forces, couples, [found], _arrows(drawn, driven.polygon), circles)
 
 
 def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:

@@ -61,7 +61,8 @@ class Scene:
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
-    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train.
+    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train. ``told``: the
+    keys that the file writes in its sections, as section.key.
     """
 
     source: str
@@ -88,6 +89,7 @@ class Scene:
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     task: Task | None = None
+    told: frozenset[str] = frozenset()
 
     @property
     def shown(self) -> frozenset[str]:
