@@ -29,7 +29,7 @@ TINY = 2.0
 """A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it."""
 STEP, TRIALS = 0.93, 40
 """By how much at least a size gives way at a time; how often."""
-LEAST = {"groups": 0.1, "graphs": 0.2, "forces": 0.1, "lever": 0.05, "engine": 0.1}
+LEAST = {"groups": 0.25, "graphs": 0.2, "forces": 0.1, "lever": 0.05, "engine": 0.5}
 """The least shares; where they are reached something else has to give way."""
 PLANS = {
     "positions": ("mu_l", "OA"),
@@ -179,9 +179,10 @@ def depends(place: str, view: str, scene: Scene) -> tuple[str, ...]:
     elif place == "forces" and not view.startswith("indicator"):
         names = ("groups", "positions") if view.startswith("group") else ("forces",)
     elif place == "engine" and not view.startswith("indicator"):
-        names = ("engine",)
+        names = ("engine", "positions")
     else:
-        names = ("lever",) if place == "lever" else ("graphs",)
+        other = {"lever": "lever", "flywheel": "sketch"}
+        names = (other.get(view.partition("-")[0], "graphs"),)
     return tuple(name for name in names if not _fixed(name, scene))
 
 

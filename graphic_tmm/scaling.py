@@ -41,7 +41,8 @@ class Sizes(NamedTuple):
 
     ``positions``: room for the plan of positions, ``velocities`` and ``accelerations``: for their longest
     vectors, mm. The others are shares of the usual room: of ``forces`` (polygons), of the arrows on ``groups``,
-    of the ``lever``, of an ``engine``'s triangles and vectors, of ``graphs`` (their bases and ordinates).
+    of the ``lever``, of an ``engine``'s triangles and vectors, of ``graphs`` (their bases and ordinates), of
+    the ``sketch`` of a flywheel.
     """
 
     positions: float = 230.0
@@ -52,6 +53,7 @@ class Sizes(NamedTuple):
     lever: float = 1.0
     engine: float = 1.0
     graphs: float = 1.0
+    sketch: float = 1.0
 
     @property
     def shares(self) -> tuple[float, ...]:

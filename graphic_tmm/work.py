@@ -81,9 +81,9 @@ def work(scene: Scene, *, exact: bool = False) -> Work:
 
 def usual(scene: Scene) -> Sizes:
     """Return the sizes that the formats of a scene's sheets suggest."""
-    formats = [o.format for o in scene.sheets if "positions" in o.place] or ["A1"]
+    orders = [order for order in scene.sheets if "positions" in order.place] or scene.sheets
     most = Sizes().positions
-    return Sizes(positions=min(NARROW.get(format, most) for format in formats))
+    return Sizes(positions=min(NARROW.get(order.format, most) for order in orders))
 
 
 def record(scene: Scene) -> Project:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.layout import bounds, holds
-from graphic_tmm.paper.ruled import table
+from graphic_tmm.paper.layout import holds
+from graphic_tmm.paper.ruled import Grid, measured, table
+
+CROWNED = 12.0
+"""Room for the title above a block, mm."""
 
 
 def breakable(
@@ -36,44 +39,37 @@ def breakable(
         told, own = (f"{title} ({again})", f"{name}-{k + 1}") if k else (title, name)
         return table(own, told, [columns[j] for j in kept], cells, size=size, align=ways)
 
-    def blocks(across: int, down: int) -> list[Drawing]:
+    def apart(within: Within) -> list[Drawing]:
+        grid = measured(name, columns, rows, size=size, head_size=size, align=align)
+        _, _, across, down = min(_parts(grid, lead, over, room) for room in within.sizes)
         runs = [
             (a, d) for d in _runs(over, len(rows), down) for a in _runs(lead, len(columns), across)
         ]
         return [block(k, *run) for k, run in enumerate(runs)]
 
-    def apart(within: Within) -> list[Drawing]:
-        most = (max(len(columns) - lead, 1) if lead else 1, max(len(rows) - over, 1))
-        return fewest(within, *(_broken(blocks, whole, most, room) for room in within.sizes))
+    return table(name, title, columns, rows, size=size, align=align)._replace(apart=apart)
 
-    (whole,) = blocks(1, 1)
-    return whole._replace(apart=apart)
+
+def _parts(
+    grid: Grid, lead: int, over: int, room: tuple[float, float]
+) -> tuple[bool, int, int, int]:
+    """Return whether columns are too wide for a room, how many blocks it takes, in how many runs each way."""
+    widths, count = grid.widths, len(grid.widths)
+
+    def widest(parts: int) -> float:
+        return max(sum(widths[k] for k in run) for run in _runs(lead, count, parts))
+
+    most = room[0] - sum(widths[:lead])
+    runs = range(1, max(count - lead, 1) + 1 if lead else 2)
+    across = next((parts for parts in runs if widest(parts) <= most), runs[-1])
+    rows, high = len(grid.body[0]) - over, room[1] - grid.head[0] - CROWNED
+    down = math.ceil(rows / max(math.floor(high / grid.row[0]) - over, 1))
+    return widest(across) > most, across * down, across, down
 
 
 def fewest(within: Within, *ways: list[Drawing]) -> list[Drawing]:
     """Return of several ways to break a table one that fits, of the fewest blocks."""
     return min(ways, key=lambda found: (not holds(within, *found), len(found)))
-
-
-def _broken(
-    blocks: Callable[[int, int], list[Drawing]],
-    whole: Drawing,
-    most: tuple[int, int],
-    room: tuple[float, float],
-) -> list[Drawing]:
-    """Return the fewest blocks of a table that are no wider and no higher than a room, if there are such."""
-    parts = [min(most[k], math.ceil(side / room[k] - 1e-9)) for k, side in enumerate(_sides(whole))]
-    found = blocks(*parts)
-    for k in (0, 1):
-        while parts[k] < most[k] and max(_sides(view)[k] for view in found) > room[k]:
-            parts[k] += 1
-            found = blocks(*parts)
-    return found
-
-
-def _sides(view: Drawing) -> tuple[float, float]:
-    left, low, right, top = bounds(view)
-    return right - left, top - low
 
 
 def _runs(first: int, end: int, parts: int) -> list[range]:

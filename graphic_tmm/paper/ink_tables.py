@@ -10,7 +10,7 @@ from graphic_tmm.equations import quantity
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
 from graphic_tmm.paper.blocks import breakable, fewest
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.layout import settled
 from graphic_tmm.paper.letters import escape
@@ -124,35 +124,26 @@ def result_table(
         cells = [fixed(column.value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
-    turned = [list(column) for column in zip(heads, *rows, strict=True)]
     name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
-    ways = [
-        breakable(
-            name,
-            title,
-            heads,
-            rows,
-            again=again,
-            lead=2,
-            size=SIZE,
-            align=["left", "left", *["centre"] * len(shown)],
-        ),
-        breakable(
-            name,
-            title,
-            turned[0],
-            turned[1:],
-            again=again,
-            lead=1,
-            over=1,
-            size=SIZE,
-            align=["centre"] * len(turned[0]),
-        ),
-    ]
-    usual, other = reversed(ways) if upright else ways
-    return usual._replace(
-        apart=lambda within: fewest(within, *(settled(way, within) for way in (usual, other)))
-    )
+
+    def lying() -> Drawing:
+        align = ["left", "left", *["centre"] * len(shown)]
+        return breakable(name, title, heads, rows, again=again, lead=2, size=SIZE, align=align)
+
+    def standing() -> Drawing:
+        first, *others = (list(column) for column in zip(heads, *rows, strict=True))
+        align = ["centre"] * len(first)
+        return breakable(
+            name, title, first, others, again=again, lead=1, over=1, size=SIZE, align=align
+        )
+
+    usual, other = (standing, lying) if upright else (lying, standing)
+    made = usual()
+
+    def apart(within: Within) -> list[Drawing]:
+        return fewest(within, settled(made, within), settled(other(), within))
+
+    return made._replace(apart=apart)
 
 
 def _decimals(row: Sequence[float | None]) -> int:
