@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
+from graphic_tmm.paper.arranging import stacked
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.layout import holds
 from graphic_tmm.paper.ruled import Grid, measured, table
@@ -45,9 +46,20 @@ def breakable(
         runs = [
             (a, d) for d in _runs(over, len(rows), down) for a in _runs(lead, len(columns), across)
         ]
-        return [block(k, *run) for k, run in enumerate(runs)]
+        return piled([block(k, *run) for k, run in enumerate(runs)], within)
 
     return table(name, title, columns, rows, size=size, align=align)._replace(apart=apart)
+
+
+def piled(blocks: Sequence[Drawing], within: Within) -> list[Drawing]:
+    """Return blocks in order, one below the other as many as a sheet holds."""
+    piles: list[list[Drawing]] = []
+    for view in blocks:
+        if piles and holds(within, stacked("", [*piles[-1], view])):
+            piles[-1].append(view)
+        else:
+            piles.append([view])
+    return [stacked(pile[0].name, pile)._replace(title=pile[0].title, apart=None) for pile in piles]
 
 
 def _parts(

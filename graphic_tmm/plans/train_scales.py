@@ -25,6 +25,8 @@ BESIDE, ROW, ARM = 60.0, 26.0, 18.0
 """From the circles to the first row; from row to row; from the last row to the arm of the carrier, mm."""
 PICTURE, BELOW = 62.0, 36.0
 """From the scheme to the picture of velocities; from the axis down to the plan below it, mm."""
+CLEAR = 45.0
+"""The least way from the scheme to the picture: the shaft's bearing stands there, mm."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
     assert draft.mu_l is not None
     order, picture, rates, size = drawn.order, drawn.picture, drawn.rates, drawn.size
     mu_v, distance, stations = picture.mu, rates.distance, drawn.axial.stations
-    draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW * drawn.size}
+    draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}
     draft.given |= dict.fromkeys((*stations.values(), picture.place), 0.0)
     draft.given[draft.mu_l] = order.mu_l or standard_length(
         2.0 * _reach(draft, drawn), DIAMETER * size
@@ -75,7 +77,7 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
         draft.given[stations["II"]] = last
     tips = execute(draft.board.construction(), draft.given, drawn.picture.ends)
     left = min(float(tips[mark][0, 0].real) for mark in drawn.picture.ends)
-    draft.given[drawn.picture.place] = last + size * (ARM + PICTURE) + max(0.0, -left)
+    draft.given[drawn.picture.place] = last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
 
 
 def _sizes(draft: Draft, marks: Iterable[Mark]) -> list[float]:
