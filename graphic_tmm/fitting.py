@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.parts import Part, draw_parts, free_sizes, resized
 from graphic_tmm.plans.project import Project
@@ -19,7 +20,7 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.work import Work, executed, hand_of, record, usual
 
 if TYPE_CHECKING:
-    from graphic_tmm.paper.compose import Cells, TooLarge
+    from graphic_tmm.paper.measuring import Cells, TooLarge, Trial
 
 VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
 """Room for the longest vector of a plan, mm: as much as the sheets hold."""
@@ -79,7 +80,11 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
         for room in reversed([r for r in VECTORS if r > getattr(sizes, plan)]):
             larger = sizes._replace(**{plan: room})
             sizes = larger if trials.count(larger) <= most else sizes
-    return executed(scene, trials.project, sizes, trials.reach, exact=exact)
+    return (
+        trials.work(sizes)
+        if exact
+        else executed(scene, trials.project, sizes, trials.reach, exact=False)
+    )
 
 
 class _Trials:
@@ -94,10 +99,20 @@ class _Trials:
 
     def factors(self, sizes: Sizes) -> tuple[float, ...]:
         """What a drawing depends on: μ of the plans, the sizes of all else."""
-        scales = choose_scales(self.project, self.scene.scales, sizes, self.reach)
-        return (*(scale.value for scale in scales.values()), *sizes.shares)
+        return (*(scale.value for scale in self.scales(sizes).values()), *sizes.shares)
+
+    def scales(self, sizes: Sizes) -> dict[str, Scale]:
+        """Return μ of the plans."""
+        return choose_scales(self.project, self.scene.scales, sizes, self.reach)
+
+    def trial(self, sizes: Sizes) -> Trial:
+        """Return a drawing that is made when something of it has to be measured."""
+        from graphic_tmm.paper.measuring import Trial
+
+        return Trial(self.scales(sizes), sizes, lambda: self.work(sizes))
 
     def work(self, sizes: Sizes) -> Work:
+        """Return the drawing with these sizes."""
         key = self.factors(sizes)
         if key not in self.drawn:
             self.drawn[key] = executed(self.scene, self.project, sizes, self.reach, exact=True)
@@ -105,12 +120,12 @@ class _Trials:
 
     def count(self, sizes: Sizes) -> float:
         """Return how many sheets the plans take; without end if one of them fits none."""
-        from graphic_tmm.paper.compose import needed
+        from graphic_tmm.paper.measuring import needed
 
         key = self.factors(sizes)
         if key not in self.counts:
             try:
-                made = needed(self.scene, self.work(sizes), self.parts, self.cells)
+                made = needed(self.scene, self.trial(sizes), self.parts, self.cells)
                 self.counts[key] = made
             except ViewError:
                 self.counts[key] = math.inf
@@ -126,16 +141,16 @@ class _Trials:
         return found
 
     def _longest(self, plan: str, sizes: Sizes) -> float:
-        scales = choose_scales(self.project, self.scene.scales, sizes, self.reach)
+        scales = self.scales(sizes)
         found = float(getattr(self.reach, plan))
         return found / scales[plan].value if plan in scales and found > 0.0 else math.inf
 
     def held(self, sizes: Sizes) -> Sizes:
         """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""
-        from graphic_tmm.paper.compose import too_large
+        from graphic_tmm.paper.measuring import too_large
 
         for _ in range(TRIALS):
-            found = too_large(self.scene, self.work(sizes), self.parts, self.cells)
+            found = too_large(self.scene, self.trial(sizes), self.parts, self.cells)
             way = _giving_way(found, sizes, self.scene)
             if not way:
                 break
@@ -225,7 +240,7 @@ def fitted_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
     StructureError
         If a part cannot be made.
     """
-    from graphic_tmm.paper.compose import too_large
+    from graphic_tmm.paper.measuring import too_large
 
     usual_ones = parts = draw_parts(scene, exact=True)
     sizes: dict[str, float] = {}

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from graphic_tmm.paper.arranging import stacked
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.layout import holds
+from graphic_tmm.paper.layout import bounds, holds
 from graphic_tmm.paper.ruled import Grid, measured, table
 
 CROWNED = 12.0
@@ -48,7 +48,8 @@ def breakable(
         ]
         return piled([block(k, *run) for k, run in enumerate(runs)], within)
 
-    return table(name, title, columns, rows, size=size, align=align)._replace(apart=apart)
+    whole = table(name, title, columns, rows, size=size, align=align)
+    return whole._replace(cell=bounds(whole), apart=apart)
 
 
 def piled(blocks: Sequence[Drawing], within: Within) -> list[Drawing]:
@@ -80,8 +81,13 @@ def _parts(
 
 
 def fewest(within: Within, *ways: list[Drawing]) -> list[Drawing]:
-    """Return of several ways to break a table one that fits, of the fewest blocks."""
-    return min(ways, key=lambda found: (not holds(within, *found), len(found)))
+    """Return of several ways to break a table one that fits, of the fewest views, of the least area."""
+    return min(ways, key=lambda found: (not holds(within, *found), len(found), _area(found)))
+
+
+def _area(views: Sequence[Drawing]) -> float:
+    boxes = [bounds(view) for view in views]
+    return sum((right - left) * (top - low) for left, low, right, top in boxes)
 
 
 def _runs(first: int, end: int, parts: int) -> list[range]:

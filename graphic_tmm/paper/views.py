@@ -194,16 +194,15 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
 """What can be placed on a sheet of a mechanism: work, lettered? -> its drawings."""
 
 FOLLOWS: Mapping[str, tuple[str, ...]] = {
-    "positions": (),
-    "equations": (),
-    "structure": (),
-    "forces": (),
-    "flywheel": (),
-    "engine": (),
     "velocities": ("velocities",),
+    "velocity table": ("velocities",),
+    "lever": ("velocities",),
     "accelerations": ("accelerations",),
+    "acceleration table": ("accelerations",),
 }
-"""The plans whose μ the room of a view depends on; both of them for a view that is not named here."""
+"""The plans, besides that of positions, whose μ the room of a view depends on."""
+SEVERAL: Mapping[str, tuple[str, ...]] = {"results": ("velocity table", "acceleration table")}
+"""Places that are others together."""
 
 PART_VIEWS: Mapping[str, Callable[[Part, bool], list[Drawing]]] = {
     "cam": cam_views,

@@ -77,7 +77,9 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
         draft.given[stations["II"]] = last
     tips = execute(draft.board.construction(), draft.given, drawn.picture.ends)
     left = min(float(tips[mark][0, 0].real) for mark in drawn.picture.ends)
-    draft.given[drawn.picture.place] = last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
+    draft.given[drawn.picture.place] = (
+        last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
+    )
 
 
 def _sizes(draft: Draft, marks: Iterable[Mark]) -> list[float]:
