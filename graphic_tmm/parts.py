@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.scales import Scale, standard_length
 from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import StructureError
 from graphic_tmm.plans.cam import Cam, draw_cam
@@ -122,6 +122,39 @@ def draw_parts(
     return tuple(found)
 
 
+def resized(part: Part, sizes: Mapping[str, float]) -> Part:
+    """Return a part, drawn in the usual size, with its sizes at a share of that.
+
+    ``sizes``: of what `free_sizes` tells. Scale factors of lengths stay standard ones.
+    """
+    scene, share = part.scene, sizes.get(part.kind, 1.0)
+    if isinstance(part.made, Cam):
+        assert scene.cam is not None
+        order = replace(scene.cam, base=scene.cam.base * sizes.get("cam graphs", 1.0))
+        if share < 1.0:
+            mu = float(part.reading[part.made.profile.mu][0, 0])
+            order = replace(order, mu_l=standard_length(mu / share, 1.0))
+        return _part("cam", scene, _cam(replace(scene, cam=order)), part.hand)
+    if isinstance(part.made, Gear) and share < 1.0:
+        assert scene.gears is not None
+        mu = float(part.reading[part.made.line.mu][0, 0])
+        order_ = replace(scene.gears, mu=standard_length(mu / share, 1.0))
+        return _part("gears", scene, _gears(replace(scene, gears=order_)), part.hand)
+    if isinstance(part.made, Planetary) and share < 1.0:
+        return _part("planetary", scene, _planetary(scene, share), part.hand)
+    return part
+
+
+def free_sizes(scene: Scene, kind: str) -> tuple[str, ...]:
+    """Return the sizes of a part that its scene leaves free."""
+    keys = {
+        "cam": {"cam": "cam.mu_l", "cam graphs": "cam.base"},
+        "gears": {"gears": "gears.mu_l"},
+        "planetary": {"planetary": "planetary.mu_l"},
+    }
+    return tuple(name for name, key in keys[kind].items() if key not in scene.told)
+
+
 def draws_mechanism(scene: Scene, parts: tuple[Part, ...]) -> bool:
     """Whether a mechanism is drawn, or has to be: a scene of parts alone, or of lettering, has none."""
     return scene.mechanism is not None or not (parts or scene.shown <= set(FREE_PLACES))
@@ -143,10 +176,10 @@ def _gears(scene: Scene) -> _Recorded:
     return _Recorded(made, draft, {}, lambda: gear_scales(draft, made))
 
 
-def _planetary(scene: Scene) -> _Recorded:
+def _planetary(scene: Scene, size: float = 1.0) -> _Recorded:
     assert scene.planetary is not None
     draft = Draft()
-    made = draw_planetary(draft, scene.planetary)
+    made = draw_planetary(draft, scene.planetary, size)
     extra = {}
     if len(scene.behind) == 2:
         extra["overall_ratio"] = draw_overall(draft, made, *scene.behind)

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
-from graphic_tmm.errors import SheetError
-from graphic_tmm.parts import Part, draw_parts, draws_mechanism
+from graphic_tmm.errors import ViewError
+from graphic_tmm.fitting import fitted, fitted_parts, refusal
+from graphic_tmm.parts import Part, draws_mechanism
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.cam import cam_columns, cam_positions
@@ -27,15 +28,13 @@ from graphic_tmm.tables.text import result_tables, rich_tables
 from graphic_tmm.tables.wheels import wheel_columns
 from graphic_tmm.tables.writing import as_csv, as_json, decimals_of
 from graphic_tmm.words import finding, left_out, plain
-from graphic_tmm.work import Work, assumed, doubted, executed, hand_of, ranges, record
+from graphic_tmm.work import Work, assumed, hand_of, ranges
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
 
 DEFAULT = "windrower"
 """The scene that is drawn when none is named."""
-VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
-"""Room for the longest vector of a plan, mm: as much as the sheets hold."""
 
 
 def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
@@ -43,7 +42,10 @@ def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
     from graphic_tmm.paper.compose import compose
 
     made = make(scene, wanted=scene.shown)
-    return made, compose(scene, made.work, made.parts)
+    try:
+        return made, compose(scene, made.work, made.parts)
+    except ViewError as error:
+        raise refusal(scene, error) from error
 
 
 def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Made:
@@ -57,7 +59,7 @@ def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -
     SceneError
         If it has neither.
     """
-    parts = draw_parts(scene, exact=exact, wanted=wanted)
+    parts = fitted_parts(scene, exact=exact, wanted=wanted)
     if not draws_mechanism(scene, parts):
         return Made(scene, None, parts)
     return Made(scene, fitted(scene, parts=parts, exact=exact, wanted=wanted), parts)
@@ -127,49 +129,6 @@ def sheet_files(
             for name, sheet in zip(names, drawn, strict=True):
                 files[f"{name}.{form}"] = one[form](sheet)
     return made, files
-
-
-def fitted(
-    scene: Scene,
-    *,
-    parts: Sequence[Part] = (),
-    exact: bool = False,
-    wanted: Set[str] | None = None,
-) -> Work:
-    """Draw a scene with its plans as large as fit on the sheets ordered, or on as few more as they need.
-
-    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
-    the sheets too; ``wanted`` as in `make`.
-    """
-    from graphic_tmm.paper.compose import Cells, needed
-
-    whole = record(scene)
-    project = whole if scene.called == scene.shown else record(scene, scene.shown)
-    doubts = doubted(project)
-    cells: Cells = {}
-    tried: dict[tuple[float, ...], float] = {}
-
-    def count(rooms: tuple[float, float]) -> float:
-        """Return how many sheets the plans take; without end if one of them fits none."""
-        made = executed(scene, project, exact=True, vectors=rooms, doubts=doubts)
-        factors = tuple(scale.value for scale in made.scales.values())
-        if factors not in tried:
-            try:
-                tried[factors] = needed(scene, made, parts, cells)
-            except SheetError:
-                tried[factors] = math.inf
-        return tried[factors]
-
-    least = (VECTORS[-1], VECTORS[-1])
-    most = max(len(scene.sheets), count(least))
-    rooms = next(((r, r) for r in VECTORS if count((r, r)) <= most), least)
-    for larger in reversed([r for r in VECTORS if r > rooms[1]]):
-        rooms = (rooms[0], larger) if count((rooms[0], larger)) <= most else rooms
-    for larger in reversed([r for r in VECTORS if r > rooms[0]]):
-        rooms = (larger, rooms[1]) if count((larger, rooms[1])) <= most else rooms
-    final = whole if wanted is None else project if wanted == scene.shown else record(scene, wanted)
-    own = doubts if final is project else None
-    return executed(scene, final, exact=exact, vectors=rooms, doubts=own)
 
 
 def part_warnings(part: Part) -> tuple[str, ...]:

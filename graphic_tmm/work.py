@@ -19,17 +19,21 @@ from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.plans.reaches import Reach, reach_of
 from graphic_tmm.scaling import (
+    Extents,
+    Sizes,
+    base_lengths,
     chart_scale_values,
     chart_scales,
     choose_scales,
     engine_scales,
+    extents,
     force_scales,
     polygon_scales,
 )
 from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, NEEDS, Scene
 
-ROOM = {"A1": 230.0, "A4": 140.0}
-"""For a format: room for the plan of positions, mm."""
+NARROW = {"A4": 140.0}
+"""Room for the plan of positions on a format that has less than the usual one, mm."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,7 @@ class Work:
     hand: Hand
     undrawn: tuple[int, ...]
     doubts: Doubts
+    sizes: Sizes
 
     @cached_property
     def reaches(self) -> dict[Figure, Reach]:
@@ -99,14 +104,22 @@ def assumed(drawn: Work) -> Iterator[str]:
         )
 
 
-def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
-    """Draw a scene: record its plans, choose the scale factors, execute.
+def work(scene: Scene, *, exact: bool = False) -> Work:
+    """Draw a scene in the usual size: record its plans, choose the scale factors, execute.
 
-    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room, mm, for the
-    longest vector of the plans of velocities and of accelerations.
+    ``exact`` switches the rounding of the ruler off.
     """
     project = record(scene)
-    return executed(scene, project, exact=exact, vectors=vectors, doubts=doubted(project))
+    doubts = doubted(project)
+    reach = extents(project, doubts)
+    return executed(scene, project, usual(scene), reach, doubts, exact=exact)
+
+
+def usual(scene: Scene) -> Sizes:
+    """Return the sizes that the formats of a scene's sheets suggest."""
+    orders = [order for order in scene.sheets if "positions" in order.place] or scene.sheets
+    most = Sizes().positions
+    return Sizes(positions=min(NARROW.get(order.format, most) for order in orders))
 
 
 def doubted(project: Project) -> Doubts:
@@ -165,27 +178,24 @@ def hand_of(scene: Scene, trials: int = 1) -> Hand:
 def executed(
     scene: Scene,
     project: Project,
+    sizes: Sizes,
+    reach: Extents,
+    doubts: Doubts,
     *,
     exact: bool,
-    vectors: tuple[float, float],
-    doubts: Doubts | None = None,
 ) -> Work:
     """Choose the scale factors of a recorded project and execute it; see `work`.
 
-    ``doubts``: of the project; what is lost by them sets no scale factor, and is not there.
+    ``reach``: its `extents`; ``doubts``: what is lost by them sets no scale factor, and is not there.
     """
-    formats = [sheet.format for sheet in scene.sheets]
-    doubts = doubts or doubted(project)
-    scales = choose_scales(
-        project, scene.scales, ROOM["A4" if set(formats) == {"A4"} else "A1"], vectors, doubts
-    )
-    given = dict(project.given)
+    scales = choose_scales(project, scene.scales, sizes, reach)
+    given = {**project.given, **base_lengths(project, sizes.graphs, scene.told)}
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
-    sized = force_scales(project, given, doubts)
+    sized = force_scales(project, given, doubts, sizes)
     given |= {**dict.fromkeys(polygon_scales(project), 1.0), **sized}
-    given |= engine_scales(project, given, doubts)
-    given |= chart_scales(project, given, doubts, _graphs_on(scene))
+    given |= engine_scales(project, given, doubts, sizes)
+    given |= chart_scales(project, given, doubts, sizes, _graphs_on(scene))
     hand = EXACT if exact else hand_of(scene)
     reading, accelerated = _read(project, given, hand, doubts)
     scales |= chart_scale_values(project, reading)
@@ -204,7 +214,7 @@ def executed(
         raise StructureError(
             f"{scene.source}: none of the positions can be drawn" + ranges(project)
         )
-    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, doubts)
+    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, doubts, sizes)
 
 
 def _graphs_on(scene: Scene) -> str:

@@ -218,9 +218,11 @@ def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str,
 
 def _sheets(made: Made) -> int:
     """Return how many sheets a scene takes."""
-    from graphic_tmm.paper.compose import needed
+    from graphic_tmm.paper.measuring import Trial, needed
 
-    return needed(made.scene, made.work, made.parts, {})
+    work = made.work
+    tried = Trial(work.scales, work.sizes, lambda: work) if work is not None else None
+    return needed(made.scene, tried, made.parts, {})
 
 
 def _told(

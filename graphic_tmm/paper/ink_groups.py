@@ -45,7 +45,7 @@ class Reactive(NamedTuple):
 
 
 class Detached(NamedTuple):
-    """What a figure shows: its links, forces and couples on them, reactions, the scale of the polygon (Number).
+    """What a figure shows: its links, forces and couples on them, reactions, the scale of its forces (N/mm).
 
     ``circles``: friction circles, their pins and radii (m).
     """
@@ -54,7 +54,7 @@ class Detached(NamedTuple):
     forces: Sequence[Force]
     couples: Sequence[Couple]
     reactions: Sequence[Reactive]
-    mu: Mark
+    mu: float
     circles: Sequence[tuple[Mark, Mark]] = ()
 
 
@@ -81,7 +81,7 @@ def draw_group(
     for link in links:
         strokes += ink.lines(link, index, HEAVY)
     strokes += ink.symbols(links, index)
-    drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), language)
+    drawing = _Loads(reading, index, shown.mu, language)
     for force in shown.forces:
         drawing.force(force)
     for reaction in shown.reactions:

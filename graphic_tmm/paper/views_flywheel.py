@@ -147,8 +147,8 @@ def _sketch(drawn: Work, made: Flywheel) -> Drawing:
     # made in whole millimetres: the thinnest rim is one
     width = max(round(width, 3), 0.001)
     sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
-    large = 1000 * max(outer, width)
-    reduction = next((r for r in (1, *REDUCTIONS) if large / r <= SKETCH), REDUCTIONS[-1])
+    large, room = 1000 * max(outer, width), SKETCH * drawn.sizes.sketch
+    reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
     title = CAPTIONS[language]["sketch"]
     drawing = draw_flywheel(sizes, reduction, title, language)
     told = rim_too_wide(drawn.project, drawn.reading, language)

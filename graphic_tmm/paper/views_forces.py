@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard
 from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arranging import captioned, mu_text
@@ -34,7 +35,7 @@ def force_views(drawn: Work, lettered: bool) -> list[Drawing]:
     for place in _places(drawn):
         for solved in made.groups:
             name = solved.closing.group.name
-            shown = _group(made, solved)
+            shown = _group(drawn, made, solved)
             views += _pair(drawn, shown, solved.polygon, solved.reactions, name, place, lettered)
         crank = str(drawn.project.structure.driver)
         reactions = (made.driven.reaction,)
@@ -66,7 +67,8 @@ def _pair(
     key = "group of forces" if "-" in name else "link of forces"
     title = f"{words[key].format(name=name)}, {at}"
     scale = drawn.scales.get(polygon.view)
-    both = (drawn.scales["positions"], scale)
+    arrows = scale._replace(value=shown.mu) if scale is not None else None
+    both = (drawn.scales["positions"], arrows)
     scales = ", ".join(mu_text(s, language) for s in both if s is not None)
     figure = draw_group(
         project.construction,
@@ -114,7 +116,7 @@ def _equation(polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(made: Forces, solved: Solved) -> Detached:
+def _group(drawn: Work, made: Forces, solved: Solved) -> Detached:
     closing = solved.closing
     links = closing.group.links
     unknown = []
@@ -131,11 +133,17 @@ def _group(made: Forces, solved: Solved) -> Detached:
         [f for k in links for f in made.acting.forces.get(k, [])],
         [c for k in links for c in made.acting.couples.get(k, [])],
         unknown,
-        solved.polygon.mu,
+        _arrows(drawn, solved.polygon),
         _circles(
             made, [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
         ),
     )
+
+
+def _arrows(drawn: Work, polygon: Polygon) -> float:
+    """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them."""
+    mu, size = drawn.scales[polygon.view].value, drawn.sizes.groups
+    return standard(mu / size, 1.0) if size < 1.0 else mu
 
 
 def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
@@ -153,7 +161,7 @@ def _driver(drawn: Work, made: Forces) -> Detached:
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
     circles = _circles(made, [pivot, body.marks[drawn.project.structure.pin]])
-    return Detached((crank,), forces, couples, [found], driven.polygon.mu, circles)
+    return Detached((crank,), forces, couples, [found], _arrows(drawn, driven.polygon), circles)
 
 
 def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:

@@ -43,11 +43,12 @@ class Planetary:
     results: Mapping[str, Mark]
 
 
-def draw_planetary(draft: Draft, order: PlanetaryOrder) -> Planetary:
+def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Planetary:
     """Draw the smallest train that fulfils an order, or the one whose tooth numbers it gives.
 
     The draft is the train's own: its positions are the satellites. The scale factors, the pole distance and the
-    places of the views are chosen and kept in ``draft.given``; they may be replaced there.
+    places of the views are chosen and kept in ``draft.given``; they may be replaced there. ``size``: what share
+    of the usual room the views take.
 
     Raises
     ------
@@ -72,7 +73,7 @@ def draw_planetary(draft: Draft, order: PlanetaryOrder) -> Planetary:
         "planetary_ratio_drawn": rates.ratio,
         "planetary_difference": rates.difference,
     }
-    choose_scales(draft, Drawn(order, train, end, axial, picture, rates))
+    choose_scales(draft, Drawn(order, train, end, axial, picture, rates, size))
     return Planetary(order, train, mu, sizes, end, axial, picture, rates, results)
 
 

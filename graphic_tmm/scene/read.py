@@ -55,7 +55,14 @@ def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scen
         lines = locate(text)
         faults = {fault(doc, lines, item) for item in found}
         raise SceneError(str(file), tuple(sorted(faults, key=lambda f: (f.line, f.key, f.message))))
-    return replace(build.scene(parts, str(file), kgf=in_kgf(doc)), remarks=remarks(doc, parts))
+    made = build.scene(parts, str(file), kgf=in_kgf(doc))
+    return replace(made, remarks=remarks(doc, parts), told=_told(doc))
+
+
+def _told(doc: Document) -> frozenset[str]:
+    """Return the keys of the file's sections that are tables, as section.key."""
+    tables = {name: section for name, section in doc.items() if isinstance(section, dict)}
+    return frozenset(f"{name}.{key}" for name, section in tables.items() for key in section)
 
 
 def _text(file: Path) -> str:

@@ -86,7 +86,8 @@ class Scene:
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
     drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train. ``assumed``:
     in words, which keys were left out whose defaults matter. ``remarks``: what of the file comes to nothing,
-    and defaults that matter, a line each.
+    and defaults that matter, a line each. ``told``: the keys that the file writes in its sections, as
+    section.key.
     """
 
     source: str
@@ -115,6 +116,7 @@ class Scene:
     task: Task | None = None
     assumed: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+    told: frozenset[str] = frozenset()
 
     @property
     def shown(self) -> frozenset[str]:
