@@ -156,8 +156,9 @@ class Doubts:
             return np.asarray(unsure & unclean)
         used = [before[use.slot] for use in step.uses if use.slot in before]
         if mark.kind is Curve:
-            # what a curve goes through is lost at some place or other
-            used = [np.atleast_2d(mask.any()) for mask in used]
+            # what a curve goes through is lost at some place or other of its row
+            row = step.choice.get("row")
+            used = [np.atleast_2d(mask[:, :row].any()) for mask in used]
         own = bound > DIGIT
         return np.asarray(np.logical_or.reduce(np.broadcast_arrays(own, *used)))
 
