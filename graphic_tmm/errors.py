@@ -7,6 +7,7 @@
     ├── StructureError        the links and pairs do not make a mechanism that this board can draw
     ├── ConstructionError     a step of a construction was recorded wrongly, or cannot be drawn
     └── SheetError            the paper: a view that does not fit, a folder that cannot be written
+        └── ViewError         a view that fits no sheet of its format
 """
 
 from __future__ import annotations
@@ -60,3 +61,11 @@ class ConstructionError(TmmError):
 
 class SheetError(TmmError):
     """The paper: a view that does not fit, a folder that cannot be written."""
+
+
+class ViewError(SheetError):
+    """A view that fits no sheet of its format: its name, so that a remedy can be told."""
+
+    def __init__(self, message: str, view: str) -> None:
+        super().__init__(message)
+        self.view = view

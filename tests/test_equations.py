@@ -83,7 +83,7 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
     lengths: dict[str, Mark] = {}
     for mark in work.project.marks(plan):
         if mark.kind.__name__ == "Length":
-            lengths.setdefault(quantity(mark.letter.rstrip("′")), mark)
+            lengths.setdefault(quantity(mark.name), mark)
     for equation in found(name, plan):
         point = log.mark(plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower())
         assert point is not None

@@ -148,9 +148,7 @@ class PositionsInk(LinksInk):
         for step in self.construction.steps:
             if step.it.view == PLAN and step.it.kind is Curve:
                 for controls in bezier(self.reading[step.it]):
-                    found.append(
-                        Bezier("thin", tuple(complex(z) for z in controls), step.it.letter)
-                    )
+                    found.append(Bezier("thin", tuple(complex(z) for z in controls), step.it.name))
         return found
 
     def letters(self, names: Sequence[str], main: int) -> list[Wanted]:
@@ -161,9 +159,9 @@ class PositionsInk(LinksInk):
             spot = self.at(mark, main)
             near = next((names for z, names in spots if abs(z - spot) < TOGETHER), None)
             if near is None:
-                spots.append((spot, [mark.letter]))
+                spots.append((spot, [mark.name]))
             else:
-                near.append(mark.letter)
+                near.append(mark.name)
         return [Wanted(", ".join(map(markup, names)), z, SIZE, 2.2) for z, names in spots]
 
     def numbers(self, crank: tuple[Mark, Mark], names: Sequence[str], main: int) -> list[Wanted]:

@@ -12,7 +12,7 @@ from graphic_tmm.paper.ink_tables import SIZE, result_table
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views_flywheel import cylinder_view
-from graphic_tmm.plans.engine import VIEW, Engine
+from graphic_tmm.plans.engine import VIEW, Engine, ordinate
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.words import number, unit
 from graphic_tmm.work import Work
@@ -97,7 +97,9 @@ def _diagrams(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
     for view in made.curves:
         symbol = view.removeprefix("engine ")
         letters = [words[f"engine {k}"] for k in made.curves[view]]
-        curves = {f"y_{k}": letter for k, letter in zip(made.curves[view], letters, strict=True)}
+        curves = {
+            ordinate("y", k): letter for k, letter in zip(made.curves[view], letters, strict=True)
+        }
         title = words[f"diagram engine {symbol}"]
         graph = draw_graph(
             project.construction,

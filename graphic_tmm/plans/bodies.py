@@ -122,13 +122,13 @@ def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: flo
 
 def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float) -> Mark:
     """Draw a line through a point at an angle to another line: parallel, square or by the protractor."""
-    rest, bare = degrees % 360.0, name
+    rest = degrees % 360.0
     name = draft.board.free(f"({name})")
     if rest in (0.0, 180.0):
         return draft.board.draw(parallel, name, through, to, sense=1 if rest == 0.0 else -1)
     if rest in (90.0, 270.0):
         return draft.board.draw(square, name, through, to, sense=1 if rest == 90.0 else -1)
-    return draft.board.draw(incline, name, through, to, draft.angle(f"∠{bare}", degrees))
+    return draft.board.draw(incline, name, through, to, draft.direction(degrees))
 
 
 def nearest(body: Body, pair: Pair, levelled: float) -> str:

@@ -38,6 +38,8 @@ VIEW = "engine"
 ROOM = 55.0
 """Room for the highest ordinate of a diagram, mm."""
 DIAGRAMS = ("P", "N", "Q", "T", "K", "M")
+POINTS = {"P_in": "f", "M": "z"}
+"""The points of a quantity on its diagram, where its small letter stands for something else."""
 
 
 class Triangles(NamedTuple):
@@ -96,18 +98,18 @@ def draw_engine(
     lumped = lump(draft, machine.mechanism.by_number[legs.rod.link], legs, machine, order)
     unit = None
     if order.unit == "kgf":
-        unit = draft.take(Number, "1 kgf", KGF, "N/kgf")
+        unit = draft.take(Number, board.free(""), KGF, "N/kgf")
 
     def told(letter: str, force: Mark) -> Mark:
         """Return a force in the unit of the task."""
         if unit is None:
             return force
-        return board.draw(in_kgf, letter, force, unit, unit="kgf")
+        return board.draw(in_kgf, board.free(letter), force, unit, unit="kgf")
 
     sign = draft.take(Number, "σ", cylinder.outward)
     reading = accelerations.readings[legs.slider.link]
     acceleration = board.draw(towards_crank, "a_B", sign, reading, accelerations.mu, unit="m/s²")
-    exact = board.draw(against_acceleration, "P_{in} (N)", lumped.mass, acceleration, unit="N")
+    exact = board.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
     harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, told)
     board.open(VIEW)
     values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
@@ -177,6 +179,11 @@ def _pin(machine: Machine, legs: _Legs) -> str:
     return next(c.letter for c in machine.positions.closings if legs.rod in c.legs)
 
 
+def ordinate(symbol: str, letter: str) -> str:
+    """Return the letter of an ordinate that stands for a quantity: y_{Pin} of P_in."""
+    return f"{symbol}_{{{letter.replace('_', '')}}}"
+
+
 def _diagrams(
     draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineOrder
 ) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
@@ -196,10 +203,11 @@ def _diagrams(
         axes = graphs.draw_axes(draft, view, base, mu)
         found = []
         for letter in letters:
-            heights = board.draw(to_board, f"h_{letter}", values[letter], mu)
-            at = graphs.lay_ordinates(draft, axes, heights, board.free(letter[0].lower()))
-            graphs.through(draft, axes, at)
-            found.append(graphs.read(draft, axes, at.points, f"y_{letter}"))
+            heights = board.draw(to_board, ordinate("h", letter), values[letter], mu)
+            at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
+            # the links' own inertia is smooth, what the gas has a part in is not
+            (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)
+            found.append(graphs.read(draft, axes, at.points, ordinate("y", letter)))
         charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
         curves[view] = letters
     return tuple(charts), curves

@@ -47,7 +47,7 @@ def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure)
     draft.board.lay_out(origin, draft.mu_l)
 
     def axis() -> Mark:
-        return draft.board.draw(ray, "(x)", origin, draft.angle("0°", 0.0))
+        return draft.board.draw(ray, "(x)", origin, draft.direction(0.0))
 
     body = Body(frame, frame.points[pivot], 0.0, axis)
     stand(body, pivot, origin, frame.points[pivot])

@@ -39,6 +39,9 @@ from graphic_tmm.plans.row import draw_row
 from graphic_tmm.plans.survey import Survey, survey
 from graphic_tmm.plans.velocities import crank_arm, draw_velocities
 
+LAST = 12
+"""Decimals of an angle in degrees that are not rounding."""
+
 
 @dataclass(frozen=True)
 class Project:
@@ -198,14 +201,14 @@ def draw_project(
 def _numbers(angles: np.ndarray, count: int, drive: Drive) -> np.ndarray:
     """Return where each position stands in the row, in intervals of it; extras stand between."""
     travelled = (angles[0] - angles[0, 0]) * (1.0 if drive.speed > 0 else -1.0)
-    numbers = (np.round(travelled, 9) % 360.0) * count / 360.0
+    numbers = (np.round(travelled, LAST) % 360.0) * count / 360.0
     numbers[:count] = np.arange(count)
     return np.asarray(numbers)
 
 
 def _angle(degrees: float) -> float:
     """Return an angle in [0, 360), free of the last bits."""
-    return round(float(degrees), 9) % 360.0 + 0.0
+    return round(float(degrees), LAST) % 360.0 + 0.0
 
 
 def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
@@ -218,8 +221,8 @@ def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
         return side_values(side, angles)
     sense = 1.0 if drive.speed > 0 else -1.0
     start = angles[0, 0]
-    travelled = np.round((angles - start) * sense, 9) % 360.0
-    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, 9) % 360.0
+    travelled = np.round((angles - start) * sense, LAST) % 360.0
+    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, LAST) % 360.0
     passed = (flips[:, None, None] <= travelled[None]) & (travelled[None] > 0.0)
     if sense > 0:
         passed &= flips[:, None, None] > 0.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import AGAINST, ForcesOrder, Friction, Load, Travel
+from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Friction, Load, Travel
 from graphic_tmm.mechanism.masses import pins
 from graphic_tmm.mechanism.orders import EngineOrder, IndicatorOrder
 from graphic_tmm.mechanism.records import Mechanism
@@ -36,6 +36,7 @@ def forces(
         single=table.single,
         limit=table.limit,
         mu=table.mu_F,
+        g=GRAVITY if effects.g is None else effects.g,
     )
 
 

@@ -195,7 +195,9 @@ class SheetTable(Table):
     """A sheet, and what is placed on it, in order."""
 
     format: v.Format = key("the format of the sheet", "A1", "A1")
-    place: v.Places = key("the plans on it", ["positions", "velocities"], v.USUAL_PLACES)
+    place: v.Places | None = key(
+        "the plans on it; left out: all that the scene calls for", ["positions", "velocities"], None
+    )
 
 
 class TitleBlockTable(Table):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import NoReturn
 
@@ -12,7 +13,9 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.scene import build, checks, force_checks, order_checks, references
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.lines import locate
+from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import Document, understand
 from graphic_tmm.scene.syntax import syntax_fault
 
@@ -52,7 +55,14 @@ def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scen
         lines = locate(text)
         faults = {fault(doc, lines, item) for item in found}
         raise SceneError(str(file), tuple(sorted(faults, key=lambda f: (f.line, f.key, f.message))))
-    return build.scene(parts, str(file))
+    made = build.scene(parts, str(file), kgf=in_kgf(doc))
+    return replace(made, remarks=remarks(doc, parts), told=_told(doc))
+
+
+def _told(doc: Document) -> frozenset[str]:
+    """Return the keys of the file's sections that are tables, as section.key."""
+    tables = {name: section for name, section in doc.items() if isinstance(section, dict)}
+    return frozenset(f"{name}.{key}" for name, section in tables.items() for key in section)
 
 
 def _text(file: Path) -> str:

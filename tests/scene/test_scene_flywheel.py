@@ -27,7 +27,7 @@ def scene(folder: Path, *edits: tuple[str, str]) -> Scene:
 def test_the_engine_asks_for_its_flywheel(tmp_path: Path) -> None:
     order = scene(tmp_path).flywheel
     assert order is not None
-    assert (order.delta, order.pole, order.mu_M, order.constant) == (0.23, 40.0, 8.0, "resisting")
+    assert (order.delta, order.A.pole, order.mu_M, order.constant) == (0.23, 40.0, 8.0, "resisting")
     assert order.rim == Rim(0.45, 0.85, 110.0, 7800.0, 0.056, 3, 0.016)
     assert order.indicator.cover.pressures[:3] == (300e3, 300e3, 240e3)
     assert (order.indicator.mu, order.indicator.height) == (1500.0, 200.0)
