@@ -153,7 +153,7 @@ def test_at_a_dead_centre_there_is_nothing_to_compare_and_nothing_is_told(
 def test_the_difference_has_the_digits_that_its_readings_leave(
     tmp_path: Path, ruler: float
 ) -> None:
-    """P_b follows from lengths of 200 mm at most, each read to half a division: no digit below what that does."""
+    """P_b follows from lengths of 200 mm at most, read to half a division: no digit below what that does."""
     _, columns, _ = _json(tmp_path, SLIDER + f'[hand]\nruler = "{ruler} mm"\n')
     told = columns["P_bal_difference"][1]
     least = 100.0 * (ruler / 2.0) / 200.0

@@ -47,7 +47,7 @@ def _crossing(bench: Bench, angles: list[float]) -> Mark:
 
 def test_a_figure_keeps_the_digits_that_are_sure_and_no_others() -> None:
     """At an angle β the lines meet cot β away; both directions are known to a shake, so is that but by 1/β."""
-    bench, offs = Bench(), [10.0, 1e-3, 1e-6, 1e-9, 1e-11, 1e-13]
+    bench, offs = Bench(), [10.0, 1e-3, 1e-6, 1e-9, 1e-10, 1e-13]
     point = _crossing(bench, offs)
     origin = next(mark for mark in bench.given if mark.letter == "O")
     found = bench.figure(bench.board.draw(measure, "Ob", origin, point))
