@@ -204,7 +204,7 @@ class _Loads:
             at, along = self.line_of(step.uses[1])
             reach = ((about - at) * along.conjugate()).real
             foot = at + reach * along
-            if abs(foot - about) < 2.0 or along == 0:
+            if not abs(foot - about) >= 2.0 or along == 0:  # also where it is not there
                 continue
             further = foot + along * math.copysign(3.0, reach)
             self.strokes.append(line("thin", at, further))

@@ -222,7 +222,8 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
 
 def force_table(drawn: Work, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
-    rows = force_columns(drawn.project, drawn.reading)
+    columns = force_columns(drawn.project, drawn.reading)
+    rows = [column.without(drawn.undrawn) for column in columns]
     if not rows:
         return []
     return [result_table("forces", rows, drawn.project.names, drawn.scene.language)]
