@@ -1,4 +1,4 @@
-"""What a scene fixes that no sheet holds, or that cannot be measured: its key, what follows, a value that fits."""
+"""What a scene fixes that no sheet holds or nobody can measure: its key, what follows, a value that fits."""
 
 from __future__ import annotations
 
