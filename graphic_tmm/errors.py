@@ -64,8 +64,8 @@ class SheetError(TmmError):
 
 
 class ViewError(SheetError):
-    """A view that fits no sheet of its format: its name, so that a remedy can be told."""
+    """A view that fits no sheet of its format: its name and size (mm), so that a remedy can be told."""
 
-    def __init__(self, message: str, view: str) -> None:
+    def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
         super().__init__(message)
-        self.view = view
+        self.view, self.size = view, size

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.errors import SheetError, ViewError
+from graphic_tmm.errors import ViewError
 from graphic_tmm.parts import Part, draw_parts, free_sizes, resized
 from graphic_tmm.plans.project import Project
 from graphic_tmm.scaling import Extents, Sizes, choose_scales, extents
@@ -26,8 +25,6 @@ VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
 """Room for the longest vector of a plan, mm: as much as the sheets hold."""
 MEASURABLE = 40.0
 """The longest vector of a plan is no shorter, mm, if the choice of μ is free and a sheet holds it."""
-TINY = 2.0
-"""A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it."""
 STEP, TRIALS = 0.93, 40
 """By how much at least a size gives way at a time; how often."""
 LEAST = {"groups": 0.25, "graphs": 0.2, "forces": 0.1, "lever": 0.05, "engine": 0.5}
@@ -40,18 +37,6 @@ PLANS = {
 """The keys of [scales] that fix the size of a plan."""
 FIGURES = ("cam profile", "cam centre", "profile", "centre")
 """What is drawn of a cam besides graphs."""
-SIZE_KEYS = (
-    *(
-        f"diagrams.{key}"
-        for key in ("base", "mu_t", "mu_phi", "mu_S", "mu_V", "mu_a", "H_S", "H_V", "H_a")
-    ),
-    *(f"flywheel.{key}" for key in ("base", "H", "mu_M")),
-    *(f"indicator.{key}" for key in ("base", "height", "mu_p")),
-    *(f"cam.{key}" for key in ("base", "height", "mu_l", "mu_S", "mu_V", "mu_A")),
-    *("engine.base", "forces.mu_F", "gears.mu_l", "planetary.mu_l"),
-)
-"""Keys besides those of [scales] that fix how large something is drawn."""
-UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
 
 
 def fitted(
@@ -65,16 +50,10 @@ def fitted(
 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
     the sheets too; ``wanted`` as in `make`.
-
-    Raises
-    ------
-    SheetError
-        If a scale factor that the scene fixes draws a plan too small to measure.
     """
     whole = record(scene)
     project = whole if scene.called == scene.shown else record(scene, scene.shown)
     trials = _Trials(scene, project, parts)
-    trials.refuse_tiny()
     least = trials.held(trials.least())
     most = max(len(scene.sheets), trials.count(least))
     rooms = (
@@ -176,18 +155,6 @@ class _Trials:
             )
         return sizes
 
-    def refuse_tiny(self) -> None:
-        """Refuse a fixed μ that leaves nothing of a plan."""
-        sizes = usual(self.scene)
-        for plan, keys in PLANS.items():
-            key = next((k for k in keys if getattr(self.scene.scales, k)), None)
-            drawn = self._longest(plan, sizes)
-            if key is not None and drawn < TINY:
-                says = f"the plan of {plan} comes out {drawn:.2g} mm large, too small to measure"
-                raise SheetError(
-                    f"{self.scene.source}: scales.{key}: {says}; {remedy(self.scene, plan)}"
-                )
-
 
 def _giving_way(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> dict[str, float]:
     """Return the sizes that have to give way, each with the least share of it that would fit."""
@@ -215,44 +182,22 @@ def depends(place: str, view: str, scene: Scene) -> tuple[str, ...]:
     else:
         other = {"lever": "lever", "flywheel": "sketch"}
         names = (other.get(view.partition("-")[0], "graphs"),)
-    return tuple(name for name in names if not _fixed(name, scene))
+    return tuple(name for name in names if not fixed(name, scene))
 
 
-def _fixed(name: str, scene: Scene) -> bool:
+def fixed(name: str, scene: Scene) -> bool:
     """Whether the scene itself says how large something is."""
     if name in PLANS:
         return any(getattr(scene.scales, key) for key in PLANS[name])
     return name == "forces" and scene.forces is not None and scene.forces.mu is not None
 
 
-def refusal(scene: Scene, error: ViewError) -> SheetError:
-    """Return the error of a view that no sheet holds, with what the scene fixes of it and a remedy."""
-    plan = error.view.partition("-")[0]
-    helps = [remedy(scene, plan)] if plan in PLANS and _fixed(plan, scene) else []
-    written = [key for key in SIZE_KEYS if key in scene.told]
-    if not helps and written:
-        helps = [f"a smaller drawing: leave out, or change, {', '.join(written)}"]
-    if any(order.format != "A1" for order in scene.sheets):
-        helps.append('a further sheet with format = "A1" for it')
-    return SheetError(f"{scene.source}: {error}: what helps: {', or '.join(helps)}")
-
-
-def remedy(scene: Scene, plan: str) -> str:
-    """Return what to write instead of the key that fixes the size of a plan: a μ that fits."""
-    key, _ = PLANS[plan]
-    bare = {
-        "positions": replace(scene.scales, mu_l=None, OA=None),
-        "velocities": replace(scene.scales, mu_v=None, pa=None, mu_v_is_mu_l_omega=False),
-        "accelerations": replace(scene.scales, mu_a=None, pi_a=None),
-    }[plan]
-    found = fitted(replace(scene, scales=bare), exact=True).scales[plan].value
-    return f'write {key} = "{found:g} {UNITS[key]}" in [scales], or leave it out'
-
-
 def fitted_parts(
     scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None
 ) -> tuple[Part, ...]:
-    """Draw the parts that the scene calls for, or of them those that are ``wanted`` (see `draw_parts`), in the usual size or as much smaller as their sheets need.
+    """Draw the parts that the scene calls for, or of them only those that are ``wanted`` (see `draw_parts`).
+
+    They have the usual size, or are as much smaller as their sheets need.
 
     Raises
     ------

@@ -85,7 +85,7 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     crank = project.positions.bodies[project.structure.driver]
     pivot = crank.marks[project.structure.pivot]
     reading = execute(log, given, [*marks, pivot]).without(doubts.lost)
-    arm = _crank(project)[0]
+    arm = crank_sizes(project)[0]
     spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j])]
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
     places = project.accelerated or project.forced
@@ -107,7 +107,7 @@ def choose_scales(
 
     A segment fixed in mm (OA, pa, πa) gives its μ.
     """
-    arm, pin_speed, pin_acceleration = _crank(project)
+    arm, pin_speed, pin_acceleration = crank_sizes(project)
     mu_l = wanted.mu_l or (
         arm / wanted.OA if wanted.OA else standard_length(reach.positions, sizes.positions)
     )
@@ -144,7 +144,8 @@ def base_lengths(project: Project, share: float, told: Container[str]) -> dict[M
     return found
 
 
-def _crank(project: Project) -> tuple[float, float, float]:
+def crank_sizes(project: Project) -> tuple[float, float, float]:
+    """Return the length of the crank, the speed and the acceleration of its pin (SI)."""
     drive, structure = project.mechanism.drive, project.structure
     crank = project.mechanism.by_number[structure.driver]
     arm = abs(crank.points[structure.pin] - crank.points[structure.pivot])

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting import fitted, fitted_parts, refusal
+from graphic_tmm.fitting import fitted, fitted_parts
 from graphic_tmm.parts import Part, draws_mechanism
 from graphic_tmm.plans.cam import Cam
+from graphic_tmm.remedies import refusal, refuse_tiny
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.cam import cam_columns, cam_positions
 from graphic_tmm.tables.charts import (
@@ -58,11 +59,15 @@ def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -
     ------
     SceneError
         If it has neither.
+    SheetError
+        If a scale factor that it fixes draws a plan too small to measure.
     """
     parts = fitted_parts(scene, exact=exact, wanted=wanted)
     if not draws_mechanism(scene, parts):
         return Made(scene, None, parts)
-    return Made(scene, fitted(scene, parts=parts, exact=exact, wanted=wanted), parts)
+    drawn = fitted(scene, parts=parts, exact=exact, wanted=wanted)
+    refuse_tiny(scene, drawn)
+    return Made(scene, drawn, parts)
 
 
 class Made(NamedTuple):

@@ -52,6 +52,11 @@ class Work:
     sizes: Sizes
 
     @cached_property
+    def extents(self) -> Extents:
+        """What there is to draw, in SI."""
+        return extents(self.project, self.doubts)
+
+    @cached_property
     def reaches(self) -> dict[Figure, Reach]:
         """How far every guide is used over the turn, mm on the sheet."""
         project, mu = self.project, self.scales["positions"].value

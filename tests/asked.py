@@ -1,4 +1,4 @@
-"""Scenes as students ask for them, as TOML text: own mechanisms and parts, any sheets, any number of positions."""
+"""Scenes as students ask for them, as TOML text: own mechanisms and parts, any sheets, any row."""
 
 from __future__ import annotations
 
@@ -34,7 +34,9 @@ force = "900 N"
 [indicator]
 point = "B"
 bore = "120 mm"
-cover_points = {{ out = [[0, "600 kPa"], [0.3, "600 kPa"], [1, "150 kPa"]], back = [[1, "30 kPa"], [0, "60 kPa"]] }}
+[indicator.cover_points]
+out = [[0, "600 kPa"], [0.3, "600 kPa"], [1, "150 kPa"]]
+back = [[1, "30 kPa"], [0, "60 kPa"]]
 [engine]
 point = "B"
 {diagrams}

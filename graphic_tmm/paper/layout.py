@@ -90,7 +90,7 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
             if view.name == "positions":
                 edge = max(edge, extent[2] + by.real + GAP)
         if not placed:
-            raise ViewError(_too_large(left[0][0], room, format), left[0][0].name)
+            raise _too_large(left[0][0], room, format)
         sheets.append(placed)
         waiting = left
     return sheets
@@ -162,10 +162,11 @@ def _inside(f: Box, g: Box) -> bool:
     return g[0] <= f[0] and g[1] <= f[1] and g[2] >= f[2] and g[3] >= f[3]
 
 
-def _too_large(view: Drawing, room: Room, format: str) -> str:
+def _too_large(view: Drawing, room: Room, format: str) -> ViewError:
     left, bottom, right, top = bounds(view)
-    inner = room.inner
-    return (
-        f"the view '{view.title or view.name}' is {right - left:.0f}×{top - bottom:.0f} mm and does not fit on "
+    wide, high, inner = right - left, top - bottom, room.inner
+    says = (
+        f"the view '{view.title or view.name}' is {wide:.0f}×{high:.0f} mm and does not fit on "
         f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm)"
     )
+    return ViewError(says, view.name, (wide, high))

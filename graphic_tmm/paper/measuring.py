@@ -17,7 +17,7 @@ from graphic_tmm.work import Work
 
 Cells = dict[tuple[object, ...], list[Drawing]]
 """The room of the views of a place, by its name, the sheet it stands on and the μ that it depends on."""
-NEAR = 20.0
+NEAR = 32.0
 """A view that is about so near, mm, to what a sheet holds is measured with its letters."""
 
 
