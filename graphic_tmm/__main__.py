@@ -109,7 +109,9 @@ def draw(
     show_default=True,
     help="Decimal sign of CSV; with a comma, semicolons stand between the cells.",
 )
-@click.option("--bom", is_flag=True, help="Begin CSV with a byte order mark, as spreadsheets want it.")
+@click.option(
+    "--bom", is_flag=True, help="Begin CSV with a byte order mark, as spreadsheets want it."
+)
 @hands
 @click.option(
     "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
@@ -286,7 +288,10 @@ def steps(
     chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
     lines = list(protocol(drawn.work, chosen, position, spoken)) if drawn.work is not None else []
-    for line in [*lines, *part_protocol(drawn.parts, chosen, spoken, position if drawn.work is None else None)]:
+    for line in [
+        *lines,
+        *part_protocol(drawn.parts, chosen, spoken, position if drawn.work is None else None),
+    ]:
         click.echo(line)
     warn(drawn)
 

@@ -13,7 +13,6 @@ from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import KINDS, Kind, Point
 from graphic_tmm.errors import ConstructionError
 
-
 TALLY = "#"
 """What a letter bears that other marks of its view have too: it tells them apart and is shown to nobody."""
 

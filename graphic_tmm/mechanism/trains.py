@@ -175,9 +175,13 @@ def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
     for name in ("alpha", "ha", "c"):
         _bounded(name, getattr(order, name))
     if not (math.isfinite(order.speed) and order.speed != 0.0):
-        raise _refuse("speed", f"the driving shaft turns at {order.speed}: give its angular velocity")
+        raise _refuse(
+            "speed", f"the driving shaft turns at {order.speed}: give its angular velocity"
+        )
     if order.driving not in ("1", "H"):
-        raise _refuse("driving", f'wheel "{order.driving}" cannot drive: take "1" or "H", the other is driven')
+        raise _refuse(
+            "driving", f'wheel "{order.driving}" cannot drive: take "1" or "H", the other is driven'
+        )
     if order.module_2 is None:
         return
     if scheme.rows == 1:
@@ -214,7 +218,9 @@ def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
 def _refuse_ratio(order: PlanetaryOrder) -> None:
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
-            raise _refuse("ratio", "neither a ratio nor all tooth numbers are given: give one of them")
+            raise _refuse(
+                "ratio", "neither a ratio nor all tooth numbers are given: give one of them"
+            )
         return
     _bounded("ratio", order.ratio)
     if order.ratio == 0.0:

@@ -135,16 +135,17 @@ def draw_energy_mass_ink(
     names: Sequence[str],
     title: str,
     *,
+    along: str = "J_{red}",
     lettered: bool = True,
 ) -> Drawing:
-    """Return the energy–mass curve with its two tangents and the segment ab."""
+    """Return the energy–mass curve, its two tangents and the segment ab; ``along``: the letter of its base."""
     ink = _Sheet(construction, reading, len(names))
     points = ink.all(made.points)
     right, low, high = _most(points.real), -_most(-points.imag), _most(points.imag)
     strokes: list[Stroke | Bezier] = []
     wanted = [
         Wanted("ΔT", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
-        Wanted("J_{r}", complex(right + OVER, 0), SIZE, 1.5, -1j),
+        Wanted(along, complex(right + OVER, 0), SIZE, 1.5, -1j),
     ]
     for tangent, mark in zip(made.tangents, made.ends, strict=True):
         spot, foot = complex(reading[tangent].at[0, 0]), ink.one(mark)

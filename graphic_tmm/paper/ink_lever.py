@@ -65,9 +65,7 @@ def draw_lever_ink(
     for force in lever.forces:
         start, along = ink.line_of(force.line)
         letter = symbol(force.letter, language)
-        ink.force(
-            letter, start, along * _shown(ink.number(force.value), largest), strokes, wanted
-        )
+        ink.force(letter, start, along * _shown(ink.number(force.value), largest), strokes, wanted)
     if balance is not None:
         letter, size, way = balance
         ink.force(letter, ink.at(lever.pin), way * _shown(size, largest), strokes, wanted, "main")

@@ -236,9 +236,7 @@ class PositionsInk:
         for step in self.construction.steps:
             if step.it.view == PLAN and step.it.kind is Curve:
                 for controls in bezier(self.reading[step.it]):
-                    found.append(
-                        Bezier("thin", tuple(complex(z) for z in controls), step.it.name)
-                    )
+                    found.append(Bezier("thin", tuple(complex(z) for z in controls), step.it.name))
         return found
 
     def letters(self, figures: Sequence[Figure], main: int) -> list[Wanted]:

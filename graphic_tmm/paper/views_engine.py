@@ -90,7 +90,9 @@ def _diagrams(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
     for view in made.curves:
         symbol = view.removeprefix("engine ")
         letters = [words[f"engine {k}"] for k in made.curves[view]]
-        curves = {ordinate("y", k): letter for k, letter in zip(made.curves[view], letters, strict=True)}
+        curves = {
+            ordinate("y", k): letter for k, letter in zip(made.curves[view], letters, strict=True)
+        }
         title = words[f"diagram engine {symbol}"]
         graph = draw_graph(
             project.construction,

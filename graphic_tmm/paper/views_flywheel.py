@@ -19,7 +19,7 @@ from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.flywheel import VIEWS, Flywheel
 from graphic_tmm.plans.indicator import Indicator
 from graphic_tmm.tables.charts import flywheel_columns, flywheel_results
-from graphic_tmm.words import number, unit
+from graphic_tmm.words import flywheel_title, number, unit
 from graphic_tmm.work import Work
 
 SKETCH = 110.0
@@ -41,7 +41,13 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
     views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
         found = draw_energy_mass_ink(
-            log, reading, made.energy_mass, names, words["energy-mass"], lettered=lettered
+            log,
+            reading,
+            made.energy_mass,
+            names,
+            words["energy-mass"],
+            along=symbols.symbol("J_r", language),
+            lettered=lettered,
         )
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
         angles = [_angle(drawn, name) for name in ("ψ_{max}", "ψ_{min}")]
@@ -83,7 +89,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
     views = []
     for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
         view = VIEWS[key]
-        named = "moment driving" if key == "moment" and made.order.constant == "driving" else key
+        title = flywheel_title(key, made.order.constant, language)
         letters = Names(
             [escape(name) for name in project.names],
             symbol,
@@ -96,7 +102,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             view,
             project.count,
             letters,
-            words[named],
+            title,
             lettered=lettered,
         )
         phi = made.base.mu
@@ -105,7 +111,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
             *pole_texts(drawn, view),
         ]
-        views.append(captioned(graph, words[named], ", ".join(scales)))
+        views.append(captioned(graph, title, ", ".join(scales)))
     return views
 
 

@@ -162,7 +162,11 @@ def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
         if force is not None:
             along = drawn.reading[force.line].along[0]
             way = complex(along[place if along.size > 1 else 0])
-            balance = (symbol(force.letter, language), float(drawn.reading[made.lever.balance][0, place]), way)
+            balance = (
+                symbol(force.letter, language),
+                float(drawn.reading[made.lever.balance][0, place]),
+                way,
+            )
         view = draw_lever_ink(
             project.construction,
             drawn.reading,

@@ -14,7 +14,7 @@ from graphic_tmm.board.calculations import in_si, to_board, total
 from graphic_tmm.board.cams import outer_parallel, phase_end, smooth_stretch, touch_curve
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, ray, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Number, Point
+from graphic_tmm.board.values import Number, Point
 from graphic_tmm.mechanism.cam_orders import CamOrder, FlatFollower
 from graphic_tmm.plans.cam_centre import (
     VIEW,

@@ -45,7 +45,7 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
             "gears",
             "ha",
             f"the rack's tooth comes to a point above the depth ha + c = {order.ha + order.c:g}: "
-            f"take a smaller ha or c, or an alpha below {order.alpha:g}°"
+            f"take a smaller ha or c, or an alpha below {order.alpha:g}°",
         )
     if not value(sizes.alpha_w) > 0.0:
         angle = math.radians(order.alpha)
@@ -54,7 +54,7 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
             "gears",
             "x1",
             f"the wheels have no working angle (inv α_w = {value(sizes.inv_w):.4g}): "
-            f"x1 + x2 = {order.x1 + order.x2:g} must be greater than {least:.4g}"
+            f"x1 + x2 = {order.x1 + order.x2:g} must be greater than {least:.4g}",
         )
     for wheel in sizes.wheels:
         _refuse_wheel(wheel, order, value)
@@ -67,21 +67,21 @@ def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], f
         raise OrderError(
             "gears",
             f"x{i}",
-            f"wheel {i} has no body: its root circle has the radius {root:.3g}·m; raise x{i} or z{i}"
+            f"wheel {i} has no body: its root circle has the radius {root:.3g}·m; raise x{i} or z{i}",
         )
     if not tip > base:
         raise OrderError(
             "gears",
             f"x{i}",
             f"the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its base circle "
-            f"({base:.4g}·m): raise x{i}, or give a smaller delta_y"
+            f"({base:.4g}·m): raise x{i}, or give a smaller delta_y",
         )
     if not tip > root:
         raise OrderError(
             "gears",
             f"x{i}",
             f"the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its root circle "
-            f"({root:.4g}·m): give a smaller delta_y"
+            f"({root:.4g}·m): give a smaller delta_y",
         )
     end = value(wheel.pointed) / order.m
     if not end > max(root, base):
@@ -90,5 +90,5 @@ def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], f
             f"x{i}",
             f"x{i} = {(order.x1, order.x2)[i - 1]:g} leaves wheel {i} no tooth: "
             f"its flanks meet at the radius {end:.4g}·m, below {max(root, base):.4g}·m, where they begin; "
-            f"take a smaller one"
+            f"take a smaller one",
         )

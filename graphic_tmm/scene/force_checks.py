@@ -48,7 +48,9 @@ def _engine(doc: Document, parts: Parts, names: Outline) -> Iterator[Found]:
         says = "no pressures are given; write a section [indicator]"
         yield Found(("engine",), says)
     if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
-        says = f"diagrams need {INTERVALS.least} positions at least; write positions = 12 in [drive]"
+        says = (
+            f"diagrams need {INTERVALS.least} positions at least; write positions = 12 in [drive]"
+        )
         yield Found(("engine",), says)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -58,8 +58,13 @@ def _refused(part: str, order: Any) -> Iterator[Found]:
     from graphic_tmm.plans.cam_refusals import refuse
     from graphic_tmm.plans.gear_refusals import refuse_order
 
+    refusals: dict[str, Callable[[Any], object]] = {
+        "cam": refuse,
+        "gears": refuse_order,
+        "planetary": scheme_of,
+    }
     try:
-        {"cam": refuse, "gears": refuse_order, "planetary": scheme_of}[part](order)
+        refusals[part](order)
     except OrderError as error:
         yield Found(error.key, error.says)
 

@@ -18,7 +18,6 @@ from pydantic_core import ErrorDetails
 from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
-from graphic_tmm.scene import values as v
 from graphic_tmm.scene.cam_tables import CamTable
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.force_tables import (
@@ -41,7 +40,17 @@ _EXAMPLES = {
     "link": "a section [[link]] for each moving link, with its number and points",
     "drive": 'a section [drive] with link = 1 and speed = "380 rpm"',
 }
-_OF_MECHANISM = ("drive", "frame", "link", "diagrams", "flywheel", "forces", "engine", "load", "friction")
+_OF_MECHANISM = (
+    "drive",
+    "frame",
+    "link",
+    "diagrams",
+    "flywheel",
+    "forces",
+    "engine",
+    "load",
+    "friction",
+)
 _FOUND_BY_TASK = ("OA", "BC", "OB")
 
 
@@ -140,11 +149,9 @@ def needs_mechanism(doc: Document) -> bool:
     raw = doc.get("sheet")
     sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
     places = [place for s in sheets for place in _listed(s.get("place", []))]
-    alone = [key for key in (*FREE_PLACES, *PART_PLACES) if key in doc or key in places]
-    asked = [key for key in doc if key in _OF_MECHANISM]
-    return bool(asked or not alone) or any(
-        place not in (*FREE_PLACES, *PART_PLACES) for place in places
-    )
+    asked = any(key in doc for key in _OF_MECHANISM)
+    nothing = any("place" not in s for s in sheets) and not any(key in doc for key in PART_PLACES)
+    return asked or nothing or any(p not in (*FREE_PLACES, *PART_PLACES) for p in places)
 
 
 def _listed(value: object) -> list[object]:

@@ -60,7 +60,9 @@ def _stations(value: object, names: Names) -> tuple[float, ...]:
     found = tuple(1000.0 * quantities.parse(item, "length") for item in value)
     for item, station in zip(value, found, strict=True):
         if not GEARS["stations"].holds(station):
-            raise ValueError(f"{kind_of(item)} in the list; a station lies beyond N1: write it positive")
+            raise ValueError(
+                f"{kind_of(item)} in the list; a station lies beyond N1: write it positive"
+            )
     return found
 
 
@@ -86,7 +88,9 @@ TeethList = Annotated[
     ),
 ]
 PairTeeth = Annotated[tuple[int, ...], Rule(_pair, _NUMBERS)]
-Satellites = Annotated[tuple[int, ...], Rule(
+Satellites = Annotated[
+    tuple[int, ...],
+    Rule(
         _satellites,
         {
             "anyOf": [
@@ -94,7 +98,8 @@ Satellites = Annotated[tuple[int, ...], Rule(
                 {"type": "array", "items": dict(PLANETARY["satellites"].schema), "minItems": 1},
             ]
         },
-    )]
+    ),
+]
 SchemeName = Annotated[str, choice(*SCHEMES)]
 Driving = Annotated[str, choice("1", "H")]
 MuVelocity = Annotated[float, mu("scale of velocities")]

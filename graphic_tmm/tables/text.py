@@ -43,9 +43,7 @@ def rich_tables(
     return made
 
 
-def result_tables(
-    results: Mapping[str, tuple[float, str]], language: str, title: str
-) -> list[Any]:
+def result_tables(results: Mapping[str, tuple[float, str]], language: str, title: str) -> list[Any]:
     """Return the table of results for a terminal; none if there are none."""
     if not results:
         return []
@@ -62,14 +60,16 @@ def column_name(column: Column, language: str) -> str:
 
 
 def result_name(name: str, language: str) -> str:
-    """Return what a result is called, as plain text; behind it, of many drawings, which of their quantiles it is."""
+    """Return what a result is called, as plain text; of many drawings, behind it which of their quantiles."""
     stem, _, quantile = name.rpartition("_")
     if stem and quantile in QUANTILES:
         return f"{result_name(stem, language)} {quantile}"
     return plain(CAPTIONS[language].get(name) or result_symbol(name, language))
 
 
-def _rows(column: Column, shown: Sequence[int], decimals: int, language: str) -> Iterator[list[str]]:
+def _rows(
+    column: Column, shown: Sequence[int], decimals: int, language: str
+) -> Iterator[list[str]]:
     """Yield the rows of a column: its mm, if it has any, and the quantity, if it is one."""
     letter = plain(column_name(column, language))
     if any(x is not None for x in column.mm):
@@ -84,7 +84,7 @@ def _rows(column: Column, shown: Sequence[int], decimals: int, language: str) ->
 
 
 def _blocks(rows: Rows, width: int) -> Iterator[Rows]:
-    """Yield parts of a table that are so wide at the most: the two columns of heads, then as many others as fit."""
+    """Yield parts of a table, so wide at the most: the two columns of heads, then as many others as fit."""
     needed = [max(len(row[k]) for row in rows) + FRAME for k in range(len(rows[0]))]
     heads, at = sum(needed[:2]) + 1, 2
     while True:
