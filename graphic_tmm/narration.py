@@ -15,7 +15,7 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.words import Line, plain, view_name
+from graphic_tmm.words import Line, flywheel_title, plain, view_name
 from graphic_tmm.words import protocol as narrate
 from graphic_tmm.work import Work
 
@@ -144,7 +144,11 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
     at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
     kinematic = work.project.kinematic
     point = kinematic.order.point if kinematic is not None else ""
-    yield f"{view_name(plan, language).replace('{point}', point)}{at}"
+    flywheel = project.flywheel
+    constant = flywheel.order.constant if flywheel is not None else ""
+    title = view_name(plan, language).replace("{point}", point)
+    title = flywheel_title(plan, constant, language) if plan == "moment" else title
+    yield f"{title}{at}"
     yield from _polygon(work, plan, language)
     for line in lines:
         yield from _printed(line)

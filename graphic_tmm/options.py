@@ -100,7 +100,7 @@ def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
 
 
 def warn(made: Made, *, sheets: bool = False) -> None:
-    """Tell what of a scene comes to nothing, or could not be drawn; ``sheets``: and what no sheet of it shows."""
+    """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
     from graphic_tmm.scene.remarks import unplaced
     from graphic_tmm.studio import part_warnings, warnings
 

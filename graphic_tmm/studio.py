@@ -201,8 +201,9 @@ def table(
 ) -> str | list[Any]:
     """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
 
-    ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``: how often the scene's hand draws everything; more than once, each figure is followed by the
-    median and the 5th and 95th hundredths of them.
+    ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``:
+    how often the scene's hand draws everything; more than once, each figure is followed by the median and the
+    5th and 95th hundredths of them.
     """
     if isinstance(made, Work):
         made = Made(made.scene, made, ())
@@ -255,7 +256,7 @@ def _cam(made: Made) -> Part | None:
 
 
 def scene_columns(made: Made) -> list[Column]:
-    """Return the columns of a scene: of its mechanism and of its parts, each of these with its own positions."""
+    """Return the columns of a scene: of its mechanism and of its parts, which have positions of their own."""
     found = table_columns(made.work) if made.work is not None else []
     for part in made.parts:
         found += cam_columns(part) if isinstance(part.made, Cam) else wheel_columns(part)

@@ -140,6 +140,12 @@ def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
     return _segments(text, words).format(**words)
 
 
+def flywheel_title(view: str, constant: str, language: str) -> str:
+    """Return what a graph of the flywheel is called; that of the moment by which of the moments varies."""
+    varying = view == "moment" and constant == "driving"
+    return CAPTIONS[language]["moment driving" if varying else view]
+
+
 def view_name(view: str, language: str) -> str:
     """Return what a view is called, as plain text; figures and polygons of forces by their group."""
     words = CAPTIONS[language]

@@ -1,6 +1,6 @@
 """How marks are called in each language: what stands in an index is a word, and words have a language.
 
-A mark's name is mark-up (P_{i3}, y_{Pi3}); what is made of another's name holds it, in braces or without. The same
+A mark's name is mark-up (P_{i3}, y_{Pi3}); what is made of another's name holds it, in braces or without. So
 names reach sheets, tables and protocols by this one way.
 """
 
@@ -32,9 +32,9 @@ _RUSSIAN: Sequence[tuple[str, str]] = (
     *_BOTH,
     (r"([PM])_\{bl\}", r"\1_{ур}^{Ж}"),
     (r"([PM])_\{?b\}?(?![a-z])", r"\1_{ур}"),
-    (r"(?<=[PM])b(?=[}^])", "ур"),
-    (r"([PM]_?\{?)i(?=\d)", r"\1и"),
-    (r"(P_?\{?)in", r"\1и"),
+    (r"(?<=[yh]_\{[PM])b(?=[}^])", "ур"),
+    (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1и"),
+    (r"(P_\{?|[yh]_\{P)in", r"\1и"),
     (r",ser\}", ",ряд}"),
     (r"M_\{f", "M_{т"),
     (r"\bT_\{(\d+)t\}", r"T_{\1пост}"),

@@ -22,7 +22,7 @@ class OrderError(StructureError):
 
 @dataclass(frozen=True)
 class Bound:
-    """What a number may be: from ``least`` to ``most``; one that is ``above`` or ``below`` is left out itself."""
+    """What a number may be: from ``least`` to ``most``, without these where it is ``above`` or ``below``."""
 
     least: float = -math.inf
     most: float = math.inf
@@ -32,11 +32,9 @@ class Bound:
 
     def holds(self, value: object) -> bool:
         """Whether a value is a number within the bounds."""
-        if (
-            isinstance(value, bool)
-            or not isinstance(value, int | float)
-            or not math.isfinite(value)
-        ):
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            return False
+        if isinstance(value, float) and not math.isfinite(value):
             return False
         if self.whole and value != int(value):
             return False
@@ -46,7 +44,7 @@ class Bound:
 
     @property
     def wanted(self) -> str:
-        """What is wanted: a whole number 4 to 360; a number above 0 and below 1."""
+        """What is wanted: a whole number 4 to 360; a number greater than 0 and less than 1."""
         kind = "a whole number" if self.whole else "a number"
         if (
             math.isfinite(self.least)
@@ -54,8 +52,8 @@ class Bound:
             and not (self.above or self.below)
         ):
             return f"{kind} {self.least:.10g} to {self.most:.10g}"
-        low = f"{'above' if self.above else 'not below'} {self.least:.10g}"
-        high = f"{'below' if self.below else 'not above'} {self.most:.10g}"
+        low = f"{'greater than' if self.above else 'not less than'} {self.least:.10g}"
+        high = f"{'less than' if self.below else 'not greater than'} {self.most:.10g}"
         ends = [text for end, text in ((self.least, low), (self.most, high)) if math.isfinite(end)]
         return f"{kind} {' and '.join(ends)}"
 

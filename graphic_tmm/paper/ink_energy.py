@@ -141,16 +141,20 @@ def draw_energy_mass_ink(
     title: str,
     figure: str,
     *,
+    along: str = "J_{red}",
     lettered: bool = True,
 ) -> Drawing:
-    """Return the energy–mass curve with its two tangents and the segment ab; ``figure``: its length."""
+    """Return the energy–mass curve, its two tangents and the segment ab.
+
+    ``figure``: the length of the segment; ``along``: the letter of the base.
+    """
     ink = _Sheet(construction, reading, len(names))
     points = ink.all(made.points)
     right, low, high = _most(points.real), -_most(-points.imag), _most(points.imag)
     strokes: list[Stroke | Bezier] = []
     wanted = [
         Wanted("ΔT", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
-        Wanted("J_{r}", complex(right + OVER, 0), SIZE, 1.5, -1j),
+        Wanted(along, complex(right + OVER, 0), SIZE, 1.5, -1j),
     ]
     for tangent, mark in zip(made.tangents, made.ends, strict=True):
         spot, foot = complex(reading[tangent].at[0, 0]), ink.one(mark)

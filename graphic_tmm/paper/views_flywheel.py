@@ -19,7 +19,7 @@ from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.flywheel import VIEWS, Flywheel
 from graphic_tmm.plans.indicator import Indicator
 from graphic_tmm.tables.charts import flywheel_columns, flywheel_results, rim_too_wide
-from graphic_tmm.words import number, unit
+from graphic_tmm.words import flywheel_title, number, unit
 from graphic_tmm.work import Work
 
 SKETCH = 110.0
@@ -48,6 +48,7 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
             names,
             words["energy-mass"],
             segment,
+            along=symbols.symbol("J_r", language),
             lettered=lettered,
         )
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
@@ -90,7 +91,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
     views = []
     for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
         view = VIEWS[key]
-        named = "moment driving" if key == "moment" and made.order.constant == "driving" else key
+        title = flywheel_title(key, made.order.constant, language)
         letters = Names(
             [escape(name) for name in project.names],
             symbol,
@@ -104,7 +105,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             view,
             project.count,
             letters,
-            words[named],
+            title,
             lettered=lettered,
         )
         phi = made.base.mu
@@ -113,7 +114,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
             *pole_texts(drawn, view),
         ]
-        views.append(captioned(graph, words[named], ", ".join(scales)))
+        views.append(captioned(graph, title, ", ".join(scales)))
     return views
 
 

@@ -30,7 +30,8 @@ def refuse(order: CamOrder) -> None:
     told = " + ".join(f"{angle:g}" for angle in phases)
     moving = sum(phases[:3])
     if moving <= TURN and abs(moving + order.lower_dwell - TURN) > 1e-6:
-        says = f"the phases {told} make {sum(phases):g}°, not 360°: change the lower dwell to {TURN - moving:g}°"
+        says = f"the phases {told} make {sum(phases):g}°, not 360°: change the lower dwell"
+        says += f" to {TURN - moving:g}°"
         raise OrderError("cam", "lower_dwell", says)
     for name in ("rise", "upper_dwell", "fall"):
         CAM[name].refuse("cam", name, getattr(order, name))

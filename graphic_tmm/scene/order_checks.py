@@ -58,13 +58,13 @@ def _refused(part: str, order: Any) -> Iterator[Found]:
     from graphic_tmm.plans.cam_refusals import refuse
     from graphic_tmm.plans.gear_refusals import refuse_order
 
-    refusing: dict[str, Callable[[Any], object]] = {
+    refusals: dict[str, Callable[[Any], object]] = {
         "cam": refuse,
         "gears": refuse_order,
         "planetary": scheme_of,
     }
     try:
-        refusing[part](order)
+        refusals[part](order)
     except OrderError as error:
         yield Found(error.key, error.says)
 

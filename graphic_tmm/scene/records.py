@@ -125,7 +125,7 @@ class Scene:
 
     @property
     def called(self) -> frozenset[str]:
-        """What the scene calls for, whether or not a sheet shows it: the places of its sections, and the plans."""
+        """What the scene calls for, whether or not a sheet shows it: places of its sections, and plans."""
         found = {place for name in SECTIONS if getattr(self, name) for place in SECTIONS[name]}
         if self.row.accelerations:
             found.add("accelerations")

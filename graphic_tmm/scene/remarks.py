@@ -36,8 +36,8 @@ def _idle(doc: Document, parts: Parts) -> Iterator[str]:
 def _defaults(doc: Document, parts: Parts) -> Iterator[str]:
     if parts.flywheel is not None and "constant" not in doc.get("flywheel", {}):
         yield (
-            f"flywheel.constant: it is left out, so the {parts.flywheel.constant} moment is taken as constant; write "
-            'constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives'
+            f"flywheel.constant: it is left out, so the {parts.flywheel.constant} moment is taken as constant; "
+            'write constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives'
         )
 
 
@@ -57,5 +57,6 @@ def _unplaced(scene: Scene) -> Iterator[str]:
         yield f"{section}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]"
     if scene.row.accelerations and not scene.shown & set(TABLES["accelerations"]):
         yield (
-            'drive.accelerations: no sheet shows them (table does); add "accelerations" to the place of a [[sheet]]'
+            'drive.accelerations: no sheet shows them (table does); add "accelerations" to the place of a '
+            "[[sheet]]"
         )

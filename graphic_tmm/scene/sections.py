@@ -149,11 +149,9 @@ def needs_mechanism(doc: Document) -> bool:
     raw = doc.get("sheet")
     sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
     places = [place for s in sheets for place in _listed(s.get("place", []))]
-    alone = [key for key in (*FREE_PLACES, *PART_PLACES) if key in doc or key in places]
-    asked = [key for key in doc if key in _OF_MECHANISM]
-    return bool(asked or not alone) or any(
-        place not in (*FREE_PLACES, *PART_PLACES) for place in places
-    )
+    asked = any(key in doc for key in _OF_MECHANISM)
+    nothing = any("place" not in s for s in sheets) and not any(key in doc for key in PART_PLACES)
+    return asked or nothing or any(p not in (*FREE_PLACES, *PART_PLACES) for p in places)
 
 
 def _listed(value: object) -> list[object]:

@@ -60,7 +60,7 @@ def column_name(column: Column, language: str) -> str:
 
 
 def result_name(name: str, language: str) -> str:
-    """Return what a result is called, as plain text; behind it, of many drawings, which of their quantiles it is."""
+    """Return what a result is called, as plain text; of many drawings, behind it which of their quantiles."""
     stem, _, quantile = name.rpartition("_")
     if stem and quantile in QUANTILES:
         return f"{result_name(stem, language)} {quantile}"
@@ -84,7 +84,7 @@ def _rows(
 
 
 def _blocks(rows: Rows, width: int) -> Iterator[Rows]:
-    """Yield parts of a table that are so wide at the most: the two columns of heads, then as many others as fit."""
+    """Yield parts of a table, so wide at the most: the two columns of heads, then as many others as fit."""
     needed = [max(len(row[k]) for row in rows) + FRAME for k in range(len(rows[0]))]
     heads, at = sum(needed[:2]) + 1, 2
     while True:

@@ -39,10 +39,10 @@ def wheel_columns(part: Drawn) -> tuple[Column, ...]:
         mm = part.reading.figure(step.it)
         count = mm.shape[1]
         value = part.reading.figure(step.it, mu) if mu is not None else np.full_like(mm, np.nan)
-        rows = row_of(mm, range(count), count), row_of(value, range(count), count)
+        lengths, figures = (row_of(row, range(count), count) for row in (mm, value))
         unit = mu.unit.removesuffix("/mm").strip("()") if mu is not None else ""
         unit = "" if unit == "1" else unit
         at = tuple((name, None) for name in part.names[:count])
         segment = segment_name(step.it.letter)
-        found.append(Column(step.it.view, segment, step.it.name, unit, *rows, at))
+        found.append(Column(step.it.view, segment, step.it.name, unit, lengths, figures, at))
     return tuple(found)
