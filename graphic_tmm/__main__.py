@@ -1,6 +1,8 @@
 """The command line. Heavy packages are imported by the command that needs them.
 
-Exit status: 0 fine, 2 bad input (one clear message; never a traceback; no output half written).
+Exit status: 0 fine, 1 a check has found something, 2 bad input (one clear message; no output half written),
+70 a fault of the program (one line; the environment variable GRAPHIC_TMM_TRACEBACK=1 shows where), 130 Ctrl-C,
+141 nobody reads what is printed.
 """
 
 from __future__ import annotations
@@ -10,10 +12,11 @@ import sys
 import click
 
 from graphic_tmm.options import (
+    WRONG,
+    People,
     budgeted,
     drawn_by,
     hands,
-    people,
     read_scene,
     say,
     show,
@@ -36,7 +39,7 @@ PLANS = (
 )
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=People, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="graphic-tmm")
 def main() -> None:
     """Emulate the drawing board: plans of mechanisms as recorded constructions.
@@ -61,7 +64,6 @@ def main() -> None:
 )
 @hands
 @budgeted
-@people
 def draw(
     scene: str | None,
     output: str,
@@ -103,7 +105,6 @@ def draw(
     "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
 )
 @budgeted
-@people
 def table(
     scene: str | None,
     form: str,
@@ -130,7 +131,6 @@ def table(
 @click.option("--minutes", help="TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
 @click.option("--no-time", is_flag=True, help="Measure no seconds: the same bytes every time.")
 @hands
-@people
 def accuracy(
     scene: str | None,
     output: str | None,
@@ -205,7 +205,6 @@ def accuracy(
     default="text",
     show_default=True,
 )
-@people
 def check(
     scene: str,
     readings: str | None,
@@ -242,7 +241,7 @@ def check(
         say(str(road.overlaid(task, report, overlay, enlarge)))
     show(road.told(report, form), 160)
     if report.wrong:
-        raise SystemExit(1)
+        raise SystemExit(WRONG)
 
 
 @main.command()
@@ -257,7 +256,6 @@ def check(
 @click.option("-n", "--position", help="Number of the position, as on the sheet.")
 @click.option("-l", "--language", type=click.Choice(["ru", "en"]), help="Default: the scene's.")
 @click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
-@people
 def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
@@ -275,7 +273,6 @@ def steps(
 
 
 @main.command()
-@people
 def scenes() -> None:
     """List the scenes that come with the package."""
     import tomllib
@@ -292,7 +289,6 @@ def scenes() -> None:
 @main.command()
 @click.argument("folder")
 @click.option("--like", help="Scene to begin with; the default scene if left out.")
-@people
 def new(folder: str, like: str | None) -> None:
     """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
     from pathlib import Path
@@ -314,7 +310,6 @@ def new(folder: str, like: str | None) -> None:
 
 
 @main.command()
-@people
 def schema() -> None:
     """Print the JSON Schema of scenes, for editors."""
     import json
