@@ -13,6 +13,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 LONGEST = 60
@@ -33,6 +34,15 @@ class Fault(NamedTuple):
     key: str
     line: int
     message: str
+
+
+def first_of(faults: Sequence[Fault], most: int, count: int = 0) -> tuple[Fault, ...]:
+    """Return the first faults of a file; if there are more (``count``, or all those given), how many."""
+    more = max(count, len(faults)) - most
+    told = tuple(faults[:most])
+    if more > 0:
+        told += (Fault("", 0, f"and {more} more faults; put these right first"),)
+    return told
 
 
 class SceneError(TmmError):

@@ -90,7 +90,8 @@ def read(file: Path, kind: Kind) -> bytes:
 
 
 def _large(kind: Kind) -> str:
-    most = f"{kind.largest // 1_000_000} MB" if kind.largest >= 1_000_000 else f"{kind.largest} B"
+    mega = kind.largest >= 1_000_000
+    most = f"{kind.largest // 1_000_000} MB" if mega else f"{kind.largest // 1000} kB"
     return f"the file is too large: {kind.noun} has at most {most}; {kind.remedy}"
 
 

@@ -360,7 +360,7 @@ def test_a_link_in_the_output_folder_is_replaced_and_not_followed(tmp_path: Path
 
 
 def test_a_name_too_long_for_its_files_is_refused_and_nothing_left(tmp_path: Path) -> None:
-    path = scene(tmp_path).rename(tmp_path / f"{'x' * 248}.toml")
+    path = scene(tmp_path).rename(tmp_path / f"{'x' * 252}.ab")
     result = run("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert "name too long" in result.stderr

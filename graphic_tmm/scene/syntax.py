@@ -50,14 +50,20 @@ def _twice(said: str, number: int, line: str, match: re.Match[str] | None) -> Fa
 
 
 def _key(line: str) -> str:
-    found = re.findall(r"([\w.′\"'-]+)\s*=", line)
-    return found[0].strip("\"'") if found else ""
+    """Return the word before the first sign of equality, in one pass: a line may be very long."""
+    name = line.partition("=")[0].rstrip() if "=" in line else ""
+    start = len(name)
+    while start and (name[start - 1].isalnum() or name[start - 1] in "_.′\"'-"):
+        start -= 1
+    return name[start:].strip("\"'")
 
 
 def _remedy(line: str) -> str:
     """Return what to do about the commonest mistakes, as far as the line shows them."""
     name, sign, value = line.partition("=")
     value = value.strip()
+    if sign and (not value or value.startswith("#")):
+        return f"; a value is missing, {name.strip()} = ..."
     if re.search(r"[«»“”„]", line):
         return '; write straight quotes: "..."'
     if not sign and re.match(r"\s*\[", line):
