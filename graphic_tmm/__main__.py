@@ -195,6 +195,11 @@ def accuracy(
 )
 @click.option("--photo", help="A photograph of the sheet, to be laid under it (with --corners).")
 @click.option(
+    "--sheet",
+    type=click.IntRange(1),
+    help="Which sheet the photograph shows (with --photo); default: the first.",
+)
+@click.option(
     "--corners", help="The corners of the frame in the photograph: x,y x,y x,y x,y (dots)."
 )
 @click.option(
@@ -217,6 +222,7 @@ def check(
     enlarge: float,
     photo: str | None,
     corners: str | None,
+    sheet: int | None,
     form: str,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
@@ -226,17 +232,21 @@ def check(
     if template:
         click.echo(road.template_of(task), nl=False)
         return
+    if photo is None and (sheet is not None or corners is not None):
+        raise click.UsageError("--sheet and --corners go with a photograph: add --photo FILE")
+    if readings is None and photo is None:
+        raise click.UsageError("name the file of READINGS, or ask for --template")
+    limits = (doubtful, wrong)
+    report = road.checked(task, readings, hand, limits, trials) if readings is not None else None
     if photo is not None:
-        written, told = road.underlay(task, photo, corners or "", overlay or "photo.svg")
+        place = overlay or "photo.svg"
+        written, told = road.underlay(task, photo, corners or "", place, sheet or 1)
         for warning in told:
             say(f"graphic-tmm: warning: {warning}")
         for path in written:
-            click.echo(str(path))
-        if readings is None:
-            return
-    if readings is None:
-        raise click.UsageError("name the file of READINGS, or ask for --template")
-    report = road.checked(task, readings, hand, (doubtful, wrong), trials)
+            click.echo(str(path), err=report is not None)  # a report has the other stream to itself
+    if report is None:
+        return
     if overlay is not None and photo is None:
         say(str(road.overlaid(task, report, overlay, enlarge)))
     show(road.told(report, form), 160)
