@@ -270,14 +270,14 @@ def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.narration import part_protocol, protocol
+    from graphic_tmm.narration import steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)
-    chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
+    known = ("synthesis", *PLANS)
+    chosen = known if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
-    lines = list(protocol(drawn.work, chosen, position, spoken)) if drawn.work is not None else []
-    for line in [*lines, *part_protocol(drawn.parts, chosen, spoken)]:
+    for line in steps_of(drawn.work, drawn.parts, drawn.scene, chosen, position, spoken, known):
         click.echo(line)
     warn(drawn)
 
@@ -305,7 +305,9 @@ def new(folder: str, like: str | None) -> None:
 
     from graphic_tmm.errors import Fault, SceneError
     from graphic_tmm.files import write
-    from graphic_tmm.scene.read import FILE, read
+    from graphic_tmm.scene.document import document
+    from graphic_tmm.scene.new import begun
+    from graphic_tmm.scene.read import FILE, SCENE, read
     from graphic_tmm.studio import scene_path
 
     target = Path(folder)
@@ -315,18 +317,16 @@ def new(folder: str, like: str | None) -> None:
     source = scene_path(like)
     file = source / FILE if source.is_dir() else source
     read(file)
-    for path in write(target, {FILE: file.read_text(encoding="utf-8")}):
+    for path in write(target, begun(document(file, SCENE)[0])):
         click.echo(str(path))
 
 
 @main.command()
 def schema() -> None:
     """Print the JSON Schema of scenes, for editors."""
-    import json
+    from graphic_tmm.scene.new import schema_text
 
-    from graphic_tmm.scene.models import schema as made
-
-    click.echo(json.dumps(made(), ensure_ascii=False, indent=2))
+    click.echo(schema_text(), nl=False)
 
 
 if __name__ == "__main__":

@@ -87,7 +87,7 @@ def _own_fault(error: BaseException) -> int:
 
     if os.environ.get(TRACEBACK):
         traceback.print_exception(error)
-    what = " ".join(f"{type(error).__name__}: {error}".split())
+    what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
     remedy = f"set {TRACEBACK}=1 to see where, and report it"
     say(f"graphic-tmm: a fault of the program, not of the input ({what[:200]}); {remedy}")
     return FAULT

@@ -86,7 +86,10 @@ CASES = {
         {"plan.svg": SCENE, "p.png": picture, "o.svg": READINGS},
         (*PHOTO, "o.svg", "o.svg", "--trials", "20"),
     ),
-    "minutes named like the figure": ({"cam-accuracy.svg": MINUTES}, (*ACCURACY, "cam-accuracy.svg")),
+    "minutes named like the figure": (
+        {"cam-accuracy.svg": MINUTES},
+        (*ACCURACY, "cam-accuracy.svg"),
+    ),
     "minutes named like the other figure": (
         {"CAM-Accuracy.PNG": MINUTES},
         (*ACCURACY, "CAM-Accuracy.PNG"),

@@ -33,7 +33,9 @@ def read_minutes(file: str) -> dict[str, float]:
                 Fault(name, 0, f"there is no such elementary operation; there are {told}")
             )
         elif isinstance(value, bool) or not isinstance(value, (int, float)) or not _able(value):
-            faults.append(Fault(name, 0, f"write minutes as a number 0 to {LONGEST:.0f}, such as 0.1"))
+            faults.append(
+                Fault(name, 0, f"write minutes as a number 0 to {LONGEST:.0f}, such as 0.1")
+            )
     if faults:
         raise SceneError(file, first_of(faults, TOLD))
     return {name: float(value) for name, value in table.items()}

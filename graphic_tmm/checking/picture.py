@@ -15,9 +15,7 @@ from graphic_tmm.files import Kind, opened
 MOST = 100e6
 """No photograph and no flattened sheet has more pixels."""
 
-PHOTOGRAPH = Kind(
-    "a photograph", "name a photograph (JPEG, PNG, TIFF, WebP or BMP)", 400_000_000
-)
+PHOTOGRAPH = Kind("a photograph", "name a photograph (JPEG, PNG, TIFF, WebP or BMP)", 400_000_000)
 FORMATS = ("JPEG", "PNG", "TIFF", "WEBP", "BMP")
 
 

@@ -14,6 +14,9 @@ _TWICE = (
     "Cannot mutate",
 )
 
+SEVERAL = ("link", "load", "sheet")
+"""The sections that a scene may have several times."""
+
 
 def syntax_fault(text: str, message: str) -> Fault:
     """Return the fault that tomllib's message speaks of.
@@ -43,9 +46,13 @@ def _twice(said: str, number: int, line: str, match: re.Match[str] | None) -> Fa
     column = int(match.group(2)) if match and match.group(2) else len(line)
     key = ".".join(names) or (line.strip(" \t[]") if section else _key(line[:column]))
     if section:
-        return Fault(
-            key, number, f"the section [{key}] stands twice; put its keys into one section"
+        name = key.split(".")[0]
+        says = (
+            f"write [[{name}]] in double brackets, each time: there can be several"
+            if name in SEVERAL
+            else "put its keys into one section"
         )
+        return Fault(key, number, f"the section [{key}] stands twice; {says}")
     return Fault(key, number, f'"{key}" stands twice in one table; take one out, or rename it')
 
 

@@ -94,7 +94,9 @@ def check(*arguments: object) -> Result:
     return CliRunner().invoke(main, ["check", *map(str, arguments)])
 
 
-def test_the_photograph_is_seen_and_the_ink_fits_it(given: tuple[Path, Path], tmp_path: Path) -> None:
+def test_the_photograph_is_seen_and_the_ink_fits_it(
+    given: tuple[Path, Path], tmp_path: Path
+) -> None:
     scene, photo = given
     out = tmp_path / "under 'it' \"1\" & план.svg"
     options = ("--photo", photo, "--corners", corners(), "--sheet", 2, "--overlay", out)
@@ -165,7 +167,9 @@ def test_what_cannot_be_laid_under_is_told(
 
 
 @pytest.mark.parametrize("option", [("--sheet", "1"), ("--corners", "1,2 3,4 5,6 7,8")])
-def test_what_goes_with_a_photograph_is_not_passed_over_without_one(option: tuple[str, str]) -> None:
+def test_what_goes_with_a_photograph_is_not_passed_over_without_one(
+    option: tuple[str, str],
+) -> None:
     done = check("crank-rocker", "readings.csv", *option)
     assert done.exit_code == 2
     assert "add --photo FILE" in done.stderr

@@ -62,7 +62,9 @@ def test_a_png_is_printed_as_large_as_its_sheet(drawn, ppi: float) -> None:
     for sheet in drawn:
         with image.open(io.BytesIO(export.png(sheet, ppi=ppi))) as opened:
             opened.load()  # every chunk has its sum
-            printed = [size / dpi * 25.4 for size, dpi in zip(opened.size, opened.info["dpi"], strict=True)]
+            printed = [
+                size / dpi * 25.4 for size, dpi in zip(opened.size, opened.info["dpi"], strict=True)
+            ]
         for size, due in zip(printed, (sheet.width, sheet.height), strict=True):
             assert abs(size - due) <= 25.4 / ppi / 2 + due * 0.5 * 0.0254 / ppi * 1.001
 

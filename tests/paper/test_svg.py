@@ -349,7 +349,9 @@ def test_every_drawing_is_a_layer_of_the_page_with_its_title() -> None:
     assert [layer.find(f"{NS}title").text for layer in layers] == ["План <скоростей>", "Б"]
 
 
-@pytest.mark.parametrize("name", ["a.png", "a 'b' \"c\" & <d> #e?%f.png", "\udcff.png", "план.png", "a:b.png"])
+@pytest.mark.parametrize(
+    "name", ["a.png", "a 'b' \"c\" & <d> #e?%f.png", "\udcff.png", "план.png", "a:b.png"]
+)
 def test_a_picture_lies_under_thin_coloured_ink_and_nothing_hides_it(name: str) -> None:
     strokes = (
         line("main", 0j, 9j),
