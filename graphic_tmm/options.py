@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 F = TypeVar("F", bound=Callable[..., Any])
 
 FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
-"""Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C; nobody
-reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
+"""Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
+nobody reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
 TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
 """The variable of the environment by which a fault of the program shows where it is."""
 
@@ -29,10 +29,10 @@ class People(click.Group):
         """Run a command and exit with its status; see the statuses above."""
         from graphic_tmm.files import call
 
-        options.pop("standalone_mode", None)
+        options["standalone_mode"] = False
         try:
             with call():
-                ended = super().main(*args, **options, standalone_mode=False)
+                ended = super().main(*args, **options)
             sys.stdout.flush()
         except (Exception, KeyboardInterrupt, SystemExit) as error:
             ended = _ended(error)

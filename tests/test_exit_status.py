@@ -1,4 +1,4 @@
-"""How the program ends: 0, 1 only of a check, 2 of bad input, 70 of its own fault, 130 of Ctrl-C, 141 unread."""
+"""How the program ends: 0; 1 only of a check; 2 of bad input; 70 of its own fault; 130 of Ctrl-C; 141."""
 
 from __future__ import annotations
 

@@ -22,7 +22,8 @@ def read_minutes(file: str) -> dict[str, float]:
     Raises
     ------
     SceneError
-        If the file cannot be read (as `document`), names what is no elementary operation, or gives what is no number of minutes.
+        If the file cannot be read (as `document`), names what is no elementary operation, or gives what is
+        no number of minutes.
     """
     table = document(Path(file), MINUTES)[1]
     faults = []

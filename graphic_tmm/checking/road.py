@@ -21,7 +21,6 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, scene_columns, scene_results, sheets
 from graphic_tmm.tables.columns import Column
 
-
 _REMEDY = "name another file with --overlay"
 
 

@@ -54,7 +54,7 @@ def clean(text: str) -> str:
 
 
 class Under(NamedTuple):
-    """A picture of the sheet's size that lies under it: its file, beside the SVG; the colour of what is over it."""
+    """A picture that lies under a sheet, as large: its file, beside the SVG; the colour of the ink over it."""
 
     file: str
     colour: str = "#d0006f"
@@ -64,7 +64,9 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
     """Return the sheet as SVG text: millimetres, one element a line, no outside references.
 
     ``under``: a picture instead of the paper; all ink upon it is thin, of one colour, and hides nothing.
-    ``searchable``: with live text, white under the ink. Raises SheetError for a coordinate that is not finite, an unknown pen, or an unfit data name.
+    ``searchable``: with live text, white under the ink.
+
+    Raises SheetError for a coordinate that is not finite, an unknown pen, or an unfit data name.
     """
     import svgwrite
 

@@ -100,8 +100,8 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     angle = float(tried[0, 0])
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
-            f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does not "
-            f"turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle in that range"
+            f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does "
+            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle there"
         )
     if not np.isfinite(angle):
         raise StructureError(

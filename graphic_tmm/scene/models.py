@@ -50,7 +50,7 @@ class GuideTable(Table):
 
 
 class FrameTable(BaseModel):
-    """The fixed link: every key but number is a fixed point's letter or a guide's name (no point P, p, Π, π: poles)."""
+    """The fixed link: every key but number is a guide's name or a fixed point's letter (not P, p, Π, π)."""
 
     model_config = ConfigDict(defer_build=True, extra="allow")
     __pydantic_extra__: dict[

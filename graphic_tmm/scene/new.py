@@ -17,7 +17,7 @@ _HEAD = re.compile(rf"^#:schema .*\n(?:{re.escape(KEPT)})?", re.MULTILINE)
 def begun(text: str) -> dict[str, str]:
     """Return the files of a new scene by name.
 
-    ``text``: of the scene that is copied; its line that leads editors to the schema leads to the new folder's own.
+    ``text``: of the scene that is copied; the line that leads editors to the schema leads to the folder's own.
     """
     return {FILE: f"#:schema {SCHEMA}\n{KEPT}{_HEAD.sub('', text)}", SCHEMA: schema_text()}
 

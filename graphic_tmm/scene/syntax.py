@@ -14,6 +14,8 @@ _TWICE = (
     "Cannot mutate",
 )
 
+LONGEST = 300
+"""A longer line is not quoted in a remedy."""
 SEVERAL = ("link", "load", "sheet")
 """The sections that a scene may have several times."""
 
@@ -69,24 +71,34 @@ def _remedy(line: str) -> str:
     """Return what to do about the commonest mistakes, as far as the line shows them."""
     name, sign, value = line.partition("=")
     value = value.strip()
-    if sign and (not value or value.startswith("#")):
-        return f"; a value is missing, {name.strip()} = ..."
+    if len(line) > LONGEST:
+        return ""
     if re.search(r"[«»“”„]", line):
         return '; write straight quotes: "..."'
     if not sign and re.match(r"\s*\[", line):
         return "; a section is written [frame], or [[link]] for one of several"
     if not sign:
         return "; write key = value"
+    return _key_remedy(name, value) or _value_remedy(name.strip(), value)
+
+
+def _key_remedy(name: str, value: str) -> str:
     if re.search(r"[^\x00-\x7f]", name.split("#")[0]) and '"' not in name:
         return f'; a key that is not Latin stands in quotes: "{name.strip()}" = ...'
     if re.search(r"[{,]\s*[^\x00-\x7f\s\"]+\s*=", value):
         return '; a key that is not Latin stands in quotes: { "Д" = [0, 0] }'
+    return ""
+
+
+def _value_remedy(name: str, value: str) -> str:
+    if not value or value.startswith("#"):
+        return f"; a value is missing, {name} = ..."
     if re.match(r"[-+]?[0-9]+,[0-9]", value):
         return f"; the decimal sign of a number is a point: {value.replace(',', '.', 1)}"
     if re.match(r"[-+]?[0-9][0-9.,]*\s*[^\W\d_]", value):
-        return f'; a value with a unit stands in quotes: {name.strip()} = "{value}"'
+        return f'; a value with a unit stands in quotes: {name} = "{value}"'
     if value.count("{") > value.count("}"):
         return "; a table in { } stands on one line"
     if re.match(r"[^\W\d_]", value):
-        return f'; a text stands in quotes: {name.strip()} = "{value}"'
+        return f'; a text stands in quotes: {name} = "{value}"'
     return ""
