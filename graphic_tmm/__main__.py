@@ -13,6 +13,7 @@ import click
 
 from graphic_tmm.options import (
     WRONG,
+    Finite,
     People,
     budgeted,
     drawn_by,
@@ -166,14 +167,14 @@ def accuracy(
 )
 @click.option(
     "--doubtful",
-    type=click.FloatRange(0.5, 1.0),
+    type=Finite(0.5, 1.0),
     default=0.97,
     show_default=True,
     help="Beyond this quantile of the hand's own deviations a reading is doubtful.",
 )
 @click.option(
     "--wrong",
-    type=click.FloatRange(1.0, 100.0),
+    type=Finite(1.0, 100.0),
     default=5.0,
     show_default=True,
     help="Beyond so many times their root mean square, and beyond them all, it is wrong.",
@@ -188,7 +189,7 @@ def accuracy(
 @click.option("--overlay", help="SVG file for the exact plans under the points that were read.")
 @click.option(
     "--enlarge",
-    type=click.FloatRange(1.0, 1000.0),
+    type=Finite(1.0, 1000.0),
     default=1.0,
     show_default=True,
     help="How many times larger the overlay shows deviations.",

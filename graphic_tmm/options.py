@@ -139,6 +139,17 @@ def hands(command: F) -> F:
     return command
 
 
+class Finite(click.FloatRange):
+    """A number between bounds; what is not a number lies between none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the number; refuse nan, which no comparison finds out of bounds."""
+        number = super().convert(value, param, ctx)
+        if number != number:
+            self.fail(f"{value} is not a finite number", param, ctx)
+        return number
+
+
 def budgeted(command: F) -> F:
     """Give a command the option of an error to be kept within."""
     said = (

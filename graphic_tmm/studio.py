@@ -37,7 +37,10 @@ def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
     from graphic_tmm.paper.compose import compose
 
     made = make(scene)
-    return made, compose(scene, made.work, made.parts)
+    try:
+        return made, compose(scene, made.work, made.parts)
+    except SheetError as error:
+        raise SheetError(f"{scene.source}: {error}") from error
 
 
 def make(scene: Scene, *, exact: bool = False) -> Made:

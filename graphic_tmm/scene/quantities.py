@@ -239,7 +239,9 @@ def near(word: str, known: Iterable[str], cutoff: float = 0.5) -> str:
     def likeness(other: str) -> float:
         ratio = difflib.SequenceMatcher(None, word.casefold(), other.casefold()).ratio()
         begins = other[:1].casefold() == word[:1].casefold()
-        return ratio + (0.2 if len(word) == len(other) else 0.0) + (0.1 if begins else 0.0)
+        return (
+            ratio + (0.4 / len(word) if len(word) == len(other) else 0.0) + (0.1 if begins else 0.0)
+        )
 
     if len(word) > LONGEST_MEANT:
         return ""
