@@ -25,6 +25,38 @@ GATHERED = ("diagrams", "flywheel", "engine", "forces")
 """Plans that are drawn in several views."""
 
 
+def steps_of(
+    work: Work | None,
+    parts: Sequence[Part],
+    scene: Scene,
+    plans: Sequence[str],
+    position: str | None,
+    language: str,
+    known: Sequence[str],
+) -> list[str]:
+    """Return the lines of the protocol of plans in one position, of the mechanism and of the parts.
+
+    ``known``: all plans that may be asked for.
+
+    Raises
+    ------
+    SceneError
+        If the scene has none of the plans (those it has are told), or `protocol` has no such position.
+    """
+
+    def lines(wanted: Sequence[str], place: str | None) -> list[str]:
+        own = list(protocol(work, wanted, place, language)) if work is not None else []
+        of_parts = place if work is None else None
+        return [*own, *part_protocol(parts, wanted, language, of_parts)]
+
+    found = lines(plans, position)
+    if not found:
+        there = ", ".join(plan for plan in known if lines((plan, ""), None))
+        says = f"the scene has no plan {', '.join(plans)}; it has {there}"
+        raise SceneError(scene.source, (Fault("--plan", 0, says),))
+    return found
+
+
 def protocol(
     work: Work, plans: Sequence[str], position: str | None, language: str
 ) -> Iterator[str]:

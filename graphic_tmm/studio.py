@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
-from graphic_tmm.errors import ViewError
+from graphic_tmm.errors import Fault, SceneError, ViewError
 from graphic_tmm.fitting import fitted, fitted_parts
 from graphic_tmm.parts import Part, draws_mechanism
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.remedies import refusal, refuse_tiny
+from graphic_tmm.scene.quantities import near
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.tables.cam import cam_columns, cam_positions
 from graphic_tmm.tables.charts import (
@@ -165,11 +166,25 @@ def packaged() -> list[Path]:
 
 
 def scene_path(name: str | None) -> Path:
-    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package."""
+    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package.
+
+    Raises
+    ------
+    SceneError
+        If there is neither.
+    """
     wanted = DEFAULT if name is None else name
     if name is not None and Path(name).exists():
         return Path(name)
-    return next((path for path in packaged() if path.name == wanted), Path(wanted))
+    found = {path.name: path for path in packaged()}
+    if wanted in found:
+        return found[wanted]
+    from graphic_tmm.scene.read import SCENE
+
+    meant = near(wanted, found, 0.8)
+    said = f', did you mean the scene "{meant}"?' if meant else f"; {SCENE.remedy}"
+    listed = '"graphic-tmm scenes" lists those that come with it'
+    raise SceneError(wanted, (Fault("", 0, f"there is no such file{said}; {listed}"),))
 
 
 def scene_name(source: str) -> str:

@@ -316,9 +316,8 @@ def _ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[i
 
 def ranges(project: Project) -> str:
     """Return, as the end of a sentence, over which ranges of the crank the mechanism assembles."""
-    ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in project.assembly.ranges)
-    groups = ", ".join(project.assembly.groups)
-    return f": group {groups} assembles for crank angles {ranges} only" if ranges else ""
+    said = project.assembly.said
+    return f": {said}" if said else ""
 
 
 def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:

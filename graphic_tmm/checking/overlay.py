@@ -52,7 +52,7 @@ def overlay_sheet(made: Made, report: Report, enlarge: float) -> Sheet:
     edge = frame(
         size, language=report.language, first=True, number=1, count=1, fields={"name": report.title}
     )
-    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid))
+    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid), report.language)
 
 
 def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, ...]]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Collection, Iterator, Mapping
-from itertools import combinations
+from itertools import chain
 
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene import geometry
@@ -47,13 +49,19 @@ def _places(
     path: Path, points: Mapping[str, complex], centres: Collection[str] = ()
 ) -> Iterator[Found]:
     """Two letters of one link at one place; its mass centre may lie on another letter."""
-    kept = [(letter, place) for letter, place in points.items() if letter not in centres]
-    for (first, place), (second, other) in combinations(kept, 2):
-        if abs(place - other) < geometry.SAME_PLACE:
-            says = (
-                f"{first} and {second} lie at the same place, so the length {first}{second} is zero"
-            )
-            yield Found((*path, second), f"{says}; move one, or use one letter for both")
+    cells: dict[tuple[int, int], list[tuple[str, complex]]] = {}
+    for letter, place in points.items():
+        if letter in centres or not cmath.isfinite(place):
+            continue
+        x, y = (math.floor(size / geometry.SAME_PLACE) for size in (place.real, place.imag))
+        about = (cells.get((x + i, y + k), ()) for i in (-1, 0, 1) for k in (-1, 0, 1))
+        for first, other in chain.from_iterable(about):
+            if abs(place - other) < geometry.SAME_PLACE:
+                says = f"{first} and {letter} lie at the same place, so the length {first}{letter} is zero"
+                yield Found((*path, letter), f"{says}; move one, or use one letter for both")
+                break
+        else:
+            cells.setdefault((x, y), []).append((letter, place))
 
 
 def _centres(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:

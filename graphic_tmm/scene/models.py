@@ -50,7 +50,7 @@ class GuideTable(Table):
 
 
 class FrameTable(BaseModel):
-    """The fixed link: every key but number is a fixed point's letter or a guide's name."""
+    """The fixed link: every key but number is a guide's name or a fixed point's letter (not P, p, Π, π)."""
 
     model_config = ConfigDict(defer_build=True, extra="allow")
     __pydantic_extra__: dict[
@@ -93,7 +93,8 @@ class LinkTable(Table):
     number: v.LinkNumber = key("the number of the link", 1)
     name: v.Text = key("what the link is called", "crank", "")
     points: dict[str, v.Point] = Field(
-        default_factory=dict, description="letters and their places in the link's own axes"
+        default_factory=dict,
+        description="letters and their places in the link's own axes; P, p, Π, π are kept for poles",
     )
     guides: dict[str, GuideTable] = Field(
         default_factory=dict, description="guides that move with the link"
@@ -140,7 +141,9 @@ class DriveTable(Table):
     link: v.LinkNumber = key("the number of the driving link", 1)
     speed: v.Speed = key("its angular speed, positive", "380 rpm")
     acceleration: v.Spin = key(
-        "its angular acceleration, positive when it speeds up", "20 rad/s^2", 0.0
+        "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows",
+        "20 rad/s^2",
+        0.0,
     )
     turns: v.Turns = key("which way it turns", "clockwise", v.COUNTERCLOCKWISE)
     positions: v.Count = key("how many positions there are in a turn", 12, 12)

@@ -19,6 +19,7 @@ from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
 from graphic_tmm.scene.cam_tables import CamTable
+from graphic_tmm.scene.document import Document as Document
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.force_tables import (
     EffectsTable,
@@ -33,7 +34,6 @@ from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES
 from graphic_tmm.scene.wheel_tables import GearsTable, PlanetaryTable
 
 M = TypeVar("M", bound=BaseModel)
-Document = dict[str, Any]
 
 _EXAMPLES = {
     "frame": "a section [frame] with the fixed points, O = [0, 0]",
@@ -51,6 +51,8 @@ _OF_MECHANISM = (
     "load",
     "friction",
 )
+MOST = 100
+"""So many faults of one table are put into words."""
 _FOUND_BY_TASK = ("OA", "BC", "OB")
 
 
@@ -137,7 +139,8 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
 
 def _top_level(doc: Document) -> list[Found]:
     known = list(m.SceneFile.model_fields)
-    found = [Found((key,), unknown_key(key, known)) for key in doc if key not in known]
+    strange = [key for key in doc if key not in known]
+    found = [Found((key,), unknown_key(key, known)) for key in strange[:MOST]]
     for key, example in _EXAMPLES.items():
         if needs_mechanism(doc) and (key not in doc or doc[key] == []):
             found.append(Found((key,), f"it is missing; write {example}"))
@@ -166,7 +169,7 @@ def _one(
         return model.model_validate(raw, context=names)
     except ValidationError as error:
         details = _without_echoes(error.errors(include_url=False), root)
-    found.extend(from_pydantic(detail, root) for detail in details)
+    found.extend(from_pydantic(detail, root) for detail in details[:MOST])
     if any(detail["type"] != "extra_forbidden" for detail in details):
         return None
     known = copy.deepcopy(raw)
@@ -182,7 +185,7 @@ def _without_echoes(details: list[ErrorDetails], root: Path) -> list[ErrorDetail
     """Leave out a key that is missing only because it stands there misspelt."""
     misspelt = {
         (*path[:-1], quantities.near(str(path[-1]), m.keys_of((*root, *path[:-1])), 0.6))
-        for path in (_path(d) for d in details if d["type"] == "extra_forbidden")
+        for path in (_path(d) for d in details[:MOST] if d["type"] == "extra_forbidden")
     }
     return [d for d in details if d["type"] != "missing" or _path(d) not in misspelt]
 

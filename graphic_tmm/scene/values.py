@@ -161,7 +161,8 @@ def _speed(value: object, names: Names) -> float:
     number = quantities.parse(value, "angular speed")
     if number == 0:
         raise ValueError(
-            f'{_said(value)}: a drive that stands still moves nothing; write "380 rpm"'
+            f'{_said(value)}: a drive that stands still moves nothing; write "380 rpm"; at a start from rest '
+            'no velocity can be drawn: write a speed as small as "0.001 rad/s" beside the acceleration'
         )
     if number < 0:
         raise ValueError(f'{_said(value)} is negative; write it positive and turns = "{CLOCKWISE}"')

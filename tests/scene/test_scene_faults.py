@@ -279,7 +279,7 @@ def test_letters_are_lettered_too(tmp_path):
     [
         (b'title = "T"\n# \xff', 2, "not in UTF-8; save it"),
         (b"a = " + b"[" * 100_000, 0, "nested too deep|not TOML"),
-        (b"#" * 4_000_001, 0, "a scene is a short text"),
+        (b"#" * 256_001, 0, "too large: a scene has at most 256 kB"),
         (b"a = " + b"9" * 5000, 0, "cannot be read|not TOML"),
         (b'a = """x\n\n', 3, "not TOML"),
     ],
