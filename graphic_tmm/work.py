@@ -88,7 +88,6 @@ class Work:
 
 def assumed(drawn: Work) -> Iterator[str]:
     """Yield, for people, which keys are left out whose defaults matter."""
-    yield from drawn.scene.assumed
     project = drawn.project
     drive = project.mechanism.drive
     inertial = project.forces is not None and project.forces.order.inertia
