@@ -155,7 +155,9 @@ def part_warnings(part: Part) -> tuple[str, ...]:
     """Return, for people, what of a part could not be drawn and why."""
     count = part.reading.positions
     names = tuple(str(k + 1) for k in range(count))
-    told = [finding(f, names, "en") for f in part.findings() if f.kind == "undrawn"]
+    found = part.findings()
+    told = [finding(f, names, "en") for f in found if f.kind == "undrawn"]
+    told += left_out([f for f in found if f.kind == "lost"], names, "en")
     return (*told, *part.limits("en"))
 
 
