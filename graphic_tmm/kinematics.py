@@ -21,6 +21,7 @@ from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.plans.positions import draw_frame, draw_positions, side_record, side_values
 from graphic_tmm.plans.velocities import draw_velocities
+from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.work import doubted, executed, hand_of, record
 
@@ -82,7 +83,8 @@ def motion(
     project = record(plain)
     # read exactly, the same comes out to any scale: then nobody asks what sets it
     doubts = Doubts((), {}) if exact else doubted(project)
-    scales = executed(plain, project, exact=True, vectors=(80.0, 80.0), doubts=doubts).scales
+    reach = extents(project, doubts)
+    scales = executed(plain, project, Sizes(), reach, doubts, exact=True).scales
     mu = [scales[plan].value for plan in PLANS]
     row = np.atleast_1d(np.asarray(angles, dtype=np.float64))
     drawn = _drawn(scene, row, mu)

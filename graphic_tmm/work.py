@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -11,23 +12,28 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.findings import Finding, examine, step_number
 from graphic_tmm.board.hand import EXACT, HANDS, Hand
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.plans.project import Project, draw_project
+from graphic_tmm.plans.reaches import Reach, reach_of
 from graphic_tmm.scaling import (
+    Extents,
+    Sizes,
+    base_lengths,
     chart_scale_values,
     chart_scales,
     choose_scales,
     engine_scales,
+    extents,
     force_scales,
     polygon_scales,
 )
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, NEEDS, Scene
 
-ROOM = {"A1": 230.0, "A4": 140.0}
-"""For a format: room for the plan of positions, mm."""
+NARROW = {"A4": 140.0}
+"""Room for the plan of positions on a format that has less than the usual one, mm."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +49,24 @@ class Work:
     hand: Hand
     undrawn: tuple[int, ...]
     doubts: Doubts
+    sizes: Sizes
+
+    @cached_property
+    def extents(self) -> Extents:
+        """What there is to draw, in SI."""
+        return extents(self.project, self.doubts)
+
+    @cached_property
+    def reaches(self) -> dict[Figure, Reach]:
+        """How far every guide is used over the turn, mm on the sheet."""
+        project, mu = self.project, self.scales["positions"].value
+        crank = project.mechanism.by_number[project.structure.driver].points
+        circle = 2.0 * abs(crank[project.structure.pin] - crank[project.structure.pivot]) / mu
+        found = {}
+        for guide, whole in project.reaches.items():
+            drawn = reach_of(project.construction, self.reading, guide, whole.anchor)
+            found[guide] = whole.times(1.0 / mu).near(drawn, circle)
+        return found
 
     def drawn_by(self, hand: Hand) -> Work:
         """Return the same drawing, to the same scales, by another hand."""
@@ -85,14 +109,22 @@ def assumed(drawn: Work) -> Iterator[str]:
         )
 
 
-def work(scene: Scene, *, exact: bool = False, vectors: tuple[float, float] = (80.0, 80.0)) -> Work:
-    """Draw a scene: record its plans, choose the scale factors, execute.
+def work(scene: Scene, *, exact: bool = False) -> Work:
+    """Draw a scene in the usual size: record its plans, choose the scale factors, execute.
 
-    ``exact`` switches the rounding of the ruler off; ``vectors`` is the room, mm, for the
-    longest vector of the plans of velocities and of accelerations.
+    ``exact`` switches the rounding of the ruler off.
     """
     project = record(scene)
-    return executed(scene, project, exact=exact, vectors=vectors, doubts=doubted(project))
+    doubts = doubted(project)
+    reach = extents(project, doubts)
+    return executed(scene, project, usual(scene), reach, doubts, exact=exact)
+
+
+def usual(scene: Scene) -> Sizes:
+    """Return the sizes that the formats of a scene's sheets suggest."""
+    orders = [order for order in scene.sheets if "positions" in order.place] or scene.sheets
+    most = Sizes().positions
+    return Sizes(positions=min(NARROW.get(order.format, most) for order in orders))
 
 
 def doubted(project: Project) -> Doubts:
@@ -104,8 +136,8 @@ def doubted(project: Project) -> Doubts:
     return Doubts(log.steps, {**dict.fromkeys(log.given, 1.0), **project.given}, to_scale=False)
 
 
-def record(scene: Scene) -> Project:
-    """Record the plans that the scene's sheets ask for.
+def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
+    """Record what the scene calls for, or of that only what is ``wanted`` (places of a sheet).
 
     Raises
     ------
@@ -119,7 +151,8 @@ def record(scene: Scene) -> Project:
             "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
         )
         raise SceneError(scene.source, (Fault("", 0, says),))
-    wanted = scene.shown
+    wanted = scene.called if wanted is None else wanted
+    wanted = {*wanted, *(plan for place in wanted for plan in NEEDS.get(place, ()))}
     try:
         return draw_project(
             scene.mechanism,
@@ -150,27 +183,24 @@ def hand_of(scene: Scene, trials: int = 1) -> Hand:
 def executed(
     scene: Scene,
     project: Project,
+    sizes: Sizes,
+    reach: Extents,
+    doubts: Doubts,
     *,
     exact: bool,
-    vectors: tuple[float, float],
-    doubts: Doubts | None = None,
 ) -> Work:
     """Choose the scale factors of a recorded project and execute it; see `work`.
 
-    ``doubts``: of the project; what is lost by them sets no scale factor, and is not there.
+    ``reach``: its `extents`; ``doubts``: what is lost by them sets no scale factor, and is not there.
     """
-    formats = [sheet.format for sheet in scene.sheets]
-    doubts = doubts or doubted(project)
-    scales = choose_scales(
-        project, scene.scales, ROOM["A4" if set(formats) == {"A4"} else "A1"], vectors, doubts
-    )
-    given = dict(project.given)
+    scales = choose_scales(project, scene.scales, sizes, reach)
+    given = {**project.given, **base_lengths(project, sizes.graphs, scene.told)}
     for plan, scale in scales.items():
         given[project.scale(plan)] = scale.value
-    sized = force_scales(project, given, doubts)
+    sized = force_scales(project, given, doubts, sizes)
     given |= {**dict.fromkeys(polygon_scales(project), 1.0), **sized}
-    given |= engine_scales(project, given, doubts)
-    given |= chart_scales(project, given, doubts)
+    given |= engine_scales(project, given, doubts, sizes)
+    given |= chart_scales(project, given, doubts, sizes, _graphs_on(scene))
     hand = EXACT if exact else hand_of(scene)
     reading, accelerated = _read(project, given, hand, doubts)
     scales |= chart_scale_values(project, reading)
@@ -189,7 +219,13 @@ def executed(
         raise StructureError(
             f"{scene.source}: none of the positions can be drawn" + ranges(project)
         )
-    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, doubts)
+    return Work(scene, project, given, scales, reading, accelerated, hand, undrawn, doubts, sizes)
+
+
+def _graphs_on(scene: Scene) -> str:
+    """Return the format of the sheet that shows the graphs of the flywheel; of several the smaller."""
+    formats = {sheet.format for sheet in scene.sheets if "flywheel" in sheet.place}
+    return "A4" if "A4" in formats else "A1"
 
 
 def _balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
@@ -282,9 +318,8 @@ def _ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[i
 
 def ranges(project: Project) -> str:
     """Return, as the end of a sentence, over which ranges of the crank the mechanism assembles."""
-    ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in project.assembly.ranges)
-    groups = ", ".join(project.assembly.groups)
-    return f": group {groups} assembles for crank angles {ranges} only" if ranges else ""
+    said = project.assembly.said
+    return f": {said}" if said else ""
 
 
 def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.shaking import NOTHING, Shaken, shaken
 from graphic_tmm.board.sizes import DIGIT, FIGURES, Sizes
-from graphic_tmm.board.values import Curve, Point, Reals, Side, at, undefined
+from graphic_tmm.board.values import Curve, Point, Reals, Side, at
 from graphic_tmm.board.values import given as as_value
 
 DOUBTFUL = 1e-6
@@ -138,10 +138,10 @@ class Doubts:
 
     def _lost(self, step: Step, before: Mapping[int, Mask]) -> Mask | None:
         mark, bound = step.it, self.bound(step.it)
-        value = self._found.values[mark.slot]
         if mark.kind is Point:
-            return np.asarray((self.share(mark) > DIGIT) & np.isfinite(value))
+            return self.share(mark) > DIGIT
         if mark.kind in FIGURES:
+            value = self._found.values[mark.slot]
             unsure = ~(bound <= DIGIT * np.abs(value)) & np.isfinite(value)
             if not unsure.any():
                 return None
@@ -156,11 +156,11 @@ class Doubts:
             return np.asarray(unsure & unclean)
         used = [before[use.slot] for use in step.uses if use.slot in before]
         if mark.kind is Curve:
-            # what a curve goes through is lost at some place or other
-            used = [np.atleast_2d(mask.any()) for mask in used]
-        elif mark.kind is not Side:
-            used.append((bound > DIGIT) & ~undefined(value))
-        return np.asarray(np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, 1), bool), *used)))
+            # what a curve goes through is lost at some place or other of its row
+            row = step.choice.get("row")
+            used = [np.atleast_2d(mask[:, :row].any()) for mask in used]
+        own = bound > DIGIT
+        return np.asarray(np.logical_or.reduce(np.broadcast_arrays(own, *used)))
 
     @cached_property
     def _found(self) -> Shaken:

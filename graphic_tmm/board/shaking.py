@@ -125,7 +125,10 @@ def _first(value: Any) -> Any:
 
 
 def _off(value: Any) -> Reals:
-    """Return how far the shaken trials are from the first, at most; without end where none is there."""
+    """Return how far the shaken trials are from the first, at most; without end where none of them is there.
+
+    What is not there in the first cannot be off.
+    """
     if isinstance(value, Curve):
         return NOTHING
     if isinstance(value, Line):
@@ -136,4 +139,5 @@ def _off(value: Any) -> Reals:
     if not off.size:
         return NOTHING
     lost = np.isnan(off).all(axis=0)
-    return np.atleast_2d(np.where(lost, np.inf, np.fmax.reduce(off, axis=0)))
+    off = np.where(lost, np.inf, np.fmax.reduce(off, axis=0))
+    return np.atleast_2d(np.where(np.isfinite(value[0]), off, 0.0))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from graphic_tmm.board.curve import french_curve
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
@@ -33,8 +34,9 @@ from graphic_tmm.plans.positions import (
     side_record,
     side_values,
 )
+from graphic_tmm.plans.reaches import Reach, guides, reaches
 from graphic_tmm.plans.row import draw_row
-from graphic_tmm.plans.survey import survey
+from graphic_tmm.plans.survey import Survey, survey
 from graphic_tmm.plans.velocities import crank_arm, draw_velocities
 
 LAST = 12
@@ -52,6 +54,7 @@ class Project:
     mechanism: Mechanism
     structure: Structure
     assembly: Assembly
+    tried: Survey
     construction: Construction
     given: dict[Mark, object]
     mu_l: Mark
@@ -68,6 +71,11 @@ class Project:
     forced: tuple[int, ...] = ()
     engine: Engine | None = None
     cylinder: Cylinder | None = None
+
+    @cached_property
+    def reaches(self) -> dict[Figure, Reach]:
+        """How far every guide is used over the whole turn of the crank, m."""
+        return dict(zip(guides(self.construction), reaches(self.tried), strict=True))
 
     @property
     def charts(self) -> tuple[Chart, ...]:
@@ -170,6 +178,7 @@ def draw_project(
         mechanism,
         structure,
         assembly,
+        tried,
         draft.board.construction(),
         given,
         draft.mu_l,

@@ -51,8 +51,8 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
         there[0, row.count + place] = 1.0
-        at = draft.take(Number, draft.board.free("∃"), there)
-        phi = draft.board.draw(stand, draft.board.free("φ_{n}"), phi, mark, at, unit="°")
+        at = draft.take(Number, draft.board.free(""), there)
+        phi = draft.board.draw(stand, draft.board.free("φ"), phi, mark, at, unit="°")
     assert draft.mu_l is not None
     values = execute(
         draft.board.construction(), draft.given | {draft.mu_l: 1.0}, [phi, zero, *extras]

@@ -51,6 +51,8 @@ class Unit(NamedTuple):
 NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 LARGEST = 1e12
 KGF = "9.80665"
+LONGEST_MEANT, MOST_MEANT = 60, 200
+"""A word of more letters is nothing misspelt; so many known words are looked through for what it may mean."""
 _EXACT = Context(prec=60)
 _QUANTITY = re.compile(rf"([+-]?{NUMBER})(.*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9])")
@@ -237,9 +239,13 @@ def near(word: str, known: Iterable[str], cutoff: float = 0.5) -> str:
     def likeness(other: str) -> float:
         ratio = difflib.SequenceMatcher(None, word.casefold(), other.casefold()).ratio()
         begins = other[:1].casefold() == word[:1].casefold()
-        return ratio + (0.2 if len(word) == len(other) else 0.0) + (0.1 if begins else 0.0)
+        return (
+            ratio + (0.4 / len(word) if len(word) == len(other) else 0.0) + (0.1 if begins else 0.0)
+        )
 
-    best = max(sorted(known), key=likeness, default="")
+    if len(word) > LONGEST_MEANT:
+        return ""
+    best = max(sorted(known)[:MOST_MEANT], key=likeness, default="")
     return best if best and likeness(best) >= cutoff else ""
 
 

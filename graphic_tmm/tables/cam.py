@@ -11,7 +11,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.mechanism.cam_orders import RockerFollower
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.plans.cam_centre import Centre
-from graphic_tmm.tables.columns import Column, Row, row_of
+from graphic_tmm.tables.columns import Column, Positions, Row, row_of
 
 PLAN = "cam"
 
@@ -38,6 +38,12 @@ def cam_angles(made: Cam) -> list[float]:
     return [round(float(angle), 9) for angle in made.diagrams.turn.angles]
 
 
+def cam_positions(part: Drawn) -> Positions:
+    """Return the cam's positions: their numbers and angles."""
+    assert isinstance(part.made, Cam)
+    return tuple(zip(cam_names(part.made), cam_angles(part.made), strict=True))
+
+
 def cam_columns(part: Drawn) -> tuple[Column, ...]:
     """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
     made = part.made
@@ -55,7 +61,8 @@ def cam_columns(part: Drawn) -> tuple[Column, ...]:
         found.append(_column(segment, motion, value, count, mm))
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", part.reading.figure(made.centre.pressure), count))
-    return tuple(found)
+    at = cam_positions(part)
+    return tuple(column._replace(at=at) for column in found)
 
 
 def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:

@@ -7,8 +7,11 @@ from collections.abc import Sequence
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.plans.project import Project
+from graphic_tmm.plans.rim import wanted_outer
 from graphic_tmm.tables.columns import Column, Row, row_of, segment_name
+from graphic_tmm.words import number
 
 
 def chart_columns(
@@ -52,7 +55,7 @@ def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
     count, made = len(project.names), []
     for chart in project.flywheel.charts:
         for mark in chart.ordinates:
-            letter = mark.letter.replace("y_", "p_") if chart.symbol == "p" else mark.letter
+            letter = mark.name.replace("y_", "p_") if chart.symbol == "p" else mark.name
             if chart.view == "work":
                 continue  # ΔT is laid off, and read, once more among the energies
             rows = _rows(reading, mark, chart.mu, count)
@@ -86,6 +89,21 @@ def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[floa
         name: (float(reading.figure(mark)[0, 0]), unit) for name, (mark, unit) in marks.items()
     }
     return {name: found for name, found in values.items() if math.isfinite(found[0])}
+
+
+def rim_too_wide(project: Project, reading: Reading, language: str) -> str:
+    """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
+    results = flywheel_results(project, reading)
+    if not {"D_max", "D_e", "rim_width"} <= set(results):
+        return ""
+    most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))
+    least = wanted_outer(outer, width)
+    if least is None:
+        return ""
+    key = "rim too wide" if least <= most else "rim too wide, speed"
+    sizes = {"outer": outer, "width": width, "least": least, "most": most}
+    told = {name: number(size, language, 3) for name, size in sizes.items()}
+    return CAPTIONS[language][key].format(**told)
 
 
 def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:

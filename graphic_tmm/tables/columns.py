@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import TALLY, Construction, Mark, Step
 from graphic_tmm.board.values import Length, Reals
 
 UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s²"}
@@ -19,10 +19,16 @@ RATES = {"ω": "omega", "ε": "epsilon"}
 
 
 Row = tuple[float | None, ...]
+Positions = tuple[tuple[str, float | None], ...]
+"""Positions by their numbers and the angles of what turns, degrees."""
 
 
 class Column(NamedTuple):
-    """One row of figures along the positions: mm on the sheet (None where nothing is measured) and SI."""
+    """One row of figures along the positions: mm on the sheet (None where nothing is measured) and SI.
+
+    ``at``: the numbers of its positions and their angles (degrees, None where there is none), if they are not
+    those of the mechanism.
+    """
 
     plan: str
     segment: str
@@ -30,6 +36,7 @@ class Column(NamedTuple):
     unit: str
     mm: Row
     value: Row
+    at: Positions = ()
 
     def without(self, places: Sequence[int]) -> Column:
         """Return the column with nothing at the places (indices) of positions that cannot be drawn."""
@@ -42,9 +49,10 @@ class Column(NamedTuple):
 
 def segment_name(letter: str) -> str:
     """Return a letter of the log as machines read it: n_{ab} -> nab, ω_2 -> omega2."""
-    if letter[0] in RATES:
-        return RATES[letter[0]] + letter[1:].strip("_{}")
-    return letter.translate({ord(sign): None for sign in "_{}"})
+    stem, _, rest = letter.partition("_")
+    if rest and stem in RATES:
+        return RATES[stem] + rest.strip("{}")
+    return letter.replace(TALLY, "′").translate({ord(sign): None for sign in "_{}"})
 
 
 def columns(
@@ -72,9 +80,9 @@ def columns(
     made = []
     for step in steps:
         mm, value = (np.abs(reading.figure(step.it, by)) for by in (None, view.scale))
-        letter = step.it.letter
+        segment = segment_name(step.it.letter)
         rows = row_of(mm, places, count), row_of(value, places, count)
-        made.append(Column(plan, segment_name(letter), letter, UNITS[plan], *rows))
+        made.append(Column(plan, segment, step.it.name, UNITS[plan], *rows))
     empty = (None,) * count
     for link, mark in rates.items():
         letter = f"{'ω' if plan == 'velocities' else 'ε'}_{link}"
