@@ -161,7 +161,7 @@ def _fault(
     if {name: after.get(name) for name in before} != before:
         return "changed what it was given"
     strange = set(after) - set(before)
-    if status == 2 and strange or one.command != "options" and strange:
+    if (status == 2 and strange) or (one.command != "options" and strange):
         return f"wrote beside its folder: {strange}"
     return _whole(out) or (_told(one.line, result.stdout) if status != 2 else "")
 
