@@ -265,7 +265,7 @@ def replaced(link: Link, old: str, new: str) -> Link:
 
 
 def test_a_crank_that_does_not_turn_round_is_told_with_its_range(tmp_path: Path) -> None:
-    """A rod shorter than the crank: sin φ = l/r is as far as it comes, and the slider does not stand still there."""
+    """A rod shorter than the crank comes to sin φ = l/r, and the slider does not stand still there."""
     scene = tmp_path / "scene.toml"
     scene.write_text(
         """title = "T"
@@ -294,6 +294,7 @@ zero = { point = "B", at = "left" }
         make(read(scene))
     told = str(refused.value)
     edge = math.degrees(math.asin(0.1 / 0.2))
-    assert f"group 2-3 assembles for crank angles {360 - edge:.2f}° to {edge:.2f}° only" in told
+    ranges = f"{180 - edge:.2f}° to {180 + edge:.2f}° and {360 - edge:.2f}° to {edge:.2f}°"
+    assert f"group 2-3 assembles for crank angles {ranges} only" in told
     assert "B does not come to an extreme position at left" in told
     assert "change the lengths, or give zero as an angle there" in told
