@@ -21,6 +21,7 @@ from graphic_tmm.options import (
     read_scene,
     say,
     show,
+    terminal_width,
     warn,
     within,
 )
@@ -87,7 +88,7 @@ def draw(
     made, texts = sheet_files(task, wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
-    warn(made)
+    warn(made, sheets=True)
 
 
 @main.command()
@@ -100,7 +101,20 @@ def draw(
     default="text",
     show_default=True,
 )
-@click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
+@click.option("--exact", is_flag=True, help="Read without the ruler's rounding; print all digits.")
+@click.option(
+    "--width", type=click.IntRange(20, 10_000), help="Characters of a line of text; the terminal's."
+)
+@click.option(
+    "--decimal",
+    type=click.Choice(["point", "comma"]),
+    default="point",
+    show_default=True,
+    help="Decimal sign of CSV; with a comma, semicolons stand between the cells.",
+)
+@click.option(
+    "--bom", is_flag=True, help="Begin CSV with a byte order mark, as spreadsheets want it."
+)
 @hands
 @click.option(
     "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
@@ -110,17 +124,22 @@ def table(
     scene: str | None,
     form: str,
     exact: bool,
+    width: int | None,
+    decimal: str,
+    bom: bool,
     hand: str | None,
     seed: int | None,
     trials: int,
     budget: str | None,
 ) -> None:
-    """Print what the plans of SCENE give: segments in mm, quantities in SI."""
+    """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
     from graphic_tmm.studio import make
     from graphic_tmm.studio import table as told
 
     drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
-    show(told(drawn, form, trials), 220)
+    wide = width or terminal_width()
+    text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
+    show("\ufeff" + text if bom and form == "csv" and isinstance(text, str) else text, wide)
     warn(drawn)
 
 

@@ -7,6 +7,7 @@
     ├── StructureError        the links and pairs do not make a mechanism that this board can draw
     ├── ConstructionError     a step of a construction was recorded wrongly, or cannot be drawn
     ├── SheetError            the paper: a view that does not fit, a folder that cannot be written
+    │   └── ViewError         a view that fits no sheet of its format
     └── BareError             the program runs without its docstrings, of which its sentences are made
 """
 
@@ -80,6 +81,14 @@ class ConstructionError(TmmError):
 
 class SheetError(TmmError):
     """The paper: a view that does not fit, a folder that cannot be written."""
+
+
+class ViewError(SheetError):
+    """A view that fits no sheet of its format: its name and size (mm), so that a remedy can be told."""
+
+    def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
+        super().__init__(message)
+        self.view, self.size = view, size
 
 
 class BareError(TmmError):

@@ -180,14 +180,25 @@ def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     return scene if seed is None else replace(scene, seed=seed)
 
 
-def warn(made: Made) -> None:
-    """Tell what of a scene could not be drawn."""
+def warn(made: Made, *, sheets: bool = False) -> None:
+    """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    from graphic_tmm.scene.remarks import unplaced
     from graphic_tmm.studio import part_warnings, warnings
 
-    told = list(warnings(made.work)) if made.work is not None else []
+    told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
+    told += list(warnings(made.work)) if made.work is not None else []
     told += [text for part in made.parts for text in part_warnings(part)]
     for text in told:
         say(f"graphic-tmm: {made.scene.source}: warning: {text}")
+
+
+def terminal_width() -> int:
+    """Return how many characters a line of the terminal has, many if nothing is printed to one."""
+    import shutil
+
+    from graphic_tmm.studio import WIDTH
+
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDTH
 
 
 def show(text: str | list[Any], width: int) -> None:
@@ -196,9 +207,13 @@ def show(text: str | list[Any], width: int) -> None:
         click.echo(text, nl=False)
         return
     from rich.console import Console
+    from rich.measure import Measurement
+    from rich.table import Table
 
     console = Console(width=None if sys.stdout.isatty() else width)
     with console.capture() as written:  # rich has an end of its own for a reader who is gone
         for part in text:
-            console.print(part)
+            wide = console.options.update(max_width=10_000)
+            needed = Measurement.get(console, wide, part).maximum if isinstance(part, Table) else 0
+            console.print(part, width=max(console.width, needed))
     click.echo(written.get(), nl=False)

@@ -210,7 +210,7 @@ MORE_BAD = {
     "not TOML": ([("[frame]", "[frame")], ["scene.toml:12"]),
     "a view larger than the paper": (
         [('pa   = "60 mm"', 'pa   = "700 mm"')],
-        ["does not fit on A1", "smaller pa", "larger mu_v"],
+        ["scales.pa", "does not fit on A1", 'write pa = "', "leave it out"],
     ),
     "a character without a letter": ([("кривошип", "克")], ["克"]),
 }

@@ -79,7 +79,7 @@ def operation(
     ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
     ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
     ``fails``: why there may be no answer, in English and Russian. ``sides``: what +1 and −1 of an argument
-    of the kind Side are called, in English and in Russian.
+    of the kind Side, or a choice that the sentence names, are called, in English and in Russian.
     """
 
     def enter(function: F) -> Operation:

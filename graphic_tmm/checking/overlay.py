@@ -76,7 +76,9 @@ def _plan(made: Made, plan: str, position: str, upon: Sequence[Stroke], title: s
     project = work.project
     place = project.names.index(position)
     if plan == "positions":
-        found = draw_position_ink(project.construction, work.reading, place, name, title, upon=upon)
+        found = draw_position_ink(
+            project.construction, work.reading, work.reaches, place, name, title, upon=upon
+        )
     else:
         accelerated = plan == "accelerations"
         reading = work.accelerated if accelerated else work.reading

@@ -141,7 +141,7 @@ def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag:
         "Пробовать углы кривошипа между {low} и {high}, сужая до того, где изображение точки "
         f"{extreme.point} проходит через полюс; это {{it}}.",
     )
-    low, high = draft.angle(f"φ_{{{tag}}}′", tried.low), draft.angle(f"φ_{{{tag}}}″", tried.high)
+    low, high = draft.direction(tried.low), draft.direction(tried.high)
     return draft.board.draw(step, f"φ_{{{tag}}}", low, high, unit="°")
 
 

@@ -109,7 +109,9 @@ class LinkTable(Table):
     flips_at: v.Angles | None = key("crank angles at which the side changes", ["90 deg"], None)
     mass: v.Mass | None = key("its mass", "25 kg", None)
     J: v.Inertia | None = key("its moment of inertia about the mass centre", "0.02 kg*m^2", None)
-    centre: v.Text | None = key("the letter of its mass centre", "S2", None)
+    centre: v.Text | None = key(
+        "the letter of its mass centre: no letter is one by itself", "S2", None
+    )
 
     @property
     def pairs(self) -> list[SlideTable]:
@@ -196,7 +198,9 @@ class SheetTable(Table):
     """A sheet, and what is placed on it, in order."""
 
     format: v.Format = key("the format of the sheet", "A1", "A1")
-    place: v.Places = key("the plans on it", ["positions", "velocities"], v.USUAL_PLACES)
+    place: v.Places | None = key(
+        "the plans on it; left out: all that the scene calls for", ["positions", "velocities"], None
+    )
 
 
 class TitleBlockTable(Table):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError, first_of
@@ -11,7 +12,9 @@ from graphic_tmm.scene import build, checks, force_checks, order_checks, referen
 from graphic_tmm.scene.document import document
 from graphic_tmm.scene.faults import Found, fault
 from graphic_tmm.scene.lines import line_of, locate
+from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import Document, understand
 
 FILE = "scene.toml"
@@ -49,11 +52,18 @@ def read(path: Path | str, *, missing: Callable[[str], str] = lambda text: "") -
     found.extend(order_checks.check(doc, parts))
     found.extend(force_checks.check(doc, parts))
     if found:
-        raise SceneError(str(file), _told(text, doc, found))
-    return build.scene(parts, str(file))
+        raise SceneError(str(file), _in_order(text, doc, found))
+    made = build.scene(parts, str(file), kgf=in_kgf(doc))
+    return replace(made, remarks=remarks(doc, parts), told=_told(doc))
 
 
-def _told(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:
+def _told(doc: Document) -> frozenset[str]:
+    """Return the keys of the file's sections that are tables, as section.key."""
+    tables = {name: section for name, section in doc.items() if isinstance(section, dict)}
+    return frozenset(f"{name}.{key}" for name, section in tables.items() for key in section)
+
+
+def _in_order(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:
     """Return the faults in the order of the file; of very many the first."""
     lines = locate(text)
     first = sorted(found, key=lambda item: line_of(lines, item.path))[:TOLD]

@@ -18,7 +18,6 @@ from pydantic_core import ErrorDetails
 from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
-from graphic_tmm.scene import values as v
 from graphic_tmm.scene.cam_tables import CamTable
 from graphic_tmm.scene.document import Document as Document
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
@@ -41,6 +40,17 @@ _EXAMPLES = {
     "link": "a section [[link]] for each moving link, with its number and points",
     "drive": 'a section [drive] with link = 1 and speed = "380 rpm"',
 }
+_OF_MECHANISM = (
+    "drive",
+    "frame",
+    "link",
+    "diagrams",
+    "flywheel",
+    "forces",
+    "engine",
+    "load",
+    "friction",
+)
 MOST = 100
 """So many faults of one table are put into words."""
 _FOUND_BY_TASK = ("OA", "BC", "OB")
@@ -138,12 +148,13 @@ def _top_level(doc: Document) -> list[Found]:
 
 
 def needs_mechanism(doc: Document) -> bool:
-    """Whether the sheets of a document show anything that cannot stand without a mechanism."""
+    """Whether a document asks for anything that cannot stand without a mechanism."""
     raw = doc.get("sheet")
     sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
-    places = [place for s in sheets for place in _listed(s.get("place", v.USUAL_PLACES))]
-    free = (*FREE_PLACES, *PART_PLACES)
-    return any(place not in free for place in places) or "drive" in doc
+    places = [place for s in sheets for place in _listed(s.get("place", []))]
+    asked = any(key in doc for key in _OF_MECHANISM)
+    nothing = any("place" not in s for s in sheets) and not any(key in doc for key in PART_PLACES)
+    return asked or nothing or any(p not in (*FREE_PLACES, *PART_PLACES) for p in places)
 
 
 def _listed(value: object) -> list[object]:
