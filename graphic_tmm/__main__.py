@@ -165,6 +165,14 @@ def accuracy(
     help="By whose drawings readings are judged.",
 )
 @click.option(
+    "--points",
+    type=click.Choice(["paper", "screen", "photo"]),
+    default="paper",
+    show_default=True,
+    help="How x and y were read: off the paper with ruler and square, off the drawing on a screen "
+    "(0.1 mm), off a photograph (0.5 mm).",
+)
+@click.option(
     "--doubtful",
     type=click.FloatRange(0.5, 1.0),
     default=0.97,
@@ -211,6 +219,7 @@ def check(
     readings: str | None,
     template: bool,
     hand: str,
+    points: str,
     doubtful: float,
     wrong: float,
     trials: int,
@@ -237,7 +246,7 @@ def check(
             return
     if readings is None:
         raise click.UsageError("name the file of READINGS, or ask for --template")
-    report = road.checked(task, readings, hand, (doubtful, wrong), trials)
+    report = road.checked(task, readings, hand, (doubtful, wrong), trials, points)
     if overlay is not None and photo is None:
         say(str(road.overlaid(task, report, overlay, enlarge)))
     show(road.told(report, form), 160)

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.hand import Hand
-from graphic_tmm.checking.cells import Key, cells, points
-from graphic_tmm.checking.own import Own, OwnErrors
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Length, Point, Reals
+from graphic_tmm.checking.own import Found, Own, run
 from graphic_tmm.checking.scatter import Limits, Scatter, limited
-from graphic_tmm.studio import Made, drawings
+from graphic_tmm.checking.tolerance import Reader
+from graphic_tmm.work import Work
 
-TRIALS = 150
-"""How often the hand draws to tell what errors its steps make by themselves."""
 LEAST = 1e-9
 """Errors of a step are never taken for smaller than this, mm."""
 
@@ -23,50 +21,78 @@ LEAST = 1e-9
 class Usual(NamedTuple):
     """The hand's own errors of what led to a reading: their root mean squares, mm, step by step.
 
-    ``scatter``: of the largest error measured by these.
+    ``scatter``: of the largest error measured by these. Of a length that is calculated: as it is read off the
+    paper; as it is calculated it has no slip but its digits.
     """
 
     sizes: tuple[float, ...]
     scatter: Scatter
 
-    def worst(self, errors: Sequence[Own]) -> tuple[float, Own]:
-        """Return the error that is the largest as the hand goes, and how many times its usual one it is."""
-        times = [abs(own.error) / size for own, size in zip(errors, self.sizes, strict=True)]
+    def worst(self, errors: Sequence[tuple[Step, float, float]]) -> tuple[float, Step, float]:
+        """Return how many times its usual size the largest error is as the hand goes, its step, and it.
+
+        ``errors``: each a step, its error, and how much of it may be rounding.
+        """
+        times = [
+            max(abs(error) - grain, 0.0) / size
+            for (_, error, grain), size in zip(errors, self.sizes, strict=True)
+        ]
         k = times.index(max(times))
-        return times[k], errors[k]
+        return times[k], errors[k][0], errors[k][1]
 
 
 def usual_errors(
-    made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits
-) -> dict[Key, Usual]:
-    """Return how far off the hand's own steps are, by reading."""
-    rows: dict[Key, list[list[float]]] = {}
-    for drawn in drawings(made, hand._replace(trials=min(hand.trials, TRIALS))):
-        again = _as_drawn(drawn, readings)
-        errors = OwnErrors(made, again)
-        for taken in again:
-            if mine := errors.of(taken):
-                key = taken.key
-                rows.setdefault(key, []).append([abs(own.error) for own in mine])
-    return {key: _usual(np.array(row), limits) for key, row in rows.items()}
+    work: Work, found: Found, by: Reader, limits: Limits
+) -> dict[tuple[Mark, int], Usual]:
+    """Return how far off the hand's own steps are, by mark and position (its index), where they were read."""
+    if not found:
+        return {}
+    drawn = work.drawn_by(by.hand)
+    again = {mark: _read(drawn, mark, there, by) for mark, there in found.items()}
+    errors = run(work, again, {}).errors
+    return {
+        (mark, int(place)): _usual(errors[mark], int(place), limits)
+        for mark, there in found.items()
+        for place in np.flatnonzero(~np.isnan(there[0]))
+    }
 
 
-def _usual(errors: np.ndarray, limits: Limits) -> Usual:
-    """Return what is usual of errors (trial, step)."""
-    sizes = np.maximum(np.sqrt(np.mean(errors**2, axis=0)), LEAST)
-    largest = np.sort(np.max(errors / sizes, axis=1))
-    return Usual(tuple(map(float, sizes)), limited(largest, limits))
+def _usual(errors: Sequence[Own], place: int, limits: Limits) -> Usual:
+    sizes, times = [], []
+    for own in errors:
+        usual = _at(own.usual, place)
+        size = max(float(np.sqrt(np.mean(usual**2))), LEAST) if usual.size else LEAST
+        sizes.append(size)
+        times.append(np.nan_to_num(np.abs(own.error[:, place])) / size)
+    return Usual(tuple(sizes), limited(np.sort(np.max(times, axis=0)), limits))
 
 
-def _as_drawn(drawn: Made, readings: Sequence[Taken]) -> list[Taken]:
-    """Return the same readings as they would be of another drawing."""
-    figures, where = cells(drawn), points(drawn)
-    again = []
-    for taken in readings:
-        key = taken.key
-        if taken.pointed and key in where:
-            z = where[key]
-            again.append(taken._replace(x=z.real, y=z.imag))
-        elif taken.mm is not None and key in figures and figures[key].mm is not None:
-            again.append(taken._replace(mm=abs(figures[key].mm or 0.0)))
-    return again
+def _at(values: Reals, place: int) -> Reals:
+    row = values[:, place]
+    return row[np.isfinite(row)]
+
+
+def _read(drawn: Work, mark: Mark, there: Any, by: Reader) -> Any:
+    """Return what the hand would read of a mark, (trial, position); NaN where it was not read."""
+    row = _drawn(drawn, mark)
+    key = f"{mark.view}|{mark.letter}"
+    if mark.kind is Point:
+        row = by.pointed(row, key)
+    elif mark.kind is Length:
+        log = drawn.project.construction
+        step = next(step for step in log.steps if step.it == mark)
+        row = np.abs(row) if step.op.reads else by.measured(np.abs(row), key)
+    return np.where(np.isnan(there), np.nan, row)
+
+
+def _drawn(drawn: Work, mark: Mark) -> Any:
+    """Return the values of a mark in all drawings, (trial, position); NaN where it was not drawn."""
+    project = drawn.project
+    shape = (drawn.hand.trials, len(project.names))
+    if mark.view != "accelerations":
+        return np.broadcast_to(drawn.reading[mark], shape).copy()
+    assert drawn.accelerated is not None
+    value = drawn.accelerated[mark]
+    row = np.full(shape, np.nan, value.dtype)
+    row[:, list(project.accelerated)] = value
+    return row

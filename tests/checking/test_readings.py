@@ -73,7 +73,7 @@ def refused(folder, text):
 
 
 def without_lines(rows):
-    return [one._replace(line=0) for one in rows]
+    return [one._replace(line=0, last=Last()) for one in rows]
 
 
 @pytest.fixture(scope="module")

@@ -20,9 +20,10 @@ from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.checking.alterations import Figures
 from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, READING
+from graphic_tmm.checking.bench import Yardstick, yardstick
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
-from graphic_tmm.checking.judge import Yardstick, judge, yardstick
+from graphic_tmm.checking.judge import judge
 from graphic_tmm.checking.mistakes import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.checking.scatter import Limits
@@ -63,10 +64,13 @@ def readings(found: Figures, due: Figures, *, valued: bool = False) -> list[Take
 
 
 @cache
-def usual(name: str, hand: str, *, pointed: bool = False, valued: bool = False) -> Yardstick:
+def usual(
+    name: str, hand: str, *, pointed: bool = False, valued: bool = False, points: str = "paper"
+) -> Yardstick:
     due = cells_and_points(made(name)) if pointed else cells(made(name))
     rows = readings(due, due, valued=valued)
-    return yardstick(made(name), rows, HANDS[hand]._replace(trials=TRIALS), Limits())
+    drawing = HANDS[hand]._replace(trials=TRIALS)
+    return yardstick(made(name), rows, drawing, Limits(), points)
 
 
 class Honest(NamedTuple):
@@ -203,9 +207,12 @@ class Blamed(NamedTuple):
 
 
 def blamed(name: str, trials: int, seed: int = FRESH) -> Blamed:
-    """Turn every ray of the plans of velocities and accelerations in honest student drawings."""
+    """Turn every ray of the plans of velocities and accelerations in honest student drawings.
+
+    Their points are read as they stand, as by a cursor on a screen.
+    """
     total = ray = some = 0
-    by = usual(name, "student", pointed=True)
+    by = usual(name, "student", pointed=True, points="screen")
     for step in _rays(made(name)):
         for drawn in drawings(
             _turned(made(name), step), HANDS["student"]._replace(trials=trials, seed=seed)
