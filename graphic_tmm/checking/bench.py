@@ -18,7 +18,7 @@ from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.scatter import Limits, Scatter, scatter
 from graphic_tmm.checking.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.tolerance import Reader, reader
-from graphic_tmm.checking.usual import Usual, usual_errors
+from graphic_tmm.checking.usual import Usual, share_of_slip, usual_errors
 from graphic_tmm.studio import Made
 
 
@@ -148,6 +148,18 @@ class Bench:
         if not any(np.isfinite(error) for _, error, _ in told):
             return ()
         return tuple((by, float(np.nan_to_num(error)), grain) for by, error, grain in told)
+
+    @cached_property
+    def share(self) -> float:
+        """With which share of the slip that is counted upon the points of this drawing were read."""
+        seen = []
+        for taken in self.rows:
+            step = self.step(taken) if taken.pointed else None
+            usual = None if step is None else self.by.usual.get((step.it, self.place(taken)))
+            if usual is not None:
+                errors = [error for _, error, _ in self.errors(taken)]
+                seen += [(usual, errors)] if errors else []
+        return share_of_slip(seen)
 
     def stands(self, taken: Taken, step: Step, place: int) -> bool:
         """Whether a reading is the one that was taken for its mark: a length in mm goes before its quantity."""

@@ -151,7 +151,10 @@ def _own(bench: Bench, taken: Taken) -> _Own | None:
         (by, error, grain), digits = errors[0], bench.by.reader.rounding(taken.mm or 0.0)
         counted = max(abs(error) - grain - digits, 0.0)
         return _Own(Scatter(np.empty(0), 0.0, bench.by.limits.wrong * digits), counted, by, error)
-    counted, by, error = usual.worst(errors)
+    if taken.pointed:
+        lost = bench.by.reader.lost(taken.last, bench.share)
+        errors = tuple((one, error, lost) for one, error, _ in errors)
+    counted, by, error = usual.worst(errors, bench.share if taken.pointed else 1.0)
     return _Own(usual.scatter, counted, by, error)
 
 

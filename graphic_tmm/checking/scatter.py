@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
@@ -12,6 +13,12 @@ from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
 from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.studio import Made, drawings
+
+
+ABSURD = float(np.log(2.0))
+"""A figure is not called absurd that is no more than twice what is due, and no less than half of it."""
+READ = 0.8
+"""A figure that scatters by this share of the slip of reading, or more, has it in it already."""
 
 
 class Limits(NamedTuple):
@@ -96,17 +103,17 @@ def limited(deviations: np.ndarray, limits: Limits) -> Scatter:
     if not deviations.size:
         return Scatter(deviations, np.inf, np.inf)
     root = float(np.sqrt(np.mean(deviations**2)))
-    doubtful = float(np.quantile(deviations, limits.doubtful))
+    # all drawings of a sure hand may be off by the same rounding: what is as far off as they is not doubtful
+    doubtful = max(float(np.quantile(deviations, limits.doubtful)), limits.beyond * root)
     wrong = max(limits.wrong * root, limits.beyond * float(deviations[-1]))
     return Scatter(deviations, doubtful, max(wrong, doubtful))
 
 
 def times_off(found: Reals | float, due: float) -> Reals:
-    """Return by how many times figures differ from what is due, as logarithms; infinite across zero."""
+    """Return by how many times figures differ from what is due, as logarithms of their sizes."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        size = np.abs(np.log(np.abs(np.asarray(found, dtype=np.float64)) / abs(due)))
-    across = np.logical_and(np.asarray(found) < 0.0, due > 0.0)
-    return np.where(across | np.isnan(size), np.inf, size)
+        times = np.abs(np.log(np.abs(np.asarray(found, dtype=np.float64)) / abs(due)))
+    return np.where(np.isnan(times), np.inf, times)
 
 
 def _limited(
@@ -116,10 +123,10 @@ def _limited(
     assert goal is not None
     figures = _read(figures, goal, key, due, by, in_mm)
     found = limited(np.sort(np.abs(np.abs(figures) - abs(goal))), limits)
-    times = np.sort(times_off(figures * np.sign(goal), abs(goal)))
+    times = np.sort(times_off(figures, goal))
     if not times.size or not np.isfinite(times[-1]):
         return found
-    return found._replace(times=limited(times, limits).wrong)
+    return found._replace(times=max(limited(times, limits).wrong, ABSURD))
 
 
 def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: bool) -> Reals:
@@ -127,13 +134,13 @@ def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: b
     if not due.mm or (not in_mm and not due.value):
         return figures
     mu = 1.0 if in_mm else abs((due.value or 0.0) / due.mm)
-    if not figures.size or np.sqrt(np.mean((np.abs(figures) - abs(goal)) ** 2)) >= by.hand.reading * mu:
+    off = np.abs(figures) - abs(goal)
+    if not figures.size or np.sqrt(np.mean(off**2)) >= READ * by.hand.reading * mu:
         return figures
     sign = np.where(figures < 0.0, -1.0, 1.0)
     return np.asarray(sign * mu * by.measured(np.abs(figures)[:, None] / mu, "|".join(key))[:, 0])
 
 
 def _figure(cell: Cell | None, in_mm: bool) -> float | None:
-    if cell is None:
-        return None
-    return cell.mm if in_mm else cell.value
+    figure = None if cell is None else cell.mm if in_mm else cell.value
+    return figure if figure is not None and math.isfinite(figure) else None

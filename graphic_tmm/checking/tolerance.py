@@ -31,7 +31,10 @@ POINTS: Mapping[str, Pointing] = {
     "screen": Pointing(hand=0.0, mm=0.1),
     "photo": Pointing(hand=0.0, mm=0.5),
 }
-"""With ruler and square on the paper; by a cursor on the drawing itself; by a cursor on a photograph of it."""
+"""With ruler and square on the paper; by a cursor on the drawing itself; by a cursor on a photograph of it.
+
+That is the most of it: where many points were read, the drawing itself tells how much of it there is.
+"""
 GIVEN = 0.005
 """What the scene gives is right to three digits: it is looked at for slips, not for rounding."""
 WHOLE = 1e-6
@@ -61,9 +64,13 @@ class Reader(NamedTuple):
         """
         return max(self.half, written, self.hand.reading) - self.hand.reading
 
-    def lost(self, last: Last) -> float:
-        """Return how far rounding alone carries a point, mm: the digits written, less the slip of reading it."""
-        return max(math.hypot(last.x, last.y), self.pointing) - self.pointing
+    def lost(self, last: Last, share: float = 1.0) -> float:
+        """Return how far rounding alone carries a point, mm: the digits written, less the slip of reading it.
+
+        ``share``: of that slip, as a drawing has it.
+        """
+        slip = share * self.pointing
+        return max(math.hypot(last.x, last.y), slip) - slip
 
     def rounding(self, figure: float) -> float:
         """Return half a unit of the last digit that the hand keeps in a calculation."""
@@ -80,8 +87,13 @@ class Reader(NamedTuple):
     @property
     def pointing(self) -> float:
         """The standard deviation of a coordinate, mm."""
-        share, own = POINTS[self.points]
+        share, own = POINTS.get(self.points, Pointing(0.0, 0.0))
         return max(share * self.hand.reading, own)
+
+    @property
+    def sharp(self) -> Reader:
+        """Who reads the same drawing, but coordinates without a slip."""
+        return self._replace(points="exact")
 
     def chance(self, key: str, shape: tuple[int, int]) -> Reals:
         """Return standard normal numbers of a stream of their own."""

@@ -286,7 +286,15 @@ class Gross(NamedTuple):
     rows: Rows
 
 
-def gross(name: str, rng: np.random.Generator, ruler: float, mode: str, kind: str) -> Gross:
+def gross(
+    name: str,
+    rng: np.random.Generator,
+    ruler: float,
+    mode: str,
+    kind: str,
+    *,
+    pointing: float = 0.5,
+) -> Gross:
     """Draw a mechanism with one gross error: "ray" (5°, 30 mm long at least), "length" (10 mm), "decimal"."""
     straight = Pencil(rng, 0.0, swing=0.0, slip=0.0)
     machine = MACHINES[name]
@@ -297,9 +305,9 @@ def gross(name: str, rng: np.random.Generator, ruler: float, mode: str, kind: st
             machine.draw(straight, k * np.pi / 4.0, k in machine.accelerated, 1)
             long += [(k, ray) for ray, way in straight.long.items() if way >= 30.0]
         k, ray = long[rng.integers(len(long))]
-        pen = Pencil(rng, ruler, turned=(ray,))
+        pen = Pencil(rng, ruler, pointing=pointing, turned=(ray,))
         return Gross(kind, k, ray, rows_of(name, pen, sheets(name, pen, only=k), mode))
-    pen = Pencil(rng, ruler)
+    pen = Pencil(rng, ruler, pointing=pointing)
     rows = rows_of(name, pen, sheets(name, pen), mode)
     column = 1 if mode == "quantities" else 0
     least = 5.0
