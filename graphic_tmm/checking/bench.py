@@ -1,4 +1,4 @@
-"""What lies ready when readings are judged: dues, marks, own errors; by what the hand's drawings are measured."""
+"""What lies ready when readings are judged: dues, marks, own errors, and the yardstick of a hand."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ import numpy as np
 
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Length
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
-from graphic_tmm.checking.own import Grain, Run, read_of, run
+from graphic_tmm.checking.own import Grain, Run, apart, exact, read_of, run
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.scatter import Limits, Scatter, scatter
 from graphic_tmm.checking.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.tolerance import Reader, reader
+from graphic_tmm.checking.units import taken_figure
 from graphic_tmm.checking.usual import Usual, share_of_slip, usual_errors
 from graphic_tmm.studio import Made
 
@@ -125,7 +126,7 @@ class Bench:
         return names.index(taken.position) if taken.position in names else -1
 
     def scale(self, taken: Taken) -> float:
-        """Return what a mm on paper means, in the unit of the figure that a reading is of; NaN if nothing is drawn."""
+        """Return what a mm on paper means in the unit of a reading's figure; NaN if nothing is drawn of it."""
         cell = self.due.get(taken.key)
         if cell is None or cell.mm is None:
             return float("nan")
@@ -134,13 +135,18 @@ class Bench:
         return scale_of(self.made.work, taken.plan) if self.made.work is not None else float("nan")
 
     def errors(self, taken: Taken) -> tuple[tuple[Step, float, float], ...]:
-        """Return the errors of the steps that led to a reading: step, error, its grain; none if they are not known.
+        """Return the errors of the steps that led to a reading: step, error, grain; none if they are not known.
 
         A point where two lines meet has the errors of both: how far it is off either of them.
         """
         step, place = self.step(taken), self.place(taken)
         if step is None or place < 0 or not self.stands(taken, step, place):
             return ()
+        if step.it.kind is Number:
+            # links that turn alike share a mark: each reading has its own error
+            figure = taken_figure(taken, self.due[taken.key])
+            error = float(apart(figure, _at(self.run.due[step.it], place)))
+            return ((step, error, _at(self.run.errors[step.it][0].grain, place)),)
         told = [
             (own.step, float(own.error[0, place]), _at(own.grain, place))
             for own in self.run.errors[step.it]
@@ -197,31 +203,18 @@ class Bench:
         return tuple(self._by_mark[m, place] for m in marks if (m, place) in self._by_mark)
 
     def carried(self, taken: Taken, source: Taken) -> float:
-        """Return by how much a reading's due would differ, had an earlier one been what is due; mm, or its unit."""
+        """Return by how much a reading's due would differ, had an earlier one been right; mm or its unit."""
         step, of, place = self.step(taken), self.step(source), self.place(taken)
         work = self.made.work
         if step is None or of is None or work is None:
             return 0.0
         if self.beside(taken) is not None:
             return float("inf")
-        reading = work.reading
-        if of.it.view == "accelerations" and work.accelerated is not None:
-            reading = work.accelerated
-        exact = np.full_like(self.found[0][of.it], np.nan)
-        row = reading[of.it][0]
-        exact[0, place] = row[self._column(of.it, place) if row.size > 1 else 0]
-        if of.it.kind is Length:
-            exact = np.abs(exact)
-        again = run(work, {**self.found[0], of.it: exact}, {}).due[step.it]
+        due = np.where(np.isnan(self.found[0][of.it]), np.nan, exact(work, of.it))
+        due = np.abs(due) if of.it.kind is Length else due
+        again = run(work, {**self.found[0], of.it: due}, {}).due[step.it]
         moved = np.abs(again - self.run.due[step.it])
         return float(moved[0, place if moved.shape[1] > 1 else 0])
-
-    def _column(self, mark: Mark, place: int) -> int:
-        """Return where a position stands in the numbers of a mark."""
-        assert self.made.work is not None
-        if mark.view != "accelerations":
-            return place
-        return self.made.work.project.accelerated.index(place)
 
 
 def _at(row: Any, place: int) -> float:

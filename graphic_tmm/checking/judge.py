@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number
 from graphic_tmm.checking.bench import Bench, Yardstick, yardstick
 from graphic_tmm.checking.cells import Cell
@@ -175,8 +175,9 @@ def _agreed(bench: Bench, taken: Taken, length: Taken) -> _Own | None:
 
 
 def _strict(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:
-    """Whether only what earlier readings make of a reading counts: always of a point; of what is calculated, if
-    they are right.
+    """Whether only what earlier readings make of a reading counts.
+
+    Always of a point; of what is calculated, if they are right.
     """
     if taken.pointed:
         return True

@@ -73,16 +73,14 @@ def likely(
 ) -> tuple[Likely, ...]:
     """Return the mistakes that explain wrong readings, the best first; those that none tells apart together.
 
-    None is named that a fine reading disproves, that leaves too much, or that explains nothing but what a better
-    one does.
+    None is named that a fine reading disproves, that leaves too much, or that explains nothing but what a
+    better one does.
     """
     wrong = [one for one in judged if one.verdict == WRONG]
     if not wrong:
         return ()
     tried = [
-        one
-        for one in _tried(made, judged, spread, language)
-        if one.lines and one.rest <= MOST_LEFT
+        one for one in _tried(made, judged, spread, language) if one.lines and one.rest <= MOST_LEFT
     ]
     tried.sort(key=lambda one: (-one.score, one.rest, one.name))
     found: list[Likely] = []
@@ -185,12 +183,12 @@ class _Group:
 
     @property
     def said(self) -> bool:
-        """Whether the mistake befell them: it explains some, no fine one disproves it, and it brings some nearer."""
+        """Whether the mistake befell them: it explains some, brings some nearer; no fine one disproves it."""
         return self.nearer and bool(self.explained) and not self.belied
 
 
 def _disproves(one: Judged) -> bool:
-    """Whether a reading can disprove a mistake: a fine one that is not fine merely for what it was found from."""
+    """Whether a reading can disprove a mistake: a fine one, not merely for what it was found from."""
     return one.verdict == FINE and one.follows is None
 
 

@@ -17,7 +17,7 @@ from graphic_tmm.board.execute import needed
 from graphic_tmm.board.geometry import along, wedge
 from graphic_tmm.board.operations import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Arc, Length, Line, Point, Reals, Side
+from graphic_tmm.board.values import Arc, Line, Point, Reals, Side
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.work import Work
 
@@ -28,7 +28,10 @@ Found = Mapping[Mark, Any]
 
 
 class Grain(NamedTuple):
-    """How far a figure may be off by rounding alone: as it was ``read``, and as it was ``used`` to calculate others; (1, position)."""
+    """How far a figure may be off by rounding alone, (1, position).
+
+    As it was ``read``, and as it was ``used`` to calculate others.
+    """
 
     read: Reals
     used: Reals
@@ -80,7 +83,7 @@ def run(work: Work, found: Found, grain: Mapping[Mark, Grain]) -> Run:
             if (read := found.get(step.it)) is not None:
                 due[step.it] = value
                 if step.it.kind is Point:
-                    parts = _parts(lines, step, read, value, values, due)
+                    parts = _parts(work, lines, step, read, value, values, due)
                     whole = grain[step.it].read if step.it in grain else 0.0
                     errors[step.it] = tuple(part._replace(grain=whole) for part in parts)
                 else:
@@ -138,7 +141,19 @@ def _grain(step: Step, value: Any, drawn: list[Any], grain: Mapping[Mark, Grain]
     return whole
 
 
+def exact(work: Work, mark: Mark) -> Any:
+    """Return the numbers of a mark as drawn, along all positions (1, position); NaN where it is not drawn."""
+    reading, places = work.reading, tuple(range(len(work.project.names)))
+    if mark.view == "accelerations" and work.accelerated is not None:
+        reading, places = work.accelerated, work.project.accelerated
+    value = reading[mark]
+    row = np.full((value.shape[0], len(work.project.names)), np.nan, value.dtype)
+    row[:, list(places)] = value
+    return row
+
+
 def _parts(
+    work: Work,
     lines: Mapping[Mark, Step],
     step: Step,
     found: Any,
@@ -160,8 +175,9 @@ def _parts(
         long = along(found - line.at, line.along)
         # whether the length was laid off right, and read wrongly, or the other way round
         off = np.abs(long - drawn[1][1])
-        if step.uses[1] in measured:
-            off = np.fmin(off, np.abs(long - measured[step.uses[1]]))
+        if (mark := step.uses[1]) in measured:
+            for length in (measured[mark], exact(work, mark)):
+                off = np.fmin(off, np.abs(long - length))
         yield _even(step, off)
     else:
         yield _even(step, np.abs(found - due))

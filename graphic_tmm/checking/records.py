@@ -74,7 +74,7 @@ class Judged(NamedTuple):
     ``percent``: of the longest vector of the plan, NaN where nothing is drawn of it; ``quantile``: how many of
     the hand's own drawings are farther off (0 … 1, small for a reading that the hand would hardly make);
     ``step``: which step of its plan is blamed, "" for none; ``own``: the error that this step made itself, mm
-    (of a rate: in its unit). ``follows``: the earlier reading whose deviation it has, though it is right itself.
+    (None of a rate). ``follows``: the earlier reading whose deviation it has, though it is right itself.
     """
 
     taken: Taken

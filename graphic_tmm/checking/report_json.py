@@ -15,8 +15,8 @@ def json_report(report: Report) -> str:
     r"""Return the report as JSON text.
 
     ``readings``: {plan, position, segment, mm, due_mm, deviation_mm, percent_of_plan, verdict, step, quantile};
-    where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x and y
-    (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
+    where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x
+    and y (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
     segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
     ``mistakes``: {name, says, like, lines, explains, wrong, rest}. ``unexplained``: how many of the wrong
     readings no mistake explains. Figures have 12 significant digits; one that is not finite is null.

@@ -10,10 +10,10 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.cells import Cell, Key, cells, points
+from graphic_tmm.checking.own import apart
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
 from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.studio import Made, drawings
-
 
 ABSURD = float(np.log(2.0))
 """A figure is not called absurd that is no more than twice what is due, and no less than half of it."""
@@ -122,7 +122,7 @@ def _limited(
     goal = _figure(due, in_mm)
     assert goal is not None
     figures = _read(figures, goal, key, due, by, in_mm)
-    found = limited(np.sort(np.abs(np.abs(figures) - abs(goal))), limits)
+    found = limited(np.sort(np.abs(apart(figures, goal))), limits)
     times = np.sort(times_off(figures, goal))
     if not times.size or not np.isfinite(times[-1]):
         return found
@@ -134,7 +134,7 @@ def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: b
     if not due.mm or (not in_mm and not due.value):
         return figures
     mu = 1.0 if in_mm else abs((due.value or 0.0) / due.mm)
-    off = np.abs(figures) - abs(goal)
+    off = apart(figures, goal)
     if not figures.size or np.sqrt(np.mean(off**2)) >= READ * by.hand.reading * mu:
         return figures
     sign = np.where(figures < 0.0, -1.0, 1.0)

@@ -22,7 +22,8 @@ def steps_of(work: Work | None) -> dict[tuple[str, str], Step]:
     """Return the steps of a mechanism that can be read: its lengths, points and rates, by plan and name."""
     if work is None:
         return {}
-    log, found = work.project.construction, {}
+    log = work.project.construction
+    found: dict[tuple[str, str], Step] = {}
     steps = {step.it: step for step in alone(log)}
     for mark, step in steps.items():
         if mark.view in POINTED and mark.kind is Length:
@@ -40,10 +41,10 @@ def steps_of(work: Work | None) -> dict[tuple[str, str], Step]:
 def scale_of(work: Work, plan: str) -> float:
     """Return μ of a plan, SI per mm; NaN if it has none."""
     view = work.project.construction.view(plan)
+    mark = None if view is None else view.scale
     for reading in (work.reading, work.accelerated):
-        if view is not None and view.scale is not None and reading is not None:
-            if view.scale in reading:
-                return float(reading[view.scale][0, 0])
+        if mark is not None and reading is not None and mark in reading:
+            return float(reading[mark][0, 0])
     return float("nan")
 
 
@@ -88,7 +89,7 @@ def mark_figure(
     if step.it.kind is Point:
         spot = complex(taken.x or 0.0, taken.y or 0.0)
         return (spot, by.lost(last), 0.0) if taken.pointed else None
-    if taken.value is None and taken.mm is None or cell is None:
+    if (taken.value is None and taken.mm is None) or cell is None:
         return None
     figure, half = taken_figure(taken, cell), half_of(taken, cell)
     if step.it.kind is Number:

@@ -20,7 +20,7 @@ from graphic_tmm.scene.records import Scene
 
 
 class Pointing(NamedTuple):
-    """How x and y are read: the standard deviation of each is ``hand`` times the slip of the hand, or ``mm``."""
+    """How x and y are read: the standard deviation of each is ``hand`` of the slip of the hand, or ``mm``."""
 
     hand: float
     mm: float
@@ -42,8 +42,9 @@ WHOLE = 1e-6
 
 
 class Reader(NamedTuple):
-    """Who reads a drawing: the hand that drew it with the coarser of its ruler and the sheet's; how points are read.
+    """Who reads a drawing: the hand that drew it, with the coarser of its ruler and the sheet's.
 
+    ``points``: how points are read.
     ``finest``: the finer of the two rulers, mm; 0 for one without divisions.
     """
 
@@ -59,8 +60,8 @@ class Reader(NamedTuple):
     def unblurred(self, written: float) -> float:
         """Return how far rounding alone carries a length read off the paper, mm.
 
-        The ruler's half division, or half a unit of the last digit that was ``written`` (mm), less the slip of the
-        hand: with a slip so large the rounding is lost in it.
+        The ruler's half division, or half a unit of the last digit that was ``written`` (mm), less the slip of
+        the hand: with a slip so large the rounding is lost in it.
         """
         return max(self.half, written, self.hand.reading) - self.hand.reading
 
@@ -78,7 +79,7 @@ class Reader(NamedTuple):
         return 0.0 if digits is None else 5.0 * 10.0**-digits * abs(figure)
 
     def calculated(self, length: float) -> bool:
-        """Whether a length is written finer than any ruler divides: it was calculated, not read off the paper."""
+        """Whether a length is written finer than the rulers divide: calculated, not read off the paper."""
         if not self.finest:
             return False
         divisions = abs(length) / self.finest

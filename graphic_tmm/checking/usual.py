@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Point, Reals
-from graphic_tmm.checking.own import Found, Own, run
+from graphic_tmm.checking.own import Found, Own, exact, run
 from graphic_tmm.checking.scatter import Limits, Scatter, limited
 from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.work import Work
@@ -97,7 +97,9 @@ def usual_errors(
         return {}
     drawn = work.drawn_by(by.hand)
     blunt, sharp = (
-        run(work, {mark: _read(drawn, mark, there, who) for mark, there in found.items()}, {}).errors
+        run(
+            work, {mark: _read(drawn, mark, there, who) for mark, there in found.items()}, {}
+        ).errors
         for who in (by, by.sharp)
     )
     return {
@@ -137,7 +139,8 @@ def _at(values: Reals, place: int) -> Reals:
 
 def _read(drawn: Work, mark: Mark, there: Any, by: Reader) -> Any:
     """Return what the hand would read of a mark, (trial, position); NaN where it was not read."""
-    row = _drawn(drawn, mark)
+    row = exact(drawn, mark)
+    row = np.broadcast_to(row, (drawn.hand.trials, row.shape[1]))
     key = f"{mark.view}|{mark.letter}"
     if mark.kind is Point:
         row = by.pointed(row, key)
@@ -146,16 +149,3 @@ def _read(drawn: Work, mark: Mark, there: Any, by: Reader) -> Any:
         step = next(step for step in log.steps if step.it == mark)
         row = np.abs(row) if step.op.reads else by.measured(np.abs(row), key)
     return np.where(np.isnan(there), np.nan, row)
-
-
-def _drawn(drawn: Work, mark: Mark) -> Any:
-    """Return the values of a mark in all drawings, (trial, position); NaN where it was not drawn."""
-    project = drawn.project
-    shape = (drawn.hand.trials, len(project.names))
-    if mark.view != "accelerations":
-        return np.broadcast_to(drawn.reading[mark], shape).copy()
-    assert drawn.accelerated is not None
-    value = drawn.accelerated[mark]
-    row = np.full(shape, np.nan, value.dtype)
-    row[:, list(project.accelerated)] = value
-    return row

@@ -1,4 +1,4 @@
-"""A hand that is not the package's: its honest drawings pass, its mirrored assemblies and gross errors do not."""
+"""A hand that is not the package's: its honest drawings pass, its mirrored ones and gross errors do not."""
 
 from __future__ import annotations
 

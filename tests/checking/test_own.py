@@ -6,12 +6,12 @@ import pytest
 from gallery import SHEETS
 from trials import blamed, made, readings
 
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.bench import Bench, yardstick
 from graphic_tmm.checking.cells import cells, cells_and_points, points
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.bench import Bench, yardstick
-from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.checking.records import FINE, WRONG, Taken
+from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.read import read
 
 SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-crank", "lever")

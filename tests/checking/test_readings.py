@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from graphic_tmm.checking.readings import TOLD, read_readings, write_readings
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import SceneError
 
 HEADS = ("plan", "position", "segment", "mm", "value", "unit", "x", "y")

@@ -24,7 +24,11 @@ RULERS = (0.1, 0.5, 1.0)
 NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 HEAD = ("plan", "position", "segment", "mm", "value", "unit")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
-EVERYDAY = (("engine", "careful", 0.5), ("shaper", "student", 1.0), ("oscillating-cylinder", "cad", 0.1))
+EVERYDAY = (
+    ("engine", "careful", 0.5),
+    ("shaper", "student", 1.0),
+    ("oscillating-cylinder", "cad", 0.1),
+)
 """One scene for each hand and ruler; the slow test takes them all."""
 
 
@@ -73,7 +77,9 @@ def fed_back(name: str, hand: str, ruler: float, folder: Path, trials: int) -> I
 
 def passes(name: str, hand: str, ruler: float, folder: Path, trials: int) -> None:
     for report in fed_back(name, hand, ruler, folder, trials):
-        wrong = [(*one.taken.key, one.found, one.due) for one in report.readings if one.verdict == WRONG]
+        wrong = [
+            (*one.taken.key, one.found, one.due) for one in report.readings if one.verdict == WRONG
+        ]
         assert wrong == []
         doubtful = sum(one.verdict == DOUBTFUL for one in report.readings)
         assert doubtful <= 0.03 * len(report.readings)
