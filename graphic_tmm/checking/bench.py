@@ -194,27 +194,37 @@ class Bench:
 
     def sources(self, taken: Taken) -> tuple[Taken, ...]:
         """Return the earlier readings that a reading was found from, nothing read being between."""
+        if (length := self.beside(taken)) is not None:
+            return (length,)
         step, place = self.step(taken), self.place(taken)
         if step is None or self.made.work is None:
             return ()
-        if (length := self.beside(taken)) is not None:
-            return (length,)
         marks = read_of(self.made.work.project.construction, step, self.found[0])
         return tuple(self._by_mark[m, place] for m in marks if (m, place) in self._by_mark)
 
     def carried(self, taken: Taken, source: Taken) -> float:
         """Return by how much a reading's due would differ, had an earlier one been right; mm or its unit."""
-        step, of, place = self.step(taken), self.step(source), self.place(taken)
-        work = self.made.work
-        if step is None or of is None or work is None:
-            return 0.0
         if self.beside(taken) is not None:
             return float("inf")
-        due = np.where(np.isnan(self.found[0][of.it]), np.nan, exact(work, of.it))
-        due = np.abs(due) if of.it.kind is Length else due
-        again = run(work, {**self.found[0], of.it: due}, {}).due[step.it]
-        moved = np.abs(again - self.run.due[step.it])
-        return float(moved[0, place if moved.shape[1] > 1 else 0])
+        step, of, place = self.step(taken), self.step(source), self.place(taken)
+        if step is None or of is None:
+            return 0.0
+        if of.it not in self._corrected:
+            self._corrected[of.it] = self._with_right(of.it)
+        moved = np.abs(self._corrected[of.it].due[step.it] - self.run.due[step.it])
+        return _at(moved, place)
+
+    @cached_property
+    def _corrected(self) -> dict[Mark, Run]:
+        return {}
+
+    def _with_right(self, mark: Mark) -> Run:
+        """Return the log run with what was read, but for one mark, which is what is due."""
+        assert self.made.work is not None
+        due = exact(self.made.work, mark)
+        due = np.where(np.isnan(self.found[0][mark]), np.nan, due)
+        due = np.abs(due) if mark.kind is Length else due
+        return run(self.made.work, {**self.found[0], mark: due}, {})
 
 
 def _at(row: Any, place: int) -> float:

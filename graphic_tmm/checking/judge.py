@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number
 from graphic_tmm.checking.bench import Bench, Yardstick, yardstick
@@ -51,7 +52,7 @@ class _Own(NamedTuple):
 
     scatter: Scatter
     counted: float
-    step: Step
+    step: Step | None
     error: float
 
 
@@ -100,8 +101,7 @@ def _judged(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> Judged
     if own is not None:
         still = _none(bench, taken, off, own.error)
         mine = FINE if still else own.scatter.verdict(own.counted)
-        if bench.step(taken) is None or not _rate(bench, taken):
-            error = own.error
+        error = None if _rate(bench, taken) else own.error
         if _strict(bench, taken, verdicts) or _milder(mine, total):
             verdict, blamed = mine, own.step
             quantile = own.scatter.quantile(0.0 if still else own.counted)
@@ -161,7 +161,7 @@ def _own(bench: Bench, taken: Taken) -> _Own | None:
 def _agreed(bench: Bench, taken: Taken, length: Taken) -> _Own | None:
     """Return a quantity against the length beside it times μ, mm: it has no more slips than a calculation."""
     step, mu, hand = bench.step(taken), bench.scale(taken), bench.by.reader.hand
-    if step is None or not mu > 0.0:
+    if not mu > 0.0:
         return None
     assert length.mm is not None
     cell = bench.due[taken.key]
@@ -222,6 +222,4 @@ def _named(bench: Bench, step: Step | None) -> str:
     """Return a step as a report names it: its number in its plan, its letter; empty for none."""
     if step is None or bench.made.work is None:
         return ""
-    from graphic_tmm.board.findings import step_number
-
     return f"{step_number(bench.made.work.project.construction, step)} {step.it.letter}"

@@ -88,7 +88,7 @@ class Reader(NamedTuple):
     @property
     def pointing(self) -> float:
         """The standard deviation of a coordinate, mm."""
-        share, own = POINTS.get(self.points, Pointing(0.0, 0.0))
+        share, own = POINTS.get(self.points, Pointing(hand=0.0, mm=0.0))
         return max(share * self.hand.reading, own)
 
     @property

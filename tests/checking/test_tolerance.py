@@ -112,6 +112,22 @@ def test_both_figures_of_a_row_are_judged_and_agree(tmp_path: Path) -> None:
     assert verdicts(checked("sc", "velocities,1,pb,,1.665,m/s,,\n", tmp_path)) == [FINE]
 
 
+def test_both_figures_agree_on_plans_that_no_step_measures_too(tmp_path: Path) -> None:
+    """μ of the diagram of S is its own; 10 % more than the length says is no reading of it."""
+    made = make(read(SHEETS / "slider-diagrams"), exact=True)
+    key, cell = max(
+        ((k, c) for k, c in cells(made).items() if k[:2] == ("diagrams", "S") and c.mm is not None),
+        key=lambda one: abs(one[1].mm or 0.0),
+    )
+    assert cell.mm is not None
+    assert cell.value is not None
+    right = Taken(*key[:1], key[2], key[1], mm=round(cell.mm, 1), value=cell.value, unit=cell.unit)
+    by = yardstick(made, [right], HANDS["student"]._replace(trials=TRIALS), Limits())
+    slipped = right._replace(value=1.1 * cell.value)
+    verdict = [[one.verdict for one in judge(made, [row], by)] for row in (right, slipped)]
+    assert verdict == [[FINE, FINE], [FINE, WRONG]]
+
+
 def test_a_quantity_follows_from_the_length_beside_it(tmp_path: Path) -> None:
     report = checked("sc", "velocities,1,pb,58.5,1.4625,m/s,,\n", tmp_path)
     assert verdicts(report) == [WRONG, FINE]
