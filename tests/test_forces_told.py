@@ -26,6 +26,7 @@ points = { O = [0, 0], A = [0.1, 0] }
 [[link]]
 number = 2
 points = { A = [0, 0], B = [0.3, 0], S2 = [0.1, 0] }
+centre = "S2"
 mass = 1
 J = 0
 [[link]]

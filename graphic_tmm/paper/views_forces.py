@@ -141,9 +141,14 @@ def _group(drawn: Work, made: Forces, solved: Solved) -> Detached:
 
 
 def _arrows(drawn: Work, polygon: Polygon) -> float:
-    """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them."""
-    mu, size = drawn.scales[polygon.view].value, drawn.sizes.groups
-    return standard(mu / size, 1.0) if size < 1.0 else mu
+    """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them.
+
+    Without end where the polygon has none, for its forces are nothing: then no arrow has a length.
+    """
+    scale, size = drawn.scales.get(polygon.view), drawn.sizes.groups
+    if scale is None:
+        return math.inf
+    return standard(scale.value / size, 1.0) if size < 1.0 else scale.value
 
 
 def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
