@@ -310,3 +310,17 @@ def base(work: Work) -> float:
     flywheel = work.project.flywheel
     assert flywheel is not None
     return float(work.reading[flywheel.base.length][0, 0])
+
+
+def test_a_plan_that_the_ruler_makes_larger_is_held_too() -> None:
+    """Near a singular position readings of 0.1 mm make this plan of accelerations twice as large as it is."""
+    one = sample(19, 9)[18]
+    row = Row(12, zero=one.phi, accelerations=("0", "2"))
+    order = SheetOrder("A4", ("positions", "velocities", "accelerations"))
+    made, paper = sheets(Scene("", "T", "ru", one.mechanism, row, sheets=(order,)))
+    in_frames(made, paper)
+    exact = make(made.scene, exact=True).work
+    assert exact is not None
+    assert made.work is not None
+    assert exact.scales == made.work.scales
+    assert longest(made.work, "accelerations") > 1.5 * longest(exact, "accelerations")
