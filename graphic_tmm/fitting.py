@@ -7,7 +7,7 @@ smaller until it does; then the plans of velocities and accelerations grow as fa
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ from graphic_tmm.parts import Part, draw_parts, free_sizes, resized
 from graphic_tmm.plans.project import Project
 from graphic_tmm.scaling import Extents, Sizes, choose_scales, extents
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import Work, executed, hand_of, record, usual
+from graphic_tmm.work import Work, doubted, executed, hand_of, record, usual
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.measuring import Cells, TooLarge, Trial
@@ -40,13 +40,21 @@ FIGURES = ("cam profile", "cam centre", "profile", "centre")
 """What is drawn of a cam besides graphs."""
 
 
-def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> Work:
+def fitted(
+    scene: Scene,
+    *,
+    parts: Sequence[Part] = (),
+    exact: bool = False,
+    wanted: Set[str] | None = None,
+) -> Work:
     """Draw a scene with its plans as large as fit on the sheets ordered, or on as few more as they need.
 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
-    the sheets too.
+    the sheets too; ``wanted`` as in `make`.
     """
-    trials = _Trials(scene, record(scene), parts)
+    whole = record(scene)
+    project = whole if scene.called == scene.shown else record(scene, scene.shown)
+    trials = _Trials(scene, project, parts)
     least = trials.held(trials.least())
     most = max(len(scene.sheets), trials.count(least))
     rooms = (
@@ -61,6 +69,9 @@ def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> 
             larger = sizes._replace(**{plan: room})
             sizes = larger if trials.count(larger) <= most else sizes
     sizes, drawn = trials.by_hand(sizes)
+    final = whole if wanted is None else project if wanted == scene.shown else record(scene, wanted)
+    if final is not project:
+        return trials.final(final, sizes, exact)
     return trials.work(sizes) if exact else drawn
 
 
@@ -69,7 +80,8 @@ class _Trials:
 
     def __init__(self, scene: Scene, project: Project, parts: Sequence[Part]) -> None:
         self.scene, self.project, self.parts = scene, project, parts
-        self.reach: Extents = extents(project)
+        self.doubts = doubted(project)
+        self.reach: Extents = extents(project, self.doubts)
         self.cells: Cells = {}
         self.drawn: dict[tuple[float, ...], Work] = {}
         self.counts: dict[tuple[float, ...], float] = {}
@@ -92,8 +104,19 @@ class _Trials:
         """Return the drawing with these sizes."""
         key = self.factors(sizes)
         if key not in self.drawn:
-            self.drawn[key] = executed(self.scene, self.project, sizes, self.reach, exact=True)
+            self.drawn[key] = executed(
+                self.scene, self.project, sizes, self.reach, self.doubts, exact=True
+            )
         return self.drawn[key]
+
+    def final(self, project: Project, sizes: Sizes, exact: bool) -> Work:
+        """Return what is drawn in the end, with the sizes found; of more than the sheets show, too."""
+        doubts, reach = self.doubts, self.reach
+        if project is not self.project:
+            doubts = doubted(project)
+            own = extents(project, doubts)
+            reach = Extents(*(tried or more for tried, more in zip(reach, own, strict=True)))
+        return executed(self.scene, project, sizes, reach, doubts, exact=exact)
 
     def count(self, sizes: Sizes) -> float:
         """Return how many sheets the plans take; without end if one of them fits none."""
@@ -147,7 +170,7 @@ class _Trials:
         )
         plans = replace(self.scene, sheets=tuple(orders))
         for _ in range(TRIALS):
-            drawn = executed(self.scene, self.project, sizes, self.reach, exact=False)
+            drawn = self.final(self.project, sizes, exact=False)
             less = _smaller(too_large(plans, Trial.of(drawn), (), {}), sizes, self.scene)
             if less == sizes:
                 break
@@ -191,8 +214,12 @@ def fixed(name: str, scene: Scene) -> bool:
     return name == "forces" and scene.forces is not None and scene.forces.mu is not None
 
 
-def fitted_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
-    """Draw the parts that the scene's sheets show, in the usual size or as much smaller as their sheets need.
+def fitted_parts(
+    scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None
+) -> tuple[Part, ...]:
+    """Draw the parts that the scene calls for, or of them only those that are ``wanted`` (see `draw_parts`).
+
+    They have the usual size, or are as much smaller as their sheets need.
 
     Raises
     ------
@@ -201,7 +228,7 @@ def fitted_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
     """
     from graphic_tmm.paper.measuring import too_large
 
-    usual_ones = parts = draw_parts(scene, exact=True)
+    usual_ones = parts = draw_parts(scene, exact=True, wanted=wanted)
     sizes: dict[str, float] = {}
     for _ in range(TRIALS):
         way: dict[str, float] = {}

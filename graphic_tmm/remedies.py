@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.fitting import PLANS, depends, fitted, fixed
-from graphic_tmm.scaling import crank_sizes, extents
+from graphic_tmm.scaling import crank_sizes
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 from graphic_tmm.work import Work
 
@@ -39,7 +39,7 @@ def refuse_tiny(scene: Scene, drawn: Work) -> None:
         key = next((key for key in keys if getattr(scene.scales, key)), None)
         if key is None or plan not in drawn.scales:
             continue
-        large = getattr(extents(drawn.project), plan) / drawn.scales[plan].value
+        large = getattr(drawn.extents, plan) / drawn.scales[plan].value
         if 0.0 < large < TINY:
             says = f"the plan of {plan} comes out {large:.2g} mm large, too small to measure"
             helps = _remedy(scene, plan)
@@ -90,7 +90,7 @@ def _remedy(scene: Scene, plan: str) -> str:
         _written(scene, plan),
     )
     mu = found.scales[plan].value
-    large = getattr(extents(found.project), plan) / mu
+    large = getattr(found.extents, plan) / mu
     crank = crank_sizes(found.project)[list(PLANS).index(plan)] / mu
     value = f"{mu:g} {UNITS[key]}" if key in UNITS else f"{math.floor(crank) or crank:g} mm"
     return f'write {key} = "{value}" in [scales] (the plan is {large:.0f} mm large then), or leave it out'

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.charts import HEIGHT, Chart
 from graphic_tmm.plans.forces import VIEW
 from graphic_tmm.plans.project import Project
 from graphic_tmm.scene.records import Scales
@@ -69,11 +71,11 @@ class Extents(NamedTuple):
     accelerations: float
 
 
-def extents(project: Project) -> Extents:
+def extents(project: Project, doubts: Doubts) -> Extents:
     """Return what the choice of μ goes by, found with the exact hand at 1 SI unit to the millimetre.
 
     The plan of positions reaches as far as what is inked on it: its points in all positions, the circle of the
-    crank pin, the paths of points.
+    crank pin, the paths of points. What is lost by ``doubts`` has no part in it.
     """
     log, given = project.construction, dict(project.given)
     for plan in PLANS:
@@ -82,15 +84,17 @@ def extents(project: Project) -> Extents:
     marks = [m for m in project.marks("positions") if m.kind in (Point, Curve)]
     crank = project.positions.bodies[project.structure.driver]
     pivot = crank.marks[project.structure.pivot]
-    reading = execute(log, given, [*marks, pivot])
+    reading = execute(log, given, [*marks, pivot]).without(doubts.lost)
     arm = crank_sizes(project)[0]
     spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j])]
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
     places = project.accelerated or project.forced
     return Extents(
         _extent(spots),
-        _longest(project, given, "velocities", None) if project.velocities is not None else 0.0,
-        _longest(project, given, "accelerations", places)
+        _longest(project, given, "velocities", None, doubts)
+        if project.velocities is not None
+        else 0.0,
+        _longest(project, given, "accelerations", places, doubts)
         if project.accelerations is not None
         else 0.0,
     )
@@ -156,47 +160,63 @@ def _extent(points: list[np.ndarray]) -> float:
 
 
 def _longest(
-    project: Project, given: Mapping[Mark, object], plan: str, at: tuple[int, ...] | None
+    project: Project,
+    given: Mapping[Mark, object],
+    plan: str,
+    at: tuple[int, ...] | None,
+    doubts: Doubts,
 ) -> float:
     points = [m for m in project.marks(plan) if m.kind is Point]
-    reading = execute(project.construction, given, points, positions=at)
+    reading = execute(project.construction, given, points, positions=at).without(doubts.lost, at)
     lengths = [np.abs(reading[m]) for m in points]
     return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
 
 
-def force_scales(project: Project, given: Mapping[Mark, object], sizes: Sizes) -> dict[Mark, float]:
+def polygon_scales(project: Project) -> list[Mark]:
+    """Return the marks of μ of every polygon of forces."""
+    views = project.construction.views if project.forces is not None else ()
+    return [view.scale for view in views if view.scale is not None and view.name.startswith(VIEW)]
+
+
+def force_scales(
+    project: Project, given: Mapping[Mark, object], doubts: Doubts, sizes: Sizes
+) -> dict[Mark, float]:
     """Return μ of every polygon of forces: what the scene fixes, else a standard one.
 
     The largest side of a polygon in any position whose forces are asked for takes its share of `POLYGON` mm at
-    most.
+    most. A polygon whose forces are all nothing has no μ but the scene's.
     """
     made = project.forces
     if made is None:
         return {}
-    log = project.construction
-    scales = [
-        view.scale for view in log.views if view.scale is not None and view.name.startswith(VIEW)
-    ]
+    log, scales = project.construction, polygon_scales(project)
     ones = {**given, **_free(project), **dict.fromkeys(scales, 1.0)}
     marks = [
         step.it for step in log.steps if step.it.view.startswith(VIEW) and step.it.kind is Point
     ]
-    reading = execute(log, ones, marks)
+    reading = execute(log, ones, marks).without(doubts.lost)
     found = {}
     for mu in scales:
-        spots = [_at(reading[m], project.forced) for m in marks if m.view == mu.view]
+        spots = [_at(_told(reading, m, doubts), project.forced) for m in marks if m.view == mu.view]
         extent = _extent([np.concatenate([[0j], *spots])])
-        found[mu] = made.order.mu or standard(extent, POLYGON * sizes.forces)
+        if made.order.mu or extent > 0.0:
+            found[mu] = made.order.mu or standard(extent, POLYGON * sizes.forces)
     room = LEVER * sizes.lever
-    return found | {made.lever.times: _enlarged(project, {**ones, **found}, room)}
+    return found | {made.lever.times: _enlarged(project, {**ones, **found}, doubts, room)}
 
 
-def _enlarged(project: Project, given: Mapping[Mark, object], room: float) -> float:
+def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
+    """Return where a point is, with all scales 1; what is nothing but rounding is at the beginning."""
+    return np.asarray(doubts.figure(mark, reading[mark]))
+
+
+def _enlarged(project: Project, given: Mapping[Mark, object], doubts: Doubts, room: float) -> float:
     """Return how many times the lever is larger than the velocity plan, so that arms can be measured."""
     assert project.forces is not None
     lever = project.forces.lever
     images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
     reading = execute(project.construction, {**given, lever.times: 1.0}, [*images, lever.pole])
+    reading = reading.without(doubts.lost)
     extent = _extent([np.concatenate([[0j], *(_at(reading[m], project.forced) for m in images)])])
     return next((k for k in ENLARGED if k * extent <= room), ENLARGED[-1])
 
@@ -206,7 +226,7 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
 
 
 def engine_scales(
-    project: Project, given: Mapping[Mark, object], sizes: Sizes
+    project: Project, given: Mapping[Mark, object], doubts: Doubts, sizes: Sizes
 ) -> dict[Mark, float]:
     """Return μ of an engine's force triangles and of its rotating vectors: standard ones."""
     made = project.engine
@@ -214,7 +234,7 @@ def engine_scales(
         return {}
     ones = {**given, **_free(project), made.mu: 1.0, made.harmonics.mu: 1.0}
     ends = list(made.harmonics.ends)
-    reading = execute(project.construction, ones, [made.values["P′"], *ends])
+    reading = execute(project.construction, ones, [made.values["P′"], *ends]).without(doubts.lost)
     largest = {
         made.mu: np.abs(reading[made.values["P′"]]),
         made.harmonics.mu: np.abs(reading[ends[0]]),
@@ -225,32 +245,49 @@ def engine_scales(
     }
 
 
-def chart_scales(project: Project, given: Mapping[Mark, object], sizes: Sizes) -> dict[Mark, float]:
+def chart_scales(
+    project: Project, given: Mapping[Mark, object], doubts: Doubts, sizes: Sizes, format_: str
+) -> dict[Mark, float]:
     """Return the values of the scale marks of the graphs, with the plans' own scales ``given``.
 
     With every scale that may be chosen at 1, an ordinate times its μ is what it stands for.
     """
-    charts = [chart._replace(room=chart.room * sizes.graphs) for chart in project.charts]
-    return free_scales(charts, project.construction, given)
+    charts = [chart.shrunk(sizes.graphs) for chart in project.charts]
+    height = HEIGHT[format_] * sizes.graphs
+    return free_scales(charts, project.construction, given, height, doubts.lost)
 
 
 def free_scales(
-    charts: Sequence[Chart], construction: Construction, given: Mapping[Mark, object]
+    charts: Sequence[Chart],
+    construction: Construction,
+    given: Mapping[Mark, object],
+    height: float = HEIGHT["A1"],
+    lost: Mapping[int, np.ndarray] = MappingProxyType({}),
 ) -> dict[Mark, float]:
-    """Return the values of the scale marks of graphs that may be chosen, all else ``given``."""
+    """Return the values of the scale marks of graphs that may be chosen, all else ``given``.
+
+    Graphs that share a scale are all of them held to their room.
+    """
     free = {chart.mu: 1.0 for chart in charts if chart.chosen}
-    wanted = [mark for chart in charts for mark in (*chart.ordinates, chart.mu)]
-    reading = execute(construction, {**given, **free}, wanted)
-    found = {}
+    wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.figure, chart.mu)]
+    reading = execute(construction, {**given, **free}, wanted).without(lost)
+    found: dict[Mark, float] = {}
     for chart in charts:
-        if not chart.chosen:
-            continue
-        heights = np.abs(
-            np.concatenate([np.ravel(reading[m] * reading[chart.mu]) for m in chart.ordinates])
-        )
-        highest = float(np.max(heights, initial=0.0, where=np.isfinite(heights)))
-        found[chart.mu] = chart.wanted or standard(highest, chart.room)
+        if chart.chosen:
+            mu = chart.wanted or standard(*_figure(chart, reading, height))
+            found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
     return found
+
+
+def _figure(chart: Chart, reading: Reading, height: float) -> tuple[float, float]:
+    """Return what the size of a graph stands for (SI), and the room for it, mm."""
+    rows = [reading[m].imag for m in chart.figure] or [reading[m] for m in chart.ordinates]
+    heights = np.concatenate(list(map(np.ravel, rows))) * float(reading[chart.mu][0, 0])
+    there = np.isfinite(heights)
+    if chart.room is not None:
+        return float(np.max(np.abs(heights), initial=0.0, where=there)), chart.room
+    reach = [float(np.max(sign * heights, initial=0.0, where=there)) for sign in (1.0, -1.0)]
+    return sum(reach), height
 
 
 def _free(project: Project) -> dict[Mark, float]:
@@ -266,5 +303,5 @@ def chart_scale_values(project: Project, reading: Reading) -> dict[str, Scale]:
     }
     if project.kinematic is not None:
         mu = project.kinematic.base.mu
-        found["base"] = Scale(mu.letter, float(reading[mu][0, 0]), mu.unit)
+        found["base"] = Scale(mu.name, float(reading[mu][0, 0]), mu.unit)
     return found

@@ -3,26 +3,34 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
-from graphic_tmm.errors import ViewError
+from graphic_tmm.errors import Fault, SceneError, ViewError
 from graphic_tmm.fitting import fitted, fitted_parts
 from graphic_tmm.parts import Part, draws_mechanism
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.remedies import refusal, refuse_tiny
+from graphic_tmm.scene.quantities import near
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables.cam import cam_angles, cam_columns, cam_names
-from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
-from graphic_tmm.tables.columns import Column, columns
+from graphic_tmm.tables.cam import cam_columns, cam_positions
+from graphic_tmm.tables.charts import (
+    chart_columns,
+    flywheel_columns,
+    flywheel_results,
+    rim_too_wide,
+)
+from graphic_tmm.tables.columns import Column, Positions, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.spread import spread_columns, spread_results
-from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
-from graphic_tmm.words import finding
-from graphic_tmm.work import Work, hand_of, ranges
+from graphic_tmm.tables.text import result_tables, rich_tables
+from graphic_tmm.tables.wheels import wheel_columns
+from graphic_tmm.tables.writing import as_csv, as_json, decimals_of
+from graphic_tmm.words import finding, left_out, plain
+from graphic_tmm.work import Work, assumed, hand_of, ranges
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
@@ -35,15 +43,18 @@ def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
     """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
     from graphic_tmm.paper.compose import compose
 
-    made = make(scene)
+    made = make(scene, wanted=scene.shown)
     try:
         return made, compose(scene, made.work, made.parts)
     except ViewError as error:
         raise refusal(scene, error) from error
 
 
-def make(scene: Scene, *, exact: bool = False) -> Made:
+def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Made:
     """Draw a scene: its mechanism, if it has one, and its parts.
+
+    All that it calls for is drawn, or of that only what is ``wanted`` (places of a sheet); but whether the rest
+    can be drawn is found out nevertheless.
 
     Raises
     ------
@@ -52,10 +63,10 @@ def make(scene: Scene, *, exact: bool = False) -> Made:
     SheetError
         If a scale factor that it fixes draws a plan too small to measure.
     """
-    parts = fitted_parts(scene, exact=exact)
+    parts = fitted_parts(scene, exact=exact, wanted=wanted)
     if not draws_mechanism(scene, parts):
         return Made(scene, None, parts)
-    drawn = fitted(scene, parts=parts, exact=exact)
+    drawn = fitted(scene, parts=parts, exact=exact, wanted=wanted)
     refuse_tiny(scene, drawn)
     return Made(scene, drawn, parts)
 
@@ -98,6 +109,8 @@ SCALE_KEYS = {
     "energy-mass": "mu_J",
 }
 """What scale factors are called where machines read them."""
+WIDTH = 220
+"""Characters of a line of text where no terminal tells how many it has."""
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
 
@@ -126,9 +139,7 @@ def sheet_files(
 
 def part_warnings(part: Part) -> tuple[str, ...]:
     """Return, for people, what of a part could not be drawn and why."""
-    count = part.reading.positions
-    names = tuple(str(k + 1) for k in range(count))
-    told = [finding(f, names, "en") for f in part.findings() if f.kind == "undrawn"]
+    told = [finding(f, part.names, "en") for f in part.findings() if f.kind == "undrawn"]
     return (*told, *part.limits("en"))
 
 
@@ -138,10 +149,12 @@ def warnings(work: Work) -> tuple[str, ...]:
     if work.undrawn:
         missing = ", ".join(names[i] for i in work.undrawn)
         told.append(f"positions {missing} cannot be drawn" + ranges(work.project))
-    for found in work.findings():
-        if found.kind != "touching":
-            told.append(finding(found, names, "en"))
-    return tuple(told)
+    findings = work.findings()
+    told += [finding(f, names, "en") for f in findings if f.kind not in ("touching", "lost")]
+    told += left_out([f for f in findings if f.kind == "lost"], names, "en")
+    if wide := rim_too_wide(work.project, work.reading, "en"):
+        told.append(f"flywheel: {plain(wide)}")
+    return (*told, *assumed(work))
 
 
 def packaged() -> list[Path]:
@@ -153,11 +166,25 @@ def packaged() -> list[Path]:
 
 
 def scene_path(name: str | None) -> Path:
-    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package."""
+    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package.
+
+    Raises
+    ------
+    SceneError
+        If there is neither.
+    """
     wanted = DEFAULT if name is None else name
     if name is not None and Path(name).exists():
         return Path(name)
-    return next((path for path in packaged() if path.name == wanted), Path(wanted))
+    found = {path.name: path for path in packaged()}
+    if wanted in found:
+        return found[wanted]
+    from graphic_tmm.scene.read import SCENE
+
+    meant = near(wanted, found, 0.8)
+    said = f', did you mean the scene "{meant}"?' if meant else f"; {SCENE.remedy}"
+    listed = '"graphic-tmm scenes" lists those that come with it'
+    raise SceneError(wanted, (Fault("", 0, f"there is no such file{said}; {listed}"),))
 
 
 def scene_name(source: str) -> str:
@@ -184,23 +211,20 @@ def table_columns(work: Work) -> list[Column]:
     return [column.without(work.undrawn) for column in found]
 
 
-def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
+def table(
+    made: Made | Work, form: str, trials: int = 1, *, width: int = WIDTH, comma: bool = False
+) -> str | list[Any]:
     """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
 
-    ``trials``: how often the scene's hand draws everything; more than once, each figure is followed by the
-    median and the 5th and 95th hundredths of them.
+    ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``:
+    how often the scene's hand draws everything; more than once, each figure is followed by the median and the
+    5th and 95th hundredths of them.
     """
     if isinstance(made, Work):
         made = Made(made.scene, made, ())
     work, scene = made.work, made.scene
-    names = work.project.names if work is not None else ()
-    angles = work.project.angles if work is not None else ()
-    positions = list(zip(names, angles, strict=True))
     found = scene_columns(made)
-    if work is None and (cam := _cam(made)) is not None:
-        assert isinstance(cam.made, Cam)
-        names, angles = tuple(cam_names(cam.made)), tuple(cam_angles(cam.made))
-        positions = list(zip(names, angles, strict=True))
+    positions = _positions(made)
     results, numbers = _structure(made), scene_results(made)
     if trials > 1:
         drawn = list(drawings(made, hand_of(made.scene, trials)))
@@ -213,16 +237,29 @@ def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
         if math.isfinite(value)
     }
     if form == "csv":
-        return as_csv(positions, found)
+        return as_csv(positions, found, None if made.exact else _division(made), comma=comma)
     if form == "text":
-        decimals = 3 if made.exact else 1
-        tables = rich_tables(found, names, scene.language, scene.title, decimals)
-        shown = numbers if trials > 1 else _part_results(made)
-        return [*tables, *result_tables(shown, scene.language, scene.title)]
+        decimals = 3 if made.exact else decimals_of(_division(made))
+        tables = rich_tables(found, positions, scene.language, scene.title, decimals, width)
+        return [*tables, *result_tables(numbers, scene.language, scene.title)]
     scales = {k: s for k, s in work.scales.items()} if work is not None else {}
     scales |= {view: s for part in made.parts for view, s in part.scales().items()}
     told = {_scale_key(plan): {"value": s.value, "unit": s.unit} for plan, s in scales.items()}
     return as_json(scene_name(scene.source), told, positions, found, results)
+
+
+def _positions(made: Made) -> Positions:
+    """Return the positions of a scene: those of its mechanism, else of its cam; none of wheels alone."""
+    if made.work is not None:
+        return tuple(zip(made.work.project.names, made.work.project.angles, strict=True))
+    cam = _cam(made)
+    return cam_positions(cam) if cam is not None else ()
+
+
+def _division(made: Made) -> float:
+    """Return the division of the coarsest ruler that a scene is read with, mm."""
+    hands = [part.hand for part in made.parts] + ([made.work.hand] if made.work else [])
+    return max((hand.ruler for hand in hands if hand.ruler is not None), default=0.1)
 
 
 def _part_results(made: Made) -> dict[str, tuple[float, str]]:
@@ -234,11 +271,11 @@ def _cam(made: Made) -> Part | None:
 
 
 def scene_columns(made: Made) -> list[Column]:
-    """Return the columns of a scene: of its mechanism, else of its cam."""
-    if made.work is not None:
-        return table_columns(made.work)
-    cam = _cam(made)
-    return list(cam_columns(cam)) if cam is not None else []
+    """Return the columns of a scene: of its mechanism and of its parts, which have positions of their own."""
+    found = table_columns(made.work) if made.work is not None else []
+    for part in made.parts:
+        found += cam_columns(part) if isinstance(part.made, Cam) else wheel_columns(part)
+    return found
 
 
 def drawings(made: Made, hand: Hand) -> Iterator[Made]:

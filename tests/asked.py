@@ -18,6 +18,7 @@ centre = "O"
 number = 2
 points = {{ A = [0, 0], B = ["340 mm", 0], S2 = ["120 mm", 0] }}
 mass = "3 kg"
+centre = "S2"
 J = "0.04 kg*m^2"
 [[link]]
 number = 3
@@ -57,17 +58,20 @@ centre = "O"
 number = 2
 points = {{ A = [0, 0], B = ["310 mm", 0], S2 = ["150 mm", 0] }}
 mass = "3 kg"
+centre = "S2"
 J = "0.04 kg*m^2"
 [[link]]
 number = 3
 points = {{ C = [0, 0], B = ["160 mm", 0], D = ["240 mm", 0], S3 = ["120 mm", 0] }}
 side = "left of AC"
 mass = "2 kg"
+centre = "S3"
 J = "0.02 kg*m^2"
 [[link]]
 number = 4
 points = {{ D = [0, 0], E = ["400 mm", 0], S4 = ["150 mm", 0] }}
 mass = "2.5 kg"
+centre = "S4"
 J = "0.05 kg*m^2"
 [[link]]
 number = 5

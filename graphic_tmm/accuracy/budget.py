@@ -125,7 +125,7 @@ def _worst(errors: Mapping[str, float]) -> float:
 
 def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
     """Yield every candidate with its minutes at the board."""
-    graphs = scene.diagrams is not None and "diagrams" in scene.shown
+    graphs = scene.diagrams is not None and "diagrams" in scene.called
     for divided, one in _divided(scene):
         for method in ("chords", "tangents") if graphs else (None,):
             own = one
@@ -160,7 +160,7 @@ def _full(scene: Scene) -> Scene:
 
 
 def _asked(scene: Scene, name: str) -> bool:
-    shown = scene.shown
+    shown = scene.called
     return name not in ASKED or bool(shown & set(ASKED[name]))
 
 

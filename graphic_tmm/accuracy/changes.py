@@ -66,10 +66,11 @@ def _indicator(order: IndicatorOrder, times: float) -> IndicatorOrder:
 
 def _flywheel(order: FlywheelOrder, mu: dict[str, float], times: float) -> FlywheelOrder:
     indicator = _indicator(order.indicator, times) if order.indicator is not None else None
+    pole = order.A.pole * times if order.A.pole is not None else None
     return replace(
         order,
         indicator=indicator,
-        pole=order.pole * times,
+        A=Drawn(None if pole is not None else mu.get("work", order.A.mu), pole),
         base=order.base * times,
         mu_M=mu.get("moment", order.mu_M),
     )

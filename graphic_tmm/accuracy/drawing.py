@@ -14,15 +14,16 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.parts import draw_parts, draws_mechanism
 from graphic_tmm.plans.cam import Cam
+from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.flywheel import VIEWS as FLYWHEEL
 from graphic_tmm.plans.gear import Gear
-from graphic_tmm.plans.kinematic import Kinematic
 from graphic_tmm.plans.planetary import Planetary
 from graphic_tmm.plans.project import Project
 from graphic_tmm.plans.survey import survey
 from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made
-from graphic_tmm.work import executed, record
+from graphic_tmm.work import doubted, executed, record
 
 MECHANISM = "mechanism"
 PER_MM = "/mm"
@@ -79,7 +80,7 @@ def draw(
 ) -> tuple[Drawing, ...]:
     """Record the logs of a scene, with the scales that are pinned, ``enlarged`` times as large.
 
-    ``pole``: how many times farther the poles of its kinematic diagrams stand.
+    ``pole``: how many times farther the poles of its diagrams and of its flywheel's stand.
 
     Raises
     ------
@@ -92,10 +93,12 @@ def draw(
         project = record(scene)
         given = _pin(MECHANISM, dict(project.given), project.construction, scales)
         if missing := [m for m in project.construction.given if m not in given]:
-            free = executed(scene, project, Sizes(), extents(project), exact=True).given
+            doubts = doubted(project)
+            reach = extents(project, doubts)
+            free = executed(scene, project, Sizes(), reach, doubts, exact=True).given
             given |= {mark: free[mark] for mark in missing}
-        if project.kinematic is not None and pole != 1.0:
-            given |= _farther(project.kinematic, given, pole)
+        if pole != 1.0:
+            given |= _farther(project, given, pole)
         log, tried = project.construction, _tried(scene, project)
         found.append(Drawing(MECHANISM, project, log, given, project.count, tried))
     for part in parts:
@@ -127,16 +130,22 @@ def finer(start: str, times: float) -> dict[str, float]:
     return {"V": 1.0 / times, "a": 1.0 / times**2}
 
 
-def _farther(made: Kinematic, given: Mapping[Mark, object], times: float) -> dict[Mark, object]:
+def _farther(project: Project, given: Mapping[Mark, object], times: float) -> dict[Mark, object]:
     """Return what is given for poles so many times farther: their distances, or the scales they follow from."""
-    charts = [(made.charts[s], change) for s, change in finer(made.order.start, times).items()]
+    kinematic, flywheel = project.kinematic, project.flywheel
+    charts: list[tuple[Chart, float]] = []
+    if kinematic is not None:
+        changes = finer(kinematic.order.start, times).items()
+        charts += [(kinematic.charts[symbol], change) for symbol, change in changes]
+    if flywheel is not None:
+        charts += [(chart, times) for chart in flywheel.charts if chart.view == FLYWHEEL["work"]]
     found: dict[Mark, object] = {
         chart.mu: np.asarray(given[chart.mu]) * change for chart, change in charts if chart.chosen
     }
     return found | {
         mark: np.asarray(value) * times
         for mark, value in given.items()
-        if mark.letter in ("H_S", "H_V", "H_a") and mark.kind is Length
+        if mark.letter in ("H", "H_S", "H_V", "H_a") and mark.kind is Length
     }
 
 

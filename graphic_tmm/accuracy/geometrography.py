@@ -85,6 +85,7 @@ SYMBOLS: dict[str, str] = {
     "halve": "2R1 + R2 + 2C1 + 2C3",
     "reflect": "2C1 + 2C2 + 2C3",
     "erect": _SLIDE,
+    "level_off": f"{_SLIDE} + R2",  # by eye, so that as much is cut off as is added
     "turn_about": f"2C1 + C3 + {_RAY}",
     "divide_semicircle": _RAY,
     "along_arc": "N1 + P1 + P2",
@@ -120,6 +121,11 @@ SYMBOLS: dict[str, str] = {
     # a whole row at once
     "french_curve": _CURVE,
     "closed_graph": _CURVE,
+    "taut_graph": _CURVE,
+    "graph_of_stretch": _CURVE,
+    "graph_of_rays": f"{_CURVE} + nP1 + nP2",
+    "graph_of_differences": f"{_CURVE} + K1 + K2",
+    "curve_of_two": _CURVE,
     "open_graph": f"{_CURVE} + K1 + K2",
     "open_graph_of_middles": f"{_CURVE} + K1 + K2",
     "smooth_stretch": _CURVE,

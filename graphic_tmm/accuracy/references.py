@@ -97,7 +97,7 @@ def _finer(scene: Scene, quantity: Quantity) -> Scene | None:
         return replace(scene, cam=replace(scene.cam, divisions=DIVISIONS, per_turn=None))
     if quantity.name in CONVERGED and scene.flywheel is not None:
         fine = at_count(scene, FINE)
-        order = replace(scene.flywheel, integration="middles")
+        order = replace(scene.flywheel, integration="areas")
         if order.tangents is not None:
             order = replace(order, tangents="curve")
         if fine is None or fine.flywheel is None:

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.curve import natural, neighbours
+from graphic_tmm.board.curve import natural, neighbours, stationary
 from graphic_tmm.board.geometry import along, cis, degrees, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
-from graphic_tmm.board.graphs import not_a_knot
+from graphic_tmm.board.graph_curves import free_ends
 from graphic_tmm.board.values import (
     Angle,
     Arc,
@@ -22,9 +22,10 @@ from graphic_tmm.board.values import (
     Line,
     Number,
     Point,
-    Reals,
     Side,
 )
+
+_MOST = (("highest", "lowest"), ("высшую", "низшую"))
 
 
 @operation(
@@ -105,21 +106,11 @@ def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
     tangents = np.full_like(knots, np.nan)
     for trial, row in enumerate(knots):
         if np.isfinite(row).all():
-            tangents[trial] = _smooth(row)
+            tangents[trial] = free_ends(row)
             continue
         for run in neighbours(np.isfinite(row), closed=False):
             tangents[trial, run] = natural(row[run])
     return Curve(knots, tangents, False)
-
-
-def _smooth(row: Complexes) -> Complexes:
-    """Return the tangents through evenly spaced points: of a chord, a parabola, a free spline."""
-    if row.size == 2:
-        return np.full_like(row, row[1] - row[0])
-    if row.size == 3:
-        rise, bend = (row[2] - row[0]) / 2.0, row[0] - 2.0 * row[1] + row[2]
-        return np.array([rise - bend, rise, rise + bend])
-    return not_a_knot(row)
 
 
 @operation(
@@ -169,19 +160,19 @@ def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
 
 
 @operation(
-    "На кривой {curve} отметить высшую (или низшую) точку {it}.", across=True, fails=WHOLE_ROW
+    "На кривой {curve} отметить {above} точку {it}.", across=True, fails=WHOLE_ROW, sides=_MOST
 )
 def crest_of_curve(curve: Curve, *, above: int) -> Point:
-    """On the curve {curve} mark the highest (or lowest) point {it}.
+    """On the curve {curve} mark the {above} point {it}.
 
     ``above``: 1 for the highest, −1 for the lowest.
     """
     return Point(_farthest(curve, np.full((1, 1), above * 1j)))
 
 
-@operation("Из точек {first} и {second} оставить высшую (или низшую) {it}.")
+@operation("Из точек {first} и {second} взять {above}; это {it}.", sides=_MOST)
 def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
-    """Of the points {first} and {second} keep the higher (or lower) one, {it}.
+    """Of the points {first} and {second} take the {above}; this is {it}.
 
     ``above``: 1 for the higher, −1 for the lower.
     """
@@ -201,22 +192,3 @@ def _farthest(curve: Curve, way: Complexes) -> Complexes:
         best = found[np.argmax(np.nan_to_num((found * turned).real, nan=-np.inf))]
         spots.append(best if (np.isfinite(p) & np.isfinite(m)).all() else np.nan)
     return np.array(spots, dtype=np.complex128)[:, None]
-
-
-def stationary(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
-    """Return the points of each Hermite arc of an open curve where its height Re(z·``turned``) is stationary.
-
-    ``p``, ``m``: knots and tangents, (knot,). Two rows (arc,), NaN where an arc has no such point.
-    """
-    q, n = p[1:], m[1:]
-    p, m = p[:-1], m[:-1]
-    h0, h1, g0, g1 = ((z * turned).real for z in (p, q, m, n))
-    a, b, c = 6 * (h0 - h1) + 3 * (g0 + g1), 6 * (h1 - h0) - 4 * g0 - 2 * g1, g0
-    inside: Reals = b * b - 4 * a * c
-    root = np.sqrt(np.where(inside >= 0, inside, np.nan))
-    half = -(b + np.copysign(root, b)) / 2
-    found = []
-    for u in (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half)):
-        t = np.where((u >= 0) & (u <= 1), u, np.nan)
-        found.append(p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n))))
-    return found

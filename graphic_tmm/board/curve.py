@@ -12,7 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.grammar import operation
-from graphic_tmm.board.values import Complexes, Curve, Point
+from graphic_tmm.board.values import Complexes, Curve, Point, Reals
+
+TAUT = 0.0
+"""Of a curve that does not bulge: the share of the row's bend that its tangents may take; see `bounded`."""
 
 
 @operation("Через точки {through} провести по лекалу плавную кривую {it}.", across=True)
@@ -54,8 +57,48 @@ def taut_curve(through: Point, *, row: int) -> Curve:
     way = np.where(turns[0], 0.0, way.real) + 1j * np.where(turns[1], 0.0, way.imag)
     size = np.abs(way)
     tangents = way / np.where(size > 0, size, 1.0) * np.minimum(short, long)
+    for own, m in zip(knots, tangents, strict=True):
+        m.real = bounded(own.real, m.real, TAUT, closed=True)
+        m.imag = bounded(own.imag, m.imag, TAUT, closed=True)
     whole = np.isfinite(knots).all(axis=1, keepdims=True)
     return Curve(knots, np.where(whole, tangents, np.nan), True)
+
+
+def bounded(heights: Reals, tangents: Reals, bend: float, *, closed: bool) -> Reals:
+    """Return the tangents of a curve, brought so near to its chords that it does not ring.
+
+    ``heights``, ``tangents``: of evenly spaced knots, (knot,), a tangent as its rise over an interval.
+    With ``bend`` 0 a tangent lies between 0 and three times either chord beside it, so that no arc leaves the
+    range of its ends (Fritsch–Carlson), and two equal neighbours have a level piece. A ``bend`` b lets it reach
+    as far as the chord and b times the lesser of the bends (second differences) at both ends of the arc, where
+    these bend to the same side: an arc then bulges by b/4 of that bend at the most. Tangents inside these
+    bounds stay as they are.
+    """
+    if heights.size < 2:
+        return tangents
+    rise = np.diff(heights, append=heights[:1]) if closed else np.diff(heights)
+    first, second = _bends(rise, closed)
+    same = np.sign(first) * np.sign(second) > 0.0
+    give = bend * np.where(same, np.copysign(np.minimum(np.abs(first), np.abs(second)), first), 0.0)
+    for reach, begin in ((rise - give, 0), (rise + give, 1)):
+        # what an arc allows its first knot, then its last
+        knots = (np.arange(rise.size) + begin) % heights.size
+        reaches = np.array([np.zeros_like(rise), 3.0 * rise, reach])
+        tangents = np.array(tangents)
+        tangents[knots] = np.clip(tangents[knots], reaches.min(axis=0), reaches.max(axis=0))
+    return tangents
+
+
+def _bends(rise: Reals, closed: bool) -> tuple[Reals, Reals]:
+    """Return the second differences at both ends of every arc; an open row's end bends as its neighbour."""
+    if closed:
+        turn = rise - np.roll(rise, 1)
+        return turn, np.roll(turn, -1)
+    turn = np.diff(rise)
+    if not turn.size:
+        return np.zeros_like(rise), np.zeros_like(rise)
+    turn = np.concatenate([turn[:1], turn, turn[-1:]])
+    return turn[:-1], turn[1:]
 
 
 def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
@@ -65,7 +108,7 @@ def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:
     if drawn.all():
         runs = [np.append(np.arange(knots.size), 0)] if curve.closed else [np.arange(knots.size)]
     else:
-        runs = neighbours(drawn)
+        runs = neighbours(drawn, closed=curve.closed)
     found = []
     for run in runs:
         p, m = knots[run], tangents[run] / 3
@@ -107,3 +150,21 @@ def natural(points: Complexes) -> Complexes:
     right[1:-1] = 3.0 * (points[2:] - points[:-2])
     right[0], right[-1] = 3.0 * (points[1] - points[0]), 3.0 * (points[-1] - points[-2])
     return np.asarray(np.linalg.solve(matrix, right))
+
+
+def stationary(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
+    """Return the points of each arc of an open curve where its height Re(z·``turned``) is stationary.
+
+    ``p``, ``m``: knots and tangents, (..., knot). Two arrays (..., arc), NaN where an arc has no such point.
+    """
+    p, q, m, n = p[..., :-1], p[..., 1:], m[..., :-1], m[..., 1:]
+    h0, h1, g0, g1 = ((z * turned).real for z in (p, q, m, n))
+    a, b, c = 6 * (h0 - h1) + 3 * (g0 + g1), 6 * (h1 - h0) - 4 * g0 - 2 * g1, g0
+    inside: Reals = b * b - 4 * a * c
+    root = np.sqrt(np.where(inside >= 0, inside, np.nan))
+    half = -(b + np.copysign(root, b)) / 2
+    found = []
+    for u in (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half)):
+        t = np.where((u >= 0) & (u <= 1), u, np.nan)
+        found.append(p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n))))
+    return found

@@ -1,4 +1,4 @@
-"""Graphs on axes: smooth curves over an even base, their ordinates and tangents, chords in succession.
+"""Graphs on axes: what is read off their curves (ordinates, tangents, areas, extremes), chords in succession.
 
 The base lies along the x axis of the sheet, from left to right; the row of positions divides it evenly, and
 what stands at position ``row`` (the end of the base) is a mark of its own. Positions outside the row (extremes,
@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.curve import natural, neighbours, periodic
+from graphic_tmm.board.curve import stationary
 from graphic_tmm.board.geometry import unit
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
-from graphic_tmm.board.values import Complexes, Curve, Length, Line, Point, Reals
+from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
 
 
 @operation("Положение точки {of} в начале отсчёта отметить {it}.", across=True)
@@ -29,14 +29,14 @@ def at_zero(of: Point) -> Point:
 )
 def following(point: Point, end: Point, *, row: int) -> Point:
     """For each interval mark {it}, the point that follows {point}; after the last one comes {end}."""
-    point, end = _alike(point, end)
+    point, end = alike(point, end)
     after = np.full_like(point, np.nan)
     after[:, : row - 1] = point[:, 1:row]
     after[:, row - 1] = end[:, 0]
     return Point(after)
 
 
-def _alike(*values: Any) -> Any:
+def alike(*values: Any) -> Any:
     """Return values with as many trials each."""
     trials = max(value.shape[0] for value in values)
     return [np.broadcast_to(value, (trials, value.shape[1])) for value in values]
@@ -48,95 +48,8 @@ def halve(start: Point, end: Point) -> Point:
     return Point((start + end) / 2.0)
 
 
-@operation(
-    "Через точки {through} провести по лекалу плавную кривую {it}, замкнутую через {over}.",
-    across=True,
-)
-def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
-    """Through the points {through} draw the smooth curve {it}, which repeats itself after {over}.
-
-    Where points are missing, each run of those that are there gets a natural spline of its own.
-    """
-    points, shift = _alike(through[:, :row], over[:, :1])
-    knots = np.concatenate([points[:, -1:] - shift, points, points[:, :1] + shift], axis=1)
-    tangents = np.full_like(knots, np.nan)
-    for trial, row_of_knots in enumerate(points):
-        if np.isfinite(row_of_knots).all():
-            m = periodic(row_of_knots.imag) * 1j + shift[trial] / row
-            tangents[trial] = np.concatenate([m[-1:], m, m[:1]])
-        else:
-            _in_runs(knots[trial], tangents[trial])
-    return Curve(knots, tangents, False)
-
-
-@operation(
-    "Через точки {through} и {end} провести по лекалу плавную кривую {it}.",
-    across=True,
-)
-def open_graph(through: Point, end: Point, *, row: int) -> Curve:
-    """Through the points {through} and {end} draw the smooth curve {it}.
-
-    Its first two arcs are one cubic, and so are its last two; where points are missing, each run of those
-    that are there gets a natural spline of its own.
-    """
-    return _open(np.concatenate(_alike(through[:, :row], end[:, :1]), axis=1))
-
-
-@operation(
-    "Через точки {through} провести по лекалу плавную кривую {it} и продолжить её на пол-интервала.",
-    across=True,
-)
-def open_graph_of_middles(through: Point, *, row: int) -> Curve:
-    """Through the points {through} draw the smooth curve {it} and go on by half an interval at both ends."""
-    inner = _open(through[:, :row])
-    ends = []
-    for k, u in ((0, -1.0), (row - 2, 2.0)):
-        p, q = inner.knots[:, k : k + 1], inner.knots[:, k + 1 : k + 2]
-        m, n = inner.tangents[:, k : k + 1], inner.tangents[:, k + 1 : k + 2]
-        bend, twist = 3 * (q - p) - 2 * m - n, 2 * (p - q) + m + n
-        ends.append((p + u * (m + u * (bend + u * twist)), m + u * (2 * bend + 3 * u * twist)))
-    (first, rise), (last, fall) = ends
-    knots = np.concatenate([first, inner.knots, last], axis=1)
-    return Curve(knots, np.concatenate([rise, inner.tangents, fall], axis=1), False)
-
-
-def _open(knots: Complexes) -> Curve:
-    tangents = np.full_like(knots, np.nan)
-    for trial, row_of_knots in enumerate(knots):
-        if np.isfinite(row_of_knots).all() and row_of_knots.size > 3:
-            tangents[trial] = not_a_knot(row_of_knots)
-        else:
-            _in_runs(row_of_knots, tangents[trial])
-    return Curve(knots, tangents, False)
-
-
-def _in_runs(knots: Complexes, tangents: Complexes) -> None:
-    """Enter the tangents of a natural spline through each run of knots that are there."""
-    drawn = np.isfinite(knots)
-    for run in neighbours(drawn, closed=False):
-        tangents[run] = natural(knots[run])
-
-
-def not_a_knot(points: Complexes) -> Complexes:
-    """Return the tangents of the C² curve whose first two arcs, and last two, are one cubic each."""
-    n = points.size
-    low, main, high = np.ones(n), np.full(n, 4.0), np.ones(n)
-    right = np.empty_like(points)
-    right[1:-1] = 3.0 * (points[2:] - points[:-2])
-    main[0], high[0], low[-1], main[-1] = 1.0, 2.0, 2.0, 1.0
-    right[0] = (-5.0 * points[0] + 4.0 * points[1] + points[2]) / 2.0
-    right[-1] = (5.0 * points[-1] - 4.0 * points[-2] - points[-3]) / 2.0
-    for k in range(1, n):
-        share = low[k] / main[k - 1]
-        main[k] -= share * high[k - 1]
-        right[k] -= share * right[k - 1]
-    found = np.empty_like(points)
-    found[-1] = right[-1] / main[-1]
-    for k in range(n - 2, -1, -1):
-        found[k] = (right[k] - high[k] * found[k + 1]) / main[k]
-    return found
-
-
+_GAUSS = [half / 4.0 + sign / 48.0**0.5 for half in (1, 3) for sign in (-1, 1)]
+"""Shares of an interval whose ordinates have the mean of two cubic arcs, one on either half."""
 _OUTSIDE = ("no curve stands over the foot", "над основанием нет кривой")
 
 
@@ -154,10 +67,31 @@ def erect(curve: Curve, foot: Point) -> Point:
 @operation("Над {foot} провести касательную {it} к кривой {curve}.", fails=_OUTSIDE)
 def touching(curve: Curve, foot: Point) -> Line:
     """Above {foot} draw the tangent {it} to the curve {curve}."""
+    return Line(
+        erect.run(curve, foot), unit(np.asarray(1.0 + 1j * rise_of(curve, foot), np.complex128))
+    )
+
+
+def rise_of(curve: Curve, foot: Complexes) -> Reals:
+    """Return how steep a curve is over feet on the base, mm/mm."""
     p, m, u = _arc(curve, foot)
     a, b, c = 6 * u * (u - 1), (3 * u - 1) * (u - 1), u * (3 * u - 2)
     along = a * (p[0] - p[1]) + b * m[0] + c * m[1]
-    return Line(erect.run(curve, foot), unit(along))
+    return np.asarray(along.imag / along.real)
+
+
+@operation(
+    "Над отрезком {start}{end} заменить фигуру под кривой {curve} равновеликим прямоугольником; середину его "
+    "верхней стороны отметить {it}.",
+    fails=_OUTSIDE,
+)
+def level_off(curve: Curve, start: Point, end: Point) -> Point:
+    """Over {start}{end} draw a rectangle as large as the figure below {curve}; mark {it}, its upper middle.
+
+    It is exact for a curve whose cubic arcs begin at the ends of the intervals, or in their middles.
+    """
+    heights = [erect.run(curve, start + share * (end - start)).imag for share in _GAUSS]
+    return Point((start.real + end.real) / 2.0 + 0.25j * sum(heights))
 
 
 def _arc(
@@ -224,26 +158,50 @@ def arrival(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> P
 
 def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
     """Return by how much each segment rises over its interval, mm."""
-    x = np.concatenate(_alike(feet[:, :row].real, end[:, :1].real), axis=1)
+    x = np.concatenate(alike(feet[:, :row].real, end[:, :1].real), axis=1)
     along = rays.along[:, :row]
     slope = np.where(along.real == 0.0, np.nan, along.imag / along.real)
     return np.asarray(np.diff(x, axis=1) * slope)
 
 
-@operation("Среди точек {points} найти высшую; отметить {it}.", across=True, fails=WHOLE_ROW)
-def highest(points: Point, *, row: int) -> Point:
-    """Find the highest of the points {points}; mark {it}."""
-    return Point(_extreme(points[:, :row], 1.0))
+@operation(
+    "На кривой {curve} от {start} до {end} найти высшую точку; отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def highest(curve: Curve, start: Point, end: Point) -> Point:
+    """On the curve {curve}, from {start} to {end}, find the highest point; mark {it}."""
+    return Point(_extreme(curve, start, end, 1.0))
 
 
-@operation("Среди точек {points} найти низшую; отметить {it}.", across=True, fails=WHOLE_ROW)
-def lowest(points: Point, *, row: int) -> Point:
-    """Find the lowest of the points {points}; mark {it}."""
-    return Point(_extreme(points[:, :row], -1.0))
+@operation(
+    "На кривой {curve} от {start} до {end} найти низшую точку; отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def lowest(curve: Curve, start: Point, end: Point) -> Point:
+    """On the curve {curve}, from {start} to {end}, find the lowest point; mark {it}."""
+    return Point(_extreme(curve, start, end, -1.0))
 
 
-def _extreme(points: Complexes, sign: float) -> Complexes:
-    """Return the first of the highest (lowest) points; missing if any is missing, for it could be that one."""
-    y = sign * points.imag
-    best = np.take_along_axis(points, np.argmax(np.nan_to_num(y, nan=-np.inf), 1)[:, None], 1)
-    return np.where(np.isfinite(points).all(axis=1, keepdims=True), best, np.nan + np.nan * 1j)
+_NOWHERE = complex(np.nan, np.nan)
+EVEN = 1e-9
+"""Ordinates that differ by less of the curve's height are as high as one another."""
+
+
+def _extreme(curve: Curve, start: Complexes, end: Complexes, sign: float) -> Complexes:
+    """Return the first of the highest (lowest) points; missing if any of the curve is, for it could be there.
+
+    The first of those that are as high but for rounding, so that this does not choose among them.
+    """
+    feet = np.concatenate(alike(start[:, :1].real, end[:, :1].real), axis=1)
+    knots, tangents, feet = alike(curve.knots, curve.tangents, feet)
+    spots = np.concatenate([knots, *stationary(knots, tangents, -1j)], axis=1)
+    spots = np.where((spots.real > feet[:, :1]) & (spots.real < feet[:, 1:]), spots, _NOWHERE)
+    spots = np.concatenate([erect.run(curve, feet), spots], axis=1)
+    heights = np.where(np.isfinite(spots), sign * spots.imag, -np.inf)
+    best = heights.max(axis=1, keepdims=True)
+    even = EVEN * np.ptp(knots.imag, axis=1, keepdims=True)
+    first = np.argmin(np.where(heights >= best - even, spots.real, np.inf), axis=1)[:, None]
+    whole = (np.isfinite(knots) & np.isfinite(tangents)).all(axis=1, keepdims=True)
+    return np.where(whole, np.take_along_axis(spots, first, axis=1), _NOWHERE)

@@ -19,9 +19,7 @@ from graphic_tmm.board.values import Arc, Length, Line, Number, Point, Reals
 
 SWUNG = frozenset({"parallel", "square", "incline", "ray", "action", "tangent", "directed"})
 """Rays drawn with the square, the protractor or by eye; a line through two points is as good as they are."""
-KEPT = frozenset(
-    {"coincide", "at_zero", "following", "farthest", "highest", "lowest", "next_satellite", "stand"}
-)
+KEPT = frozenset({"coincide", "at_zero", "following", "farthest", "next_satellite", "stand"})
 """Operations that name what stands there already: nothing is drawn anew."""
 SIZE = 16_384
 """Trials times positions in one block: few enough for the cache, enough to pay for the calls."""
@@ -110,7 +108,7 @@ HANDS = {
     "careful": Hand(ruler=0.1, prick=0.1, compass=0.1, swing=0.15, reading=0.15, digits=5),
     "student": Hand(ruler=0.5, prick=0.15, compass=0.15, swing=0.6, reading=0.75, digits=4),
 }
-"""Named hands; the student's is fitted to 49 published examples (see the README)."""
+"""Named hands; the student's is fitted to 49 published examples (see checking/README.md)."""
 
 
 class Slip(NamedTuple):

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.geometry import TANGENT, cis, degrees, wedge
 from graphic_tmm.board.grammar import operation
-from graphic_tmm.board.graphs import open_graph
+from graphic_tmm.board.graph_curves import open_graph
 from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Point, Reals
 
 _HALVINGS = 60

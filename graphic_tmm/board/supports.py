@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from graphic_tmm.board.curve import stationary
 from graphic_tmm.board.geometry import along, cis, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
+
+_ON = (("from above", "from below"), ("сверху", "снизу"))
 
 
 @operation(
@@ -24,12 +27,13 @@ def farthest(start: Point, points: Point, *, row: int) -> Point:
 
 
 @operation(
-    "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} сверху (1) или снизу (−1).",
+    "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} {above}.",
     across=True,
     fails=WHOLE_ROW,
+    sides=_ON,
 )
 def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
-    """At the angle {angle} draw the line {it} that rests on the points {points}.
+    """At the angle {angle} draw the line {it} that rests on the points {points} {above}.
 
     ``above``: 1 for the line that leaves all points below it, −1 for the one that leaves them above it.
     """
@@ -42,12 +46,13 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
 
 
 @operation(
-    "Под углом {angle} провести касательную {it} к кривой {curve} сверху (1) или снизу (−1).",
+    "Под углом {angle} провести касательную {it} к кривой {curve} {above}.",
     across=True,
     fails=WHOLE_ROW,
+    sides=_ON,
 )
 def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
-    """At the angle {angle} draw the tangent {it} that leaves the whole closed curve {curve} on one side.
+    """At the angle {angle} draw the tangent {it} that touches the closed curve {curve} {above}.
 
     ``above``: 1 for the line above the curve, −1 for the one below it.
     """
@@ -56,28 +61,14 @@ def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     for trial in range(curve.knots.shape[0]):
         p, m = curve.knots[trial], curve.tangents[trial]
         turned = above * np.conj(1j * way[min(trial, way.shape[0] - 1), 0])
-        found = np.concatenate([p, *_levels(p, m, turned)])
+        round_ = np.append(np.arange(p.size), 0)
+        found = np.concatenate([p, *stationary(p[round_], m[round_], turned)])
         heights = (found * turned).real
         whole = np.isfinite(p).all() and np.isfinite(m).all()
         best = found[np.argmax(np.nan_to_num(heights, nan=-np.inf))]
         spots.append(best if whole else np.nan)
     spot = np.array(spots, dtype=np.complex128)[:, None]
     return Line(spot, np.broadcast_to(way, spot.shape))
-
-
-def _levels(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
-    """Return the points of each arc of a closed curve where its height along a direction is stationary."""
-    q, n = np.roll(p, -1), np.roll(m, -1)
-    h0, h1, g0, g1 = ((z * turned).real for z in (p, q, m, n))
-    a, b, c = 6 * (h0 - h1) + 3 * (g0 + g1), 6 * (h1 - h0) - 4 * g0 - 2 * g1, g0
-    root = np.sqrt(np.where(b * b - 4 * a * c >= 0, b * b - 4 * a * c, np.nan))
-    half = -(b + np.copysign(root, b)) / 2
-    found = []
-    for u in (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half)):
-        t = np.where((u >= 0) & (u <= 1), u, np.nan)
-        spots = p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n)))
-        found.append(spots)
-    return found
 
 
 @operation("Обвести {curve} планиметром; площадь, мм², есть {it}.", across=True, fails=WHOLE_ROW)

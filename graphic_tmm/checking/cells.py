@@ -32,8 +32,7 @@ def position_names(made: Made) -> tuple[str, ...]:
     """Return the numbers of the positions of a scene."""
     if made.work is not None:
         return made.work.project.names
-    columns = scene_columns(made)
-    return tuple(str(k) for k in range(len(columns[0].value))) if columns else ()
+    return tuple(dict.fromkeys(name for column in scene_columns(made) for name, _ in column.at))
 
 
 def cells(made: Made) -> dict[Key, Cell]:
@@ -41,7 +40,8 @@ def cells(made: Made) -> dict[Key, Cell]:
     names = position_names(made)
     found: dict[Key, Cell] = {}
     for column in scene_columns(made):
-        rows = zip(names, column.mm, column.value, strict=True)
+        own = [name for name, _ in column.at] or names
+        rows = zip(own, column.mm, column.value, strict=True)
         for name, mm, value in rows:
             if mm is not None or value is not None:
                 found[column.plan, column.segment, name] = Cell(mm, value, column.unit)

@@ -78,7 +78,7 @@ class OwnErrors:
         if step is None:
             return ""
         assert self.made.work is not None
-        return f"{step_number(self.made.work.project.construction, step)} {step.it.letter}"
+        return f"{step_number(self.made.work.project.construction, step)} {step.it.name}"
 
     def _at(self, position: str, found: dict[Mark, complex]) -> None:
         work = self.made.work

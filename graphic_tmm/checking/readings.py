@@ -11,7 +11,7 @@ from graphic_tmm.checking.decoding import text_of
 from graphic_tmm.checking.figures import decimal_comma, millimetres, value_of
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.writing import template, write_readings
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import Fault, SceneError, first_of
 
 __all__ = ["read_readings", "template", "write_readings"]
 
@@ -204,8 +204,4 @@ def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None
 
 
 def _refuse(file: Path, faults: Sequence[Fault]) -> NoReturn:
-    more = len(faults) - TOLD
-    told = tuple(faults[:TOLD])
-    if more > 0:
-        told += (Fault("", 0, f"and {more} more faults; put these right first"),)
-    raise SceneError(str(file), told) from None
+    raise SceneError(str(file), first_of(faults, TOLD)) from None

@@ -15,11 +15,13 @@ from graphic_tmm.checking.report_json import json_report
 from graphic_tmm.checking.report_text import markdown_report, text_report
 from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.checking.writing import template
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, printable
 from graphic_tmm.files import write
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, scene_columns, scene_results, sheets
 from graphic_tmm.tables.columns import Column
+
+_REMEDY = "name another file with --overlay"
 
 
 def template_of(scene: Scene) -> str:
@@ -54,42 +56,50 @@ def overlaid(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
     """Write the exact plans thin under the points that were read; deviations ``enlarge`` times as large."""
     from graphic_tmm.paper.svg import svg
 
-    path = Path(file)
+    path = _drawing(file)
     text = svg(overlay_sheet(make(scene, exact=True), report, enlarge))
-    (written,) = write(path.parent, {path.name: text}, remedy="name another file with --overlay")
+    (written,) = write(path.parent, {path.name: text}, remedy=_REMEDY)
     return written
 
 
 def underlay(
-    scene: Scene, photo: str, corners: str, file: str
+    scene: Scene, photo: str, corners: str, file: str, number: int = 1
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
-    """Write a sheet's photograph, flattened, under the exact sheet at true millimetres.
+    """Write a sheet's photograph, flattened, and over it the exact sheet, thin and coloured, true to the mm.
 
-    Return the files, and what the photograph is warned about.
+    ``number``: of the sheet, from 1. Return the files, and what the photograph is warned about. The picture
+    has the drawing's name with "-flat": not the photograph's, which may stand beside it.
+
+    Raises
+    ------
+    SheetError
+        If there is no such sheet, the corners are none, the photograph cannot be flattened, or a file cannot be
+        written.
     """
     from graphic_tmm.checking.photo import flatten, png
-    from graphic_tmm.paper.frame import SIZES, drawing_area
-    from graphic_tmm.paper.svg import svg
+    from graphic_tmm.paper.frame import drawing_area
+    from graphic_tmm.paper.svg import Under, svg
 
+    path = _drawing(file)
+    clicked = _corners(corners)
     drawn = sheets(scene)[1]
-    sheet = drawn[0]
-    area = drawing_area(sheet.format, scene.language, True)
-    left, bottom, right, top = area.inner
-    width, height = SIZES[sheet.format]
-    frame, paper = (left, bottom, right, top), (0.0, 0.0, width, height)
-    flat = flatten(Path(photo), _corners(corners), frame, area=paper)
+    if number > len(drawn):
+        raise SheetError(f"--sheet: there is no sheet {number}; the scene has {len(drawn)}")
+    sheet = drawn[number - 1]
+    left, bottom, right, top = drawing_area(sheet.format, scene.language, number == 1).inner
+    paper = (0.0, 0.0, sheet.width, sheet.height)
+    flat = flatten(Path(photo), clicked, (left, bottom, right, top), area=paper)
+    picture = f"{path.stem}-flat.png"
+    text = svg(sheet, under=Under(picture))
+    files: dict[str, str | bytes] = {path.name: text, picture: png(flat)}
+    return write(path.parent, files, remedy=_REMEDY), flat.warnings
+
+
+def _drawing(file: str) -> Path:
     path = Path(file)
-    image = path.with_suffix(".png").name
-    text = svg(sheet)
-    cut = text.index(">", text.index("<svg")) + 1
-    placed = (
-        f'<image href="{image}" x="0" y="0" width="{width:g}" height="{height:g}" '
-        'preserveAspectRatio="none"/>'
-    )
-    whole = text[:cut] + placed + text[cut:]
-    files: dict[str, str | bytes] = {path.name: whole, image: png(flat)}
-    written = write(path.parent, files, remedy="name another file with --overlay")
-    return tuple(written), tuple(flat.warnings)
+    if path.suffix.lower() != ".svg":
+        raise SheetError(f"--overlay: {printable(file)}: the drawing is an SVG file; name it .svg")
+    return path
 
 
 def _corners(text: str) -> list[tuple[float, float]]:

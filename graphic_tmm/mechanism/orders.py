@@ -107,19 +107,21 @@ class FlywheelOrder:
 
     ``indicator``: the gas forces of which diagram; None: by the loads of the links.
 
-    ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``pole``: H in mm.
-    ``integration``: ordinates at the "middles" of the curve, or of "chords". ``tangents``: of the energy–mass
-    curve, at its "points" or at the smooth "curve" through them; None leaves that method out.
+    ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``A``: the scale of the
+    works, or the pole distance that gives it.
+    ``integration``: mean ordinates, of the "areas" below the curve, its ordinates at the "middles" of the
+    intervals, or those of "chords". ``tangents``: of the energy–mass curve, at the "curve" or at its "points"
+    only; None leaves that method out.
     """
 
     indicator: IndicatorOrder | None
     delta: float
     constant: str = "resisting"
-    pole: float = 40.0
+    A: Drawn = Drawn()
     base: float = 120.0
     mu_M: float | None = None
-    integration: str = "middles"
-    tangents: str | None = "points"
+    integration: str = "areas"
+    tangents: str | None = "curve"
     rim: Rim | None = None
 
 

@@ -38,7 +38,8 @@ def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tup
         )
         name = f"sheet-{index + 1}" if count > 1 else "sheet"
         width, height = SIZES[format]
-        sheets.append(Sheet(name, scene.title, format, width, height, (edge, *placed)))
+        drawings = (edge, *placed)
+        sheets.append(Sheet(name, scene.title, format, width, height, drawings, scene.language))
     return tuple(sheets)
 
 

@@ -96,7 +96,10 @@ class Drawing(NamedTuple):
 
 
 class Sheet(NamedTuple):
-    """A sheet of paper: its format, its size in mm, the drawings in sheet coordinates (y upward)."""
+    """A sheet of paper: its format, its size in mm, the drawings in sheet coordinates (y upward).
+
+    ``language``: of its texts, "ru" or "en"; "" if it is not known.
+    """
 
     name: str
     title: str
@@ -104,6 +107,7 @@ class Sheet(NamedTuple):
     width: float
     height: float
     drawings: tuple[Drawing, ...]
+    language: str = ""
 
     def _repr_svg_(self) -> str:
         """Return the sheet as SVG: a notebook shows it."""

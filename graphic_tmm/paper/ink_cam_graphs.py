@@ -12,9 +12,10 @@ import numpy as np
 
 from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board import graphs as g
-from graphic_tmm.board.cams import divide_semicircle, smooth_stretch
+from graphic_tmm.board.cams import divide_semicircle
 from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import join, lay_off, meet, place
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes
@@ -88,7 +89,7 @@ class _Ink:
         self.axis_lines = (self.marks.along, self.marks.up)
         self.ranges: dict[Mark, list[tuple[int, int]]] = {}
         for step in self.steps:
-            if step.op is smooth_stretch:
+            if step.op is graph_of_stretch:
                 ends = (step.choice["first"], step.choice["last"])
                 self.ranges.setdefault(step.uses[0], []).append(ends)
 
@@ -147,9 +148,9 @@ class _Ink:
 
     def curve_of(self, step: Step) -> Iterator[Bezier]:
         """The curve of a step."""
-        if step.op is smooth_stretch:
+        if step.op is graph_of_stretch:
             for controls in bezier(self.reading[step.it]):
-                yield Bezier("main", tuple(complex(z) for z in controls), step.it.letter)
+                yield Bezier("main", tuple(complex(z) for z in controls), step.it.name)
 
     def outline(self) -> Iterator[Stroke]:
         """What is drawn besides the curves: dwells, jumps, straight lines that are given."""
@@ -164,7 +165,7 @@ class _Ink:
         """The points through which curves are drawn."""
         found: dict[complex, None] = {}
         for step in self.steps:
-            if step.op is smooth_stretch:
+            if step.op is graph_of_stretch:
                 part = slice(step.choice["first"], step.choice["last"] + 1)
                 found |= {
                     complex(z): None for z in self.points(step.uses[0])[part] if np.isfinite(z)
@@ -173,7 +174,7 @@ class _Ink:
 
     def poles(self) -> list[complex]:
         """The pole, where there is one."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.letter == "P"]
+        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name == "P"]
         return [complex(self.points(mark)[0]) for mark in marks]
 
     def extent(self, names: CamNames) -> tuple[float, float]:
@@ -242,7 +243,7 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 def _laid(ink: _Ink, step: Step) -> Ends:
     """From the base to a point laid off above or below it; what lies on the base has its tick."""
-    if step.it.letter != "P" and step.uses[0] not in ink.axis_lines:
+    if step.it.name != "P" and step.uses[0] not in ink.axis_lines:
         start, end = ink.starts(step.uses[0]), ink.shown(step.it)
         level = np.abs((end - start).imag) > LEAST
         yield np.where(level, start, np.nan), end

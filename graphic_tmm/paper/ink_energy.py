@@ -10,7 +10,8 @@ from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.dimensions import dimension
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import arrowhead
 from graphic_tmm.plans.energy_mass import VIEW as ENERGY_MASS
@@ -21,6 +22,8 @@ from graphic_tmm.plans.indicator import Indicator
 OVER = 9.0
 """How far an axis goes on behind what stands on it, mm."""
 DOT = 0.5
+ASIDE = 14.0
+"""From the axis of the ordinates to a dimension line, mm."""
 ROOM = 8.0
 SIZE, NUMBER = 5.0, 3.5
 
@@ -39,7 +42,7 @@ class _Sheet:
 
     def curve(self, mark: Mark) -> Iterator[Bezier]:
         for controls in bezier(self.reading[mark]):
-            yield Bezier("main", tuple(complex(z) for z in controls), mark.letter)
+            yield Bezier("main", tuple(complex(z) for z in controls), mark.name)
 
     def dots(self, mark: Mark) -> Iterator[Stroke]:
         for z in self.all(mark):
@@ -69,13 +72,15 @@ def _finished(
     wanted: Sequence[Wanted],
     lettered: bool,
     cell: tuple[float, float, float, float],
+    figures: Sequence[Label] = (),
 ) -> Drawing:
     if not lettered:
         left, low, right, high = cell
         room = (left - ROOM, low - ROOM, right + OVER + ROOM, high + OVER + ROOM)
         return Drawing(name, title, tuple(strokes), cell=room)
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    labels = place(wanted, strokes, figures)
+    ink = interrupt([*strokes, *leaders(wanted, labels)], labels)
+    return Drawing(name, title, ink, (*labels, *figures))
 
 
 def _most(values: Reals) -> float:
@@ -95,7 +100,7 @@ def draw_indicator_ink(
     """Return the indicator diagram with the division of its base; ``names``: of the positions of the row."""
     ink = _Sheet(construction, reading, len(names))
     origin, end, feet = ink.one(made.origin), ink.one(made.end), ink.all(made.feet)
-    auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.letter == "q")
+    auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.name == "q")
     spots = ink.all(auxiliary.it)
     strokes: list[Stroke | Bezier] = list(ink.lines(spots, feet))
     far = complex(spots[int(np.argmax(np.nan_to_num(np.abs(spots - origin))))])
@@ -134,33 +139,43 @@ def draw_energy_mass_ink(
     made: EnergyMass,
     names: Sequence[str],
     title: str,
+    figure: str,
     *,
+    along: str = "J_{red}",
     lettered: bool = True,
 ) -> Drawing:
-    """Return the energy–mass curve with its two tangents and the segment ab."""
+    """Return the energy–mass curve, its two tangents and the segment ab.
+
+    ``figure``: the length of the segment; ``along``: the letter of the base.
+    """
     ink = _Sheet(construction, reading, len(names))
     points = ink.all(made.points)
     right, low, high = _most(points.real), -_most(-points.imag), _most(points.imag)
     strokes: list[Stroke | Bezier] = []
     wanted = [
         Wanted("ΔT", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
-        Wanted("J_{r}", complex(right + OVER, 0), SIZE, 1.5, -1j),
+        Wanted(along, complex(right + OVER, 0), SIZE, 1.5, -1j),
     ]
     for tangent, mark in zip(made.tangents, made.ends, strict=True):
         spot, foot = complex(reading[tangent].at[0, 0]), ink.one(mark)
         if np.isfinite(spot) and np.isfinite(foot):
             way = (spot - foot) / abs(spot - foot)
             strokes.append(line("main", foot, spot + 10.0 * way))
-            wanted.append(Wanted(mark.letter, foot, SIZE, 1.0, -1 + 0j))
+            strokes.append(circle("main", spot, DOT, filled=True))
+            wanted.append(Wanted(mark.name, foot, SIZE, 1.0, -1 + 0j))
             low, high = min(low, foot.imag), max(high, foot.imag)
     strokes += _axes(0.0, right, min(low, 0.0), max(high, 0.0))
     wanted[0] = wanted[0]._replace(at=complex(0, max(high, 0.0) + OVER))
     strokes += ink.curve(made.curve)
     strokes += ink.dots(made.points)
+    ends = [ink.one(mark) for mark in made.ends]
+    made_figures = [dimension(ends[1], ends[0], ASIDE, figure)] if np.isfinite(ends).all() else []
+    strokes += [stroke for one in made_figures for stroke in one.strokes]
     there = points[np.isfinite(points)]
     middle = complex(there.mean()) if there.size else 0j
     for name, spot in zip(names, points, strict=True):
         if np.isfinite(spot):
             wanted.append(Wanted(name, complex(spot), NUMBER, 0.8, complex(spot) - middle))
-    cell = (-4.0, min(low, 0.0), right, max(high, 0.0))
-    return _finished(ENERGY_MASS, title, strokes, wanted, lettered, cell)
+    cell = (-ASIDE, min(low, 0.0), right, max(high, 0.0))
+    figures = [one.label for one in made_figures]
+    return _finished(ENERGY_MASS, title, strokes, wanted, lettered, cell, figures)

@@ -16,11 +16,13 @@ import numpy as np
 from graphic_tmm.board import graphs as g
 from graphic_tmm.board.curve import bezier
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.graph_curves import graph_of_rays
 from graphic_tmm.board.operations import join, lay_off, measure_along, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve
+from graphic_tmm.paper.dimensions import Dimension, dimension
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.placing import Wanted, flat, interrupt, leaders, place
 from graphic_tmm.paper.symbols import arrowhead, pole
 
 OVER = 9.0
@@ -31,6 +33,12 @@ DOT = 0.5
 """Radius of the point of a reading, mm."""
 TANGENT = 6.0
 """Half the length of a tangent that is drawn, mm."""
+POLES = ("P", "P′")
+"""The letters of poles."""
+EXTREMES = (g.highest, g.lowest)
+"""Operations that find where a curve turns."""
+ASIDE = 14.0
+"""From the axis of the ordinates to a dimension line, mm."""
 LEAST = 0.3
 """Shorter lines are points, mm."""
 SIZE, NUMBER = 5.0, 3.5
@@ -56,12 +64,14 @@ class Names(NamedTuple):
     """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base.
 
     ``curves``: the label of a curve by the letter of the readings of its points, where there are several.
+    ``lengths``: the figures of what is dimensioned on the axis of the ordinates, by letter.
     """
 
     positions: Sequence[str]
     up: str
     along: str
     curves: Mapping[str, str] = MappingProxyType({})
+    lengths: Mapping[str, str] = MappingProxyType({})
 
 
 def axes_ink(
@@ -104,14 +114,18 @@ def draw_graph(
     strokes: list[Stroke | Bezier] = [*thin, *axes, *curves, *dots]
     for spot in ink.poles():
         strokes += pole(spot)
+    dimensions = list(ink.dimensions(names))
+    strokes += [stroke for made in dimensions for stroke in made.strokes]
     if not lettered:
-        left = min([0.0, *(spot.real for spot in ink.poles())])
+        left = min([0.0, *(spot.real for spot in ink.poles()), *[-ASIDE - SIZE] * len(dimensions)])
         bottom = min(low, -NUMBER) - ROOM
         cell = (left - ROOM, bottom, ink.length + OVER + ROOM, high + OVER + ROOM)
         return Drawing(view, title, tuple(strokes), cell=cell)
     wanted = list(ink.letters(names, high))
-    labels = place(wanted, strokes)
-    return Drawing(view, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    figures = tuple(made.label for made in dimensions)
+    labels = place(wanted, strokes, figures)
+    ink_ = interrupt([*strokes, *leaders(wanted, labels)], labels)
+    return Drawing(view, title, ink_, (*labels, *figures))
 
 
 class _Ink:
@@ -144,35 +158,47 @@ class _Ink:
                 if np.isfinite(a) and np.isfinite(b) and abs(b - a) > LEAST:
                     yield line(pen, a, b)
 
-    def curve_of(self, step: Step) -> Iterator[Bezier | Stroke]:
-        """The curve of a step, over the base only; straight lines that were joined to be read along."""
+    def curve_of(self, step: Step) -> Iterator[Bezier]:
+        """The curve of a step, over the base only."""
         if step.it.kind is Curve:
             for controls in bezier(self.reading[step.it]):
-                yield from _clipped(controls, self.length, step.it.letter)
+                yield from _clipped(controls, self.length, step.it.name)
 
     def dots(self) -> list[complex]:
-        """The points through which curves are drawn."""
+        """The points through which curves are drawn, and those in which they turn."""
         found: list[complex] = []
         for step in self.steps:
             if step.it.kind is Curve:
-                spots = self.points(step.uses[0])[: self.row]
-                found += [complex(z) for z in spots if np.isfinite(z)]
-        return found
+                found += map(complex, self.points(step.uses[0])[: self.row])
+            if step.op in EXTREMES:
+                found.append(complex(self.points(step.it)[0]))
+        return [z for z in found if np.isfinite(z)]
 
     def poles(self) -> list[complex]:
-        """The pole, where there is one."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.letter == "P"]
-        return [complex(self.points(mark)[0]) for mark in marks]
+        """The poles, where there are any."""
+        return [spot for _, spot in self.lettered_poles()]
+
+    def lettered_poles(self) -> list[tuple[str, complex]]:
+        """The poles with their letters."""
+        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name in POLES]
+        spots = [(mark.name, complex(self.points(mark)[0])) for mark in marks]
+        return [(name, spot) for name, spot in spots if np.isfinite(spot)]
 
     def extent(self) -> tuple[float, float]:
         """The lowest and the highest of what stands over the base, the base itself included."""
         heights = [0.0]
         for step in self.steps:
-            if step.it.kind is Curve:
-                curve = self.reading[step.it]
-                inside = (curve.knots[0].real > -1e-9) & (curve.knots[0].real < self.length + 1e-9)
-                heights += [float(y) for y in curve.knots[0].imag[inside] if np.isfinite(y)]
+            for piece in self.curve_of(step):
+                heights += [z.imag for z in flat(piece.controls)]
         return min(heights), max(heights)
+
+    def dimensions(self, names: Names) -> Iterator[Dimension]:
+        """The dimensions of what is measured along the axis of the ordinates, left of it."""
+        for step in self.steps:
+            if step.op is measure_along and step.it.letter in names.lengths:
+                low, high = (complex(self.points(mark)[0]) for mark in step.uses[:2])
+                if np.isfinite(high - low):
+                    yield dimension(low, high, ASIDE, names.lengths[step.it.letter])
 
     def axes(self, low: float, high: float) -> list[Stroke]:
         """The two axes with their arrows, and the ticks of the positions."""
@@ -189,23 +215,35 @@ class _Ink:
         """The numbers of the positions under the base, the letters of the axes and of the pole."""
         yield Wanted(names.up, complex(0, high + OVER), SIZE, 1.5, -1 + 0j)
         yield Wanted(names.along, complex(self.length + OVER, 0), SIZE, 1.5, -1j)
-        for spot in self.poles():
-            yield Wanted("P", spot, NUMBER, 1.0, -1 + 0j)
+        for name, spot in self.lettered_poles():
+            yield Wanted(name, spot, NUMBER, 1.0, -1 + 0j)
         for step in self.steps:
-            if step.it.letter in names.curves and step.op in (join, g.open_graph):
+            if step.it.name in names.curves and step.op in (join, graph_of_rays):
                 spot = self.outermost(step.uses[1 if step.op is join else 0])
                 spot = 0.6 * spot if step.op is join else spot
                 if np.isfinite(spot):
-                    yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, 1j - 0.5)
-            if step.op is measure_along and step.it.letter in names.curves:
+                    yield Wanted(names.curves[step.it.name], spot, NUMBER, 1.0, 1j - 0.5)
+            if step.op is measure_along and step.it.name in names.curves:
                 spot = self.outermost(step.uses[1])
                 if np.isfinite(spot):
-                    letter = names.curves[step.it.letter]
+                    letter = names.curves[step.it.name]
                     yield Wanted(letter, spot, NUMBER, 1.0, spot.imag * 1j)
-            if step.op is meet and step.it.letter in ("c", "d"):
-                spot = complex(self.points(step.it)[0])
-                if np.isfinite(spot):
-                    yield Wanted(step.it.letter, spot, SIZE, 1.0, -1 + 0j)
+            yield from self.named(step)
+        yield from self.numbers(names)
+
+    def named(self, step: Step) -> Iterator[Wanted]:
+        """The letter of a point that is one of a kind: where a curve turns, what is carried to the axis."""
+        ways = {"c": -1 + 0j, "d": -1 + 0j, "M_c": -1 - 0.5j} if step.op is meet else {}
+        if step.op in EXTREMES:
+            ways = {step.it.name: 1j if step.op is g.highest else -1j}
+        spot = complex(self.points(step.it)[0]) if step.it.name in ways else complex("nan")
+        if np.isfinite(spot):
+            size = SIZE if step.it.name in ("c", "d") else NUMBER
+            name = step.it.name.replace("M_c", "M_{c}")
+            yield Wanted(name, spot, size, 1.0, ways[step.it.name])
+
+    def numbers(self, names: Names) -> Iterator[Wanted]:
+        """The numbers of the positions under the base."""
         feet = self.points(self.marks.feet)
         for name, foot in zip(names.positions, feet, strict=True):
             yield Wanted(name, complex(foot), NUMBER, TICK, -1 - 1.5j)
@@ -228,12 +266,18 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 
 def _laid(ink: _Ink, step: Step) -> Ends:
-    if step.it.letter != "P" and step.it not in (ink.marks.feet, ink.marks.end):
+    if step.it.name != "P" and step.it not in (ink.marks.feet, ink.marks.end):
         yield ink.starts(step.uses[0]), ink.points(step.it)
 
 
 def _erected(ink: _Ink, step: Step) -> Ends:
     yield ink.points(step.uses[1]), ink.points(step.it)
+
+
+def _levelled(ink: _Ink, step: Step) -> Ends:
+    starts, ends = (ink.points(mark).real for mark in step.uses[1:])
+    height = 1j * ink.points(step.it).imag
+    yield starts + height, ends + height
 
 
 def _joined(ink: _Ink, step: Step) -> Ends:
@@ -257,6 +301,7 @@ _RULES: dict[str, Callable[[_Ink, Step], Ends]] = {
         (meet, _met),
         (lay_off, _laid),
         (g.erect, _erected),
+        (g.level_off, _levelled),
         (join, _joined),
         (g.touching, _touched),
         (g.succession, _succeeded),

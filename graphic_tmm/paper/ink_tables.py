@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from graphic_tmm.captions import CAPTIONS, LINK_NAMES
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.equations import quantity
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
@@ -115,7 +116,7 @@ def result_table(
     shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
     rows = []
     for column in columns:
-        letter = words.get(column.letter) or markup(column.letter)
+        letter = words.get(column.letter) or markup(symbol(column.letter, language))
         if any(x is not None for x in column.mm):
             cells = [fixed(column.mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])

@@ -92,7 +92,7 @@ def rate_table(
     for body, segment in rates.segments.items():
         mm, omega = log.value(segment), log.value(rates.values[body])
         name = block if body == "2" else body
-        rows.append([name, segment.letter, fixed(mm, 1, language), fixed(omega, 1, language)])
+        rows.append([name, segment.name, fixed(mm, 1, language), fixed(omega, 1, language)])
     heads = [
         words["body"],
         words["segment"],
@@ -171,12 +171,12 @@ class _Log:
         """A calculated mark: its letter, the formula in letters and in numbers, its number."""
         step = self.steps.get(mark)
         if step is None or not step.op.formula:
-            return f"{mark.letter} = {self.figure(mark)}"
+            return f"{mark.name} = {self.figure(mark)}"
         names = step.op.arguments
-        letters = {name: used.letter for name, used in zip(names, step.uses, strict=True)}
+        letters = {name: used.name for name, used in zip(names, step.uses, strict=True)}
         numbers = {name: self.put(used) for name, used in zip(names, step.uses, strict=True)}
         formula = step.op.formula
-        parts = (mark.letter, formula.format(**letters), formula.format(**numbers))
+        parts = (mark.name, formula.format(**letters), formula.format(**numbers))
         return " = ".join([*parts, self.figure(mark)])
 
     def condition(self, condition: Condition) -> tuple[str, ...]:
@@ -185,5 +185,5 @@ class _Log:
         if right is None:
             return (f"{left} – {WORDS[self.language]['whole']}",)
         if condition.relation == "=":
-            return left, f"{self.calculated(right)} = {condition.left.letter}"
-        return (f"{left} {condition.relation} {right.letter} = {self.figure(right)}",)
+            return left, f"{self.calculated(right)} = {condition.left.name}"
+        return (f"{left} {condition.relation} {right.name} = {self.figure(right)}",)

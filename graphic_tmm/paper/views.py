@@ -39,6 +39,7 @@ def _positions(drawn: Work, lettered: bool) -> list[Drawing]:
     view = draw_positions_ink(
         project.construction,
         drawn.reading,
+        drawn.reaches,
         main=candidates[0],
         names=project.names,
         skipped=drawn.undrawn,

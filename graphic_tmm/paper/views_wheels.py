@@ -67,7 +67,7 @@ def _checks(part: Part, made: Gear) -> Drawing:
         factor, places = (1000.0, 2) if in_mm else (1.0, 3)
         cells = [fixed(factor * x, places, language) for x in (found.value, found.least)]
         wheel = str(found.wheel) if found.wheel else ""
-        sign = "≥" if found.holds else "&lt;"
+        sign = "≥" if found.holds else "<"
         of = unit("mm", language) if in_mm else ""
         verdict = words["holds" if found.holds else "fails"]
         rows.append([words[found.name], wheel, f"{cells[0]} {sign} {cells[1]}", of, verdict])

@@ -12,7 +12,8 @@ import numpy as np
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.calculations import to_board, turn_per_mm
-from graphic_tmm.board.cams import in_turn, phase_end, smooth_stretch
+from graphic_tmm.board.cams import in_turn, phase_end
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
@@ -96,7 +97,7 @@ def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
     mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
     x = board.draw(f.along_turn, "x_φ", angle, length)
-    base = Base(turn.positions, length, x, mu_phi, draft.angle("0°", 0.0))
+    base = Base(turn.positions, length, x, mu_phi, draft.direction(0.0))
     unit = "rad" if isinstance(order.follower, RockerFollower) else "m"
     stroke = draft.take(Number, "h", order.stroke, unit)
     mu_S, height = _scale_of_S(draft, order, stroke, unit)
@@ -179,7 +180,7 @@ def _diagram(
     for spots, (first, last) in zip(points, stretches, strict=True):
         curves.append(
             board.draw(
-                smooth_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
+                graph_of_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
             )
         )
         readings.append(
@@ -200,7 +201,8 @@ def merge(draft: Draft, turn: Turn, readings: Sequence[Mark], letter: str) -> Ma
     found = readings[-1]
     for k in range(len(readings) - 2, -1, -1):
         at = draft.take(Number, board.free("σ"), turn.inside(*stretches[k]))
-        name = letter if k == 0 else board.free(f"{letter}_{{>{k}}}")
+        rest = ",".join(str(n) for n in range(k + 1, len(readings) + 1))
+        name = letter if k == 0 else board.free(f"{letter}_{{{rest}}}")
         found = board.draw(in_turn, name, readings[k], found, at)
     return found
 
@@ -209,6 +211,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
     """Mark on the base where a phase begins and ends, and its divisions."""
     board, phase, length = draft.board, common.turn.phases[k], common.base.length
     ends = (phase.start, phase.start + phase.extent)
+    board.say(phase.name)
     feet = []
     for angle, name in zip(ends if phase.sign > 0 else ends[::-1], ("o", "e"), strict=True):
         at = draft.take(Angle, board.free(f"φ_{name}"), angle, "°")

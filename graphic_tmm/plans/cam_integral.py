@@ -15,7 +15,8 @@ import numpy as np
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board import cam_law_formulas as law
 from graphic_tmm.board.calculations import rescaled, scale_of_derivative
-from graphic_tmm.board.cams import in_turn, smooth_stretch
+from graphic_tmm.board.cams import in_turn
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.graphs import arrival, erect, following, succession
 from graphic_tmm.board.operations import (
     join,
@@ -85,7 +86,7 @@ def draw_integral(
     board.open(views["S"])
     displacement = board.draw(measure_along, "S", ways.feet, spots, ways.up)
     for ends in phase.stretches:
-        board.draw(smooth_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
+        board.draw(graph_of_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
     high = board.draw(measure_along, "h", ways.end, end, ways.up)
     unit = stroke.unit
     mu_S = board.draw(f.scale_of_stroke, "μ_S", stroke, high, unit=f"{unit}/mm")
@@ -176,7 +177,7 @@ def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> 
     ends = [board.draw(measure_along, "v", axes.origin, z, axes.up) for z in (points, after)]
     angles = np.array(row.turn.angles)
     for first, last in row.phase.stretches:
-        curve = board.draw(smooth_stretch, "(v–v)", points, first=first, last=last)
+        curve = board.draw(graph_of_stretch, "(v–v)", points, first=first, last=last)
         own = (angles[first:last] + angles[first + 1 : last + 1]) / 2.0
         at = draft.take(Angle, board.free("φ_m"), row.turn.over((first, last - 1), own), "°")
         x = board.draw(f.along_turn, "x_m", at, row.base.length)

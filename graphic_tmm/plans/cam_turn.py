@@ -13,7 +13,8 @@ import numpy as np
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, rescaled, to_board, total
-from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, phase_end, smooth_stretch
+from graphic_tmm.board.cams import crest_of_curve, extreme_of_two, phase_end
+from graphic_tmm.board.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
@@ -163,7 +164,7 @@ def _outline(
         board.figure("outline", "between", end(spots, last), *dwell, end(after, first))
     low = end(level, turn.fall.last)
     across = board.draw(parallel, "(d)", low, axes.along)
-    over = board.draw(square, "(d)", axes.end, axes.along, sense=1)
+    over = board.draw(square, f"({axes.end.name})", axes.end, axes.along, sense=1)
     far = board.draw(meet, board.free("d_N"), over, across)
     board.figure("outline", "lower dwell", end(points[-1], turn.fall.last), low, far)
     board.figure("outline", "start", end(level, 0), end(points[0], 0))
@@ -172,7 +173,7 @@ def _outline(
 def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[Mark, ...]:
     return tuple(
         draft.board.draw(
-            smooth_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last
+            graph_of_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last
         )
         for own, (_, first, last) in zip(points, diagrams.stretches, strict=True)
     )
@@ -183,7 +184,11 @@ def _extreme(
 ) -> tuple[Mark, Mark, Mark]:
     """Return the extreme point of some curves, its ordinate (Length) and the angle of the cam (Angle)."""
     board = draft.board
-    tops = [board.draw(crest_of_curve, board.free("k"), curve, above=above) for curve in curves]
+    letters = [f"k_{k}" for k in range(1, len(curves) + 1)] if len(curves) > 1 else ["k"]
+    tops = [
+        board.draw(crest_of_curve, board.free(letter), curve, above=above)
+        for letter, curve in zip(letters, curves, strict=True)
+    ]
     point = tops[0]
     for other in tops[1:]:
         point = board.draw(extreme_of_two, board.free("k"), point, other, above=above)

@@ -16,13 +16,17 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.mechanism.orders import Drawn
 from graphic_tmm.plans.draft import Draft
 
+HEIGHT = {"A1": 130.0, "A4": 45.0}
+"""Of the graphs of moment, work and energy by format: how high one may be, mm; three stand in a column."""
+
 
 class Chart(NamedTuple):
     """A graph: its view, the symbol and unit of its ordinates, its scale, the ordinates read off (Length).
 
     ``end``: the ordinate at the end of the base where it was integrated to (Length). ``chosen``: its scale is
     a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
-    of the ordinates takes ``room`` mm at most.
+    of the ordinates takes ``room`` mm at most. ``room`` None: the whole figure, from its lowest to its highest
+    point, takes at most the `HEIGHT` of the format; ``figure``: its points, where they are not the ordinates.
     """
 
     view: str
@@ -32,8 +36,13 @@ class Chart(NamedTuple):
     ordinates: tuple[Mark, ...]
     chosen: bool
     wanted: float | None
-    room: float
+    room: float | None
     end: Mark | None = None
+    figure: tuple[Mark, ...] = ()
+
+    def shrunk(self, share: float) -> Chart:
+        """Return the graph with a share of its room."""
+        return self if self.room is None else self._replace(room=self.room * share)
 
 
 class Scaled(NamedTuple):
@@ -54,10 +63,14 @@ def derived_scale(
 
 
 def integrated_scale(
-    draft: Draft, symbol: str, unit: str, of: Mark, along: Mark, drawn: Drawn
+    draft: Draft, symbol: str, unit: str, of: Mark, along: Mark, drawn: Drawn, pole: str = ""
 ) -> Scaled:
-    """Find the scale of an integral from the pole distance, or the pole distance from the scale."""
-    return _scaled(draft, symbol, unit, drawn, scale_of_integral, lambda mu: (mu, of), (of, along))
+    """Find the scale of an integral from the pole distance, or the pole distance from the scale.
+
+    ``pole``: the letter of that distance, if it is not that of the quantity.
+    """
+    known = (of, along)
+    return _scaled(draft, symbol, unit, drawn, scale_of_integral, lambda mu: (mu, of), known, pole)
 
 
 def _scaled(
@@ -68,12 +81,14 @@ def _scaled(
     scale: Operation,
     in_order: Callable[[Mark], tuple[Mark, Mark]],
     known: tuple[Mark, Mark],
+    pole: str = "",
 ) -> Scaled:
     """``in_order``: the scale sought and the known one, that of the integral before that of the derivative."""
+    letter = pole or f"H_{symbol}"
     if drawn.pole is not None:
-        distance = draft.take(Length, f"H_{symbol}", drawn.pole, "mm")
+        distance = draft.take(Length, letter, drawn.pole, "mm")
         mu = draft.board.draw(scale, f"μ_{symbol}", *known, distance, unit=unit)
         return Scaled(mu, False, distance)
     mu = draft.board.take(Number, f"μ_{symbol}", unit)
-    distance = draft.board.draw(pole_distance, f"H_{symbol}", *in_order(mu), known[1])
+    distance = draft.board.draw(pole_distance, letter, *in_order(mu), known[1])
     return Scaled(mu, True, distance)

@@ -1,14 +1,17 @@
 """The flywheel: reduced moment, works by graphical integration, the energy of the flywheel, its inertia.
 
 ΔT is what the driving forces have done more than the resisting ones; less the energy of the links it is that of
-the flywheel. Its highest and lowest ordinates, carried to the ordinate axis, give the segment cd.
+the flywheel. The highest and the lowest point of its curve, carried to the ordinate axis, give the segment cd.
+The curves of A and ΔT are drawn with their tangents, the rays from the pole; that of the flywheel's energy is
+the difference of two curves: so it turns where the moments balance, between the positions, not at one of them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
-from graphic_tmm.board.calculations import scale_of_integral, to_board, turn_per_mm
+from graphic_tmm.board.calculations import to_board, turn_per_mm
 from graphic_tmm.board.energetics import (
     added,
     flywheel_inertia,
@@ -17,25 +20,24 @@ from graphic_tmm.board.energetics import (
     reduced_moment,
 )
 from graphic_tmm.board.graphs import highest, lowest
-from graphic_tmm.board.operations import join, measure_along, meet, parallel, square
+from graphic_tmm.board.operations import join, lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.bounds import DELTA
 from graphic_tmm.mechanism.orders import FlywheelOrder
 from graphic_tmm.plans import graphs
-from graphic_tmm.plans.charts import Chart
+from graphic_tmm.plans.charts import Chart, integrated_scale
 from graphic_tmm.plans.cylinder import Cylinder, Machine
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.energy import Energies, draw_energies
-from graphic_tmm.plans.energy_mass import EnergyMass, draw_energy_mass
+from graphic_tmm.plans.energy_mass import EnergyMass, Surplus, draw_energy_mass
 from graphic_tmm.plans.forces import Forces
-from graphic_tmm.plans.graphs import Axes, Base, Boundaries
+from graphic_tmm.plans.graphs import Axes, Base, Boundaries, Pole
 from graphic_tmm.plans.indicator import Indicator
 from graphic_tmm.plans.rim import DrawnRim, draw_rim
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
-ROOM = 110.0
-"""Room for the highest ordinate of the moment, mm."""
 
 
 @dataclass(frozen=True)
@@ -87,11 +89,12 @@ def draw_flywheel(
     heights = board.draw(to_board, "y_M", moment, mu_M)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
     at = graphs.lay_ordinates(draft, axes, heights, "k")
-    curve = graphs.through(draft, axes, at)
+    curve = graphs.taut(draft, axes, at)
     reading = graphs.read(draft, axes, at.points, "M")
-    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, ROOM)
-    work, works, surplus = _works(draft, axes, at, curve, order)
-    energies, energy_axes, own, charts = _energies(draft, machine, work, surplus)
+    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
+    done = _works(draft, axes, at, curve, order)
+    energies, gained, own, charts = _energies(draft, machine, axes, at, done)
+    energy_axes = gained.axes
     segment = _segment(draft, energy_axes, own)
     assert velocities.speed is not None
     delta = draft.take(Number, "δ", order.delta)
@@ -104,22 +107,21 @@ def draw_flywheel(
     second = None
     if order.tangents is not None:
         second = draw_energy_mass(
-            draft, energies, surplus, energy_axes, delta, velocities.speed, order.tangents
+            draft, energies, done.surplus, gained, delta, velocities.speed, order.tangents
         )
     more = (second.chart,) if second is not None else ()
     indicator = cylinder.indicator if cylinder is not None else None
     first = (indicator.chart,) if indicator is not None else ()
     found = (*first, chart, *charts, *more)
+    works = (done.points, done.straight)
     return Flywheel(order, base, indicator, found, energies, works, segment, inertia, second, rim)
 
 
 def _refuse(order: FlywheelOrder) -> None:
-    if not order.delta > 0.0:
-        raise StructureError(f"flywheel: δ = {order.delta:g} is not greater than 0")
-    if not order.pole > 0.0:
-        raise StructureError(
-            f"flywheel: the pole distance H = {order.pole:g} mm is not greater than 0"
-        )
+    DELTA.refuse("flywheel", "delta", order.delta)
+    pole = order.A.pole
+    if pole is not None and not pole > 0.0:
+        raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -156,58 +158,88 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     return board.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
-def _works(
-    draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder
-) -> tuple[Axes, tuple[Boundaries, Mark], Mark]:
-    """Integrate the moment, close it with a straight line; return axes, works and ΔT read off (Length)."""
+class _Works(NamedTuple):
+    """The works as drawn: their axes, the integrated side, the straight one, ΔT read off (Length).
+
+    ``pole``: from where the rays to the ordinates of the moment have the slopes of ΔT.
+    """
+
+    axes: Axes
+    points: Boundaries
+    straight: Mark
+    surplus: Mark
+    pole: Mark
+    chart: Chart
+
+
+def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder) -> _Works:
+    """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
     board = draft.board
     board.open(VIEWS["work"])
-    distance = draft.take(Length, "H", order.pole, "mm")
-    mu = board.draw(scale_of_integral, "μ_A", source.mu, source.base.mu, distance, unit="J/mm")
-    axes = graphs.draw_axes(draft, VIEWS["work"], source.base, mu)
-    pole = graphs.set_pole(draft, source, distance)
-    chords = at if order.integration == "chords" else None
-    found = graphs.integrate(draft, source, curve, axes, pole, "A", chords=chords)
-    graphs.through(draft, axes, found, closed=False)
+    scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
+    axes = graphs.draw_axes(draft, VIEWS["work"], source.base, scaled.mu)
+    pole = graphs.set_pole(draft, source, scaled.distance)
+    found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
+    graphs.along_rays(draft, axes, found, pole.point, at, source)
     straight = board.draw(join, "(A′)", axes.origin, found.end)
     lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
     other = board.draw(meet, "A′", straight, lines)
-    ends = (other, found.points) if order.constant == "resisting" else (found.points, other)
+    ahead = order.constant == "resisting"
+    ends = (other, found.points) if ahead else (found.points, other)
     surplus = board.draw(measure_along, "ΔT", *ends, axes.up)
-    return axes, (found, other), surplus
+    level = _level_pole(draft, source, pole, straight, ahead=ahead)
+    rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
+    chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
+    return _Works(axes, found, other, surplus, level, chart)
+
+
+def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
+    """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
+
+    ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
+    """
+    board = draft.board
+    board.open(source.view)
+    slope = board.draw(parallel, "(PM)", pole.point, straight, sense=1)
+    constant = board.draw(meet, "M_c", source.up, slope)
+    level = board.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
+    return board.draw(lay_off, "P′", level, pole.distance)
 
 
 def _energies(
-    draft: Draft, machine: Machine, work: Axes, surplus: Mark
-) -> tuple[Energies, Axes, Boundaries, tuple[Chart, ...]]:
-    """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own."""
-    board = draft.board
+    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: _Works
+) -> tuple[Energies, Surplus, Mark, tuple[Chart, ...]]:
+    """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own.
+
+    Returns the energies, ΔT, the curve of the flywheel's energy, the charts. ``source``, ``at``: the moment.
+    """
+    board, work = draft.board, done.axes
     board.open(VIEWS["energy"])
     energies = draw_energies(draft, machine.mechanism, machine.velocities)
     heights = board.draw(to_board, "y_T", energies.total, work.mu)
     axes = graphs.draw_axes(draft, VIEWS["energy"], work.base, work.mu)
-    gained = graphs.lay_ordinates(draft, axes, surplus, "g")
-    graphs.through(draft, axes, gained)
+    gained = graphs.lay_ordinates(draft, axes, done.surplus, "g")
+    ahead = graphs.along_rays(draft, axes, gained, done.pole, at, source)
     links = graphs.lay_ordinates(draft, axes, heights, "l")
-    graphs.through(draft, axes, links)
+    carried = graphs.through(draft, axes, links)
     rest = board.draw(measure_along, "y_F", links.points, gained.points, axes.up)
     own = graphs.lay_ordinates(draft, axes, rest, "f")
-    graphs.through(draft, axes, own)
+    curve = graphs.difference(draft, axes, own, ahead, carried)
     readings = [
         graphs.read(draft, axes, points.points, letter)
         for points, letter in ((gained, "ΔT"), (links, "T_L"), (own, "T_F"))
     ]
-    none = (False, None, ROOM)
-    works = Chart(VIEWS["work"], "A", "J", work.mu, (surplus,), *none)
-    energy = Chart(VIEWS["energy"], "T", "J", work.mu, tuple(readings), *none)
-    return energies, axes, own, (works, energy)
+    energy = done.chart._replace(
+        view=VIEWS["energy"], symbol="T", ordinates=tuple(readings), figure=()
+    )
+    return energies, Surplus(axes, ahead), curve, (done.chart, energy)
 
 
-def _segment(draft: Draft, axes: Axes, own: Boundaries) -> Mark:
+def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
     board, ends = draft.board, []
     for op, name in ((highest, "c"), (lowest, "d")):
-        top = board.draw(op, f"{name}_F", own.points, row=axes.base.intervals)
+        top = board.draw(op, f"{name}′", own, axes.origin, axes.end)
         level = board.draw(parallel, f"({name})", top, axes.along, sense=1)
         ends.append(board.draw(meet, name, axes.up, level))
     return board.draw(measure_along, "cd", ends[1], ends[0], axes.up)

@@ -15,6 +15,7 @@ from graphic_tmm.plans.gear_dimensions import GearSizes, calculate_sizes
 from graphic_tmm.plans.gear_line import ActionLine, draw_action_line
 from graphic_tmm.plans.gear_refusals import refuse_order, refuse_sizes
 from graphic_tmm.plans.gear_rows import Rows, choose_rows
+from graphic_tmm.plans.gear_sliding import ROOM as SLIDING
 from graphic_tmm.plans.gear_sliding import Sliding, draw_sliding
 from graphic_tmm.plans.gear_teeth import Wheel, draw_wheel
 
@@ -79,4 +80,4 @@ def gear_scales(draft: Draft, gear: Gear) -> dict[Mark, float]:
     larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
     mu = gear.order.mu or min(standard_length(distance, ROOM), larger)
     chart, floor = gear.sliding.chart, gear.sliding.floor
-    return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, chart.room)}
+    return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, SLIDING)}

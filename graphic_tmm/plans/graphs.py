@@ -10,15 +10,21 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from graphic_tmm.board.calculations import abscissa
+from graphic_tmm.board.graph_curves import (
+    closed_graph,
+    graph_of_differences,
+    graph_of_rays,
+    open_graph,
+    open_graph_of_middles,
+    taut_graph,
+)
 from graphic_tmm.board.graphs import (
     arrival,
     at_zero,
-    closed_graph,
     erect,
     following,
     halve,
-    open_graph,
-    open_graph_of_middles,
+    level_off,
     succession,
     touching,
 )
@@ -34,10 +40,8 @@ from graphic_tmm.board.operations import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.errors import ConstructionError
+from graphic_tmm.mechanism.bounds import INTERVALS
 from graphic_tmm.plans.draft import Draft
-
-LEAST = 4
-"""Fewer intervals than these show no curve."""
 
 
 class Base(NamedTuple):
@@ -55,7 +59,10 @@ class Base(NamedTuple):
 
 
 class Axes(NamedTuple):
-    """The axes of one graph: its view, origin, the two lines, the feet of positions, the end, the middles."""
+    """The axes of one graph: its view, origin, the two lines, the feet of positions, the end, the middles.
+
+    ``after``: of each foot the one that follows it.
+    """
 
     base: Base
     view: str
@@ -66,6 +73,7 @@ class Axes(NamedTuple):
     feet: Mark
     end: Mark
     middles: Mark
+    after: Mark
 
 
 class Boundaries(NamedTuple):
@@ -96,14 +104,14 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
     ConstructionError
         With fewer than four intervals.
     """
-    if count < LEAST:
+    if not INTERVALS.holds(count):
         raise ConstructionError(
-            f"{mu.view}: a graph needs {LEAST} intervals at least, not {count}: take more positions"
+            f"{mu.view}: a graph needs {INTERVALS.least} intervals at least, not {count}: take more positions"
         )
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers)
     x = draft.board.draw(abscissa, "x_{n}", n, length, intervals)
-    return Base(count, length, x, mu, draft.angle("0°", 0.0))
+    return Base(count, length, x, mu, draft.direction(0.0))
 
 
 def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
@@ -126,7 +134,7 @@ def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     end = board.draw(lay_off, str(base.intervals), along, base.length)
     after = board.draw(following, "i+1", feet, end, row=base.intervals)
     middles = board.draw(halve, "m", feet, after)
-    return Axes(base, view, mu, origin, along, up, feet, end, middles)
+    return Axes(base, view, mu, origin, along, up, feet, end, middles, after)
 
 
 def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
@@ -151,14 +159,37 @@ def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
 
 
 def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
-    """Draw the smooth curve through the points of a graph."""
-    board, row = draft.board, axes.base.intervals
-    letter = f"({points.points.letter}–{points.points.letter})"
+    """Draw the smooth curve through the points of a graph: of what the mechanism does."""
+    board, row, letter = draft.board, axes.base.intervals, _name(points)
     if closed:
         return board.draw(closed_graph, letter, points.points, axes.base.length, row=row)
     if isinstance(points, Boundaries):
         return board.draw(open_graph, letter, points.points, points.end, row=row)
     return board.draw(open_graph_of_middles, letter, points.points, row=row)
+
+
+def taut(draft: Draft, axes: Axes, points: Boundaries) -> Mark:
+    """Draw the curve that stays between its points: of what is laid on the mechanism, forces and moments."""
+    row, over = axes.base.intervals, axes.base.length
+    return draft.board.draw(taut_graph, _name(points), points.points, over, row=row)
+
+
+def along_rays(
+    draft: Draft, axes: Axes, points: Boundaries, pole: Mark, ordinates: Boundaries, source: Axes
+) -> Mark:
+    """Draw the curve of an integral, by the rays from its pole to the ordinates of what was integrated."""
+    marks = (*points, pole, ordinates.points, source.up)
+    return draft.board.draw(graph_of_rays, _name(points), *marks, row=axes.base.intervals)
+
+
+def difference(draft: Draft, axes: Axes, points: Boundaries, first: Mark, second: Mark) -> Mark:
+    """Draw the curve through points whose ordinates are everywhere those of one curve less those of another."""
+    marks = (*points, first, second)
+    return draft.board.draw(graph_of_differences, _name(points), *marks, row=axes.base.intervals)
+
+
+def _name(points: Boundaries | Middles) -> str:
+    return f"({points.points.letter}–{points.points.letter})"
 
 
 def on_curve(draft: Draft, axes: Axes, curve: Mark, letter: str) -> Boundaries:
@@ -218,19 +249,17 @@ def integrate(
     pole: Pole,
     letter: str,
     *,
-    chords: Boundaries | None = None,
+    mean: str = "areas",
+    at: Boundaries | None = None,
 ) -> Boundaries:
-    """Integrate: the ordinate at each middle gives a ray from the pole, the rays segments in succession.
+    """Integrate: the mean ordinate of each interval gives a ray from the pole, the rays segments in succession.
 
-    The ordinate is that of the curve, or of the chords between the boundaries if ``chords`` gives them.
+    ``mean``: that of the "areas" below the curve, the curve's ordinate at the "middles", or that of the
+    "chords" between the points ``at``.
     """
     board, row = draft.board, source.base.intervals
     board.open(source.view)
-    if chords is None:
-        high = board.draw(erect, board.free("h"), curve, source.middles)
-    else:
-        after = board.draw(following, board.free(f"{chords.points.letter}+1"), *chords, row=row)
-        high = board.draw(halve, board.free("h"), chords.points, after)
+    high = _mean_ordinates(draft, source, curve, mean, at)
     level = board.draw(parallel, f"({high.letter})", high, source.along, sense=1)
     cut = board.draw(meet, board.free("h_y"), source.up, level)
     rays = board.draw(join, f"(P{cut.letter})", pole.point, cut)
@@ -239,3 +268,16 @@ def integrate(
     return Boundaries(
         points, board.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=row)
     )
+
+
+def _mean_ordinates(
+    draft: Draft, source: Axes, curve: Mark, mean: str, at: Boundaries | None
+) -> Mark:
+    board, row, letter = draft.board, source.base.intervals, draft.board.free("h")
+    if mean == "middles":
+        return board.draw(erect, letter, curve, source.middles)
+    if mean == "areas":
+        return board.draw(level_off, letter, curve, source.feet, source.after)
+    assert at is not None
+    after = board.draw(following, board.free(f"{at.points.letter}+1"), *at, row=row)
+    return board.draw(halve, letter, at.points, after)

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.trains import overall_ratio
 from graphic_tmm.board.values import Number
-from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.bounds import PLANETARY
 from graphic_tmm.mechanism.tooth_search import choose
-from graphic_tmm.mechanism.trains import PlanetaryOrder, Train, whole
+from graphic_tmm.mechanism.trains import PlanetaryOrder, Train
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.train_dimensions import Dimensions, calculate_train
 from graphic_tmm.plans.train_rates import Picture, Rates, draw_picture, draw_rates
@@ -88,7 +88,6 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
     board, letters = draft.board, []
     board.open(VIEW)
     for letter, z in (("z_a", driving), ("z_b", driven)):
-        if not whole(z) or z < 1:
-            raise StructureError(f"planetary: {z} is not a whole number of teeth")
+        PLANETARY["behind"].refuse("planetary", "behind", z)
         letters.append(draft.take(Number, letter, float(z)))
     return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

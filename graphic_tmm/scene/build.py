@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.mechanism.loads import GRAVITY, ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.scene import build_cam, build_forces, build_orders, build_wheels, geometry
 from graphic_tmm.scene import models as m
 from graphic_tmm.scene.force_tables import EffectsTable
-from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
+from graphic_tmm.scene.quantities import KGF
+from graphic_tmm.scene.records import (
+    PART_PLACES,
+    PLAN_PLACES,
+    SECTIONS,
+    Scales,
+    Scene,
+    SheetOrder,
+    Task,
+)
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
 
@@ -16,7 +25,7 @@ DIVISIONS = {"exact": 0.1, "cad": 0.01, "careful": 0.1, "student": 0.5}
 """Divisions of the rulers of named hands, mm."""
 
 
-def scene(parts: Parts, source: str) -> Scene:
+def scene(parts: Parts, source: str, *, kgf: bool = False) -> Scene:
     """Return the scene of sections in which no fault was found.
 
     Parameters
@@ -25,6 +34,8 @@ def scene(parts: Parts, source: str) -> Scene:
         All of them understood.
     source : str
         The file they come from.
+    kgf : bool
+        Whether a quantity in it is given in kgf.
     """
     head, frame, drive = parts.head, parts.frame, parts.drive
     plans, scales, hand, block = parts.plans, parts.scales, parts.hand, parts.title_block
@@ -35,6 +46,7 @@ def scene(parts: Parts, source: str) -> Scene:
     assert block is not None
     links = [link for link in parts.links if link is not None]
     sheets = [sheet for sheet in parts.sheets if sheet is not None] or [m.SheetTable()]
+    usual = _usual(parts)
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     return Scene(
         source=source,
@@ -58,10 +70,31 @@ def scene(parts: Parts, source: str) -> Scene:
         ruler=_division(hand),
         hand=hand.name,
         seed=hand.seed,
-        sheets=tuple(SheetOrder(sheet.format, sheet.place) for sheet in sheets),
+        sheets=tuple(SheetOrder(sheet.format, sheet.place or usual) for sheet in sheets),
         title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
+        assumed=_assumed(parts) if kgf else (),
     )
+
+
+def _assumed(parts: Parts) -> tuple[str, ...]:
+    """Return that weights and kgf speak of two accelerations of gravity, if they do."""
+    effects = parts.effects
+    if parts.forces is None or effects is None or not effects.gravity or effects.g is not None:
+        return ()
+    return (
+        f"effects.g is left out: weights are taken with {GRAVITY} m/s², while a kgf is {KGF} N; "
+        f'write g = "{KGF} m/s^2", or the one that is meant',
+    )
+
+
+def _usual(parts: Parts) -> tuple[str, ...]:
+    """Return what stands on a sheet that does not say what does: all that the scene calls for."""
+    plans = PLAN_PLACES if parts.drive is not None else ()
+    asked = {place for name in SECTIONS if getattr(parts, name) for place in SECTIONS[name]}
+    optional = {place for places in SECTIONS.values() for place in places}
+    usual = (*plans, *PART_PLACES)
+    return tuple(place for place in usual if place in asked or place not in optional)
 
 
 def _division(table: m.HandTable) -> float | None:
@@ -109,7 +142,6 @@ def _guides(tables: dict[str, m.GuideTable]) -> tuple[Guide, ...]:
 
 
 def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], frame: int) -> Link:
-    centres = [letter for letter in table.points if letter.startswith("S")]
     side = Side(*table.side, flips_at=table.flips_at) if table.side else None
     return Link(
         number=table.number,
@@ -119,7 +151,7 @@ def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], fra
         name=table.name,
         mass=table.mass,
         inertia=table.J,
-        centre=table.centre or (centres[0] if len(centres) == 1 else None),
+        centre=table.centre,
         side=side,
     )
 

@@ -57,7 +57,7 @@ def flywheel(table: FlywheelTable, gas: IndicatorTable | None) -> FlywheelOrder:
         indicator(gas) if gas is not None else None,
         table.delta,
         table.constant,
-        table.H,
+        Drawn(pole=table.H),
         table.base,
         table.mu_M,
         table.integration,

@@ -72,13 +72,13 @@ class FlywheelTable(Table):
 
     delta: o.Irregularity = key("coefficient of irregularity", 0.04)
     constant: o.Constant = key("which moment is constant", "resisting", "resisting")
-    H: v.Drawn = key("pole distance of the integration", "40 mm", 40.0)
+    H: v.Drawn | None = key("pole distance of the integration", "40 mm", None)
     base: v.Drawn = key("length of the base for a turn", "120 mm", 120.0)
     mu_M: o.MuMoment | None = key("(N·m)/mm", "8 N*m/mm", None)
     integration: o.Integration = key(
-        "mean ordinates: of the curve, of chords", "middles", "middles"
+        "mean ordinates: of areas, at the middles of intervals, of chords", "areas", "areas"
     )
-    tangents: o.Tangents = key("tangents of the energy–mass curve", "points", "points")
+    tangents: o.Tangents = key("tangents of the energy–mass curve", "curve", "curve")
     D_e: v.PositiveLength | None = key("outer diameter of the rim", "0.45 m", None)
     ratio: o.RimRatio = key("inner diameter of the rim over the outer", 0.85, 0.85)
     material: o.Material = key("material of the rim", "steel", "steel")

@@ -18,7 +18,8 @@ from graphic_tmm.accuracy.symbols import elements, symbol
 from graphic_tmm.board.cams import smooth_stretch
 from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.execute import execute, needed
-from graphic_tmm.board.graphs import open_graph, succession
+from graphic_tmm.board.graph_curves import open_graph
+from graphic_tmm.board.graphs import succession
 from graphic_tmm.board.operations import (
     lay_off,
     parallel,

@@ -12,14 +12,8 @@ from graphic_tmm.board.curve import french_curve, taut_curve
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
-from graphic_tmm.board.graphs import (
-    arrival,
-    closed_graph,
-    erect,
-    open_graph,
-    open_graph_of_middles,
-    succession,
-)
+from graphic_tmm.board.graph_curves import closed_graph, open_graph, open_graph_of_middles
+from graphic_tmm.board.graphs import arrival, erect, succession
 from graphic_tmm.board.operations import join, lay_off, meet, parallel, ray, square
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Angle, Length, Line, Point, arrays

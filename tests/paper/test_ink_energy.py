@@ -38,7 +38,7 @@ def view(which: str, lettered: bool = True) -> Drawing:
         return draw_indicator_ink(log, work.reading, made, names, "X", lettered=lettered)
     second = flywheel().energy_mass
     assert second is not None
-    return draw_energy_mass_ink(log, work.reading, second, names, "X", lettered=lettered)
+    return draw_energy_mass_ink(log, work.reading, second, names, "X", "1", lettered=lettered)
 
 
 def curves(of: Drawing) -> list[shapely.LineString]:
@@ -86,10 +86,11 @@ def test_lines_of_the_division_are_parallel() -> None:
     assert max(abs(way - below[0]) for way in below) < 1e-9
 
 
-def test_the_tangents_leave_the_points_on_one_side_and_end_in_a_and_b() -> None:
+def test_the_tangents_leave_the_curve_on_one_side_and_end_in_a_and_b() -> None:
     made = flywheel().energy_mass
     assert made is not None
-    points = drawn().reading[made.points][0]
+    beziers = [s for s in view("energy-mass").strokes if isinstance(s, Bezier)]
+    curve = np.array([z for s in beziers for z in flat(s.controls)])
     lines = [
         s
         for s in view("energy-mass", False).strokes
@@ -99,8 +100,9 @@ def test_the_tangents_leave_the_points_on_one_side_and_end_in_a_and_b() -> None:
     for stroke, sign in zip(lines, (1, -1), strict=True):
         a, b = (complex(x, y) for x, y, _ in stroke.path)
         assert a.real == pytest.approx(0.0, abs=1e-9)
-        above = sign * ((points - a) * np.conj(1j * (b - a) / abs(b - a))).real
-        assert above.max() == pytest.approx(0.0, abs=1e-9)
+        above = sign * ((curve - a) * np.conj(1j * (b - a) / abs(b - a))).real
+        assert above.max() == pytest.approx(0.0, abs=0.05)  # eight chords stand for an arc
+        assert above.max() <= 1e-9
     texts = {label.text for label in view("energy-mass").labels}
     assert {"a", "b", "ΔT", "J_{r}"} <= texts
 
@@ -123,8 +125,9 @@ def test_the_engine_stands_complete_on_one_sheet() -> None:
         "c",
         "d",
         "J_{м}",
-        "1,772",
-        "1,588",
+        "1,769",
+        "1,623",
+        "60,7",
     } <= texts
     assert "μ_A = 16,76 Дж/мм, μ_φ = 0,05236 рад/мм" in texts
     assert any("H = 40 мм" in text for text in texts)

@@ -126,7 +126,7 @@ def test_integrating_the_chords_returns_the_curve_and_closes(closed: bool) -> No
     draft.board.open("back")
     again = draft.board.draw(scale_of_integral, "μ", mu, sheet.base.mu, distance)
     back = graphs.draw_axes(draft, "back", sheet.base, again)
-    found = graphs.integrate(draft, to, curve, back, pole, "w")
+    found = graphs.integrate(draft, to, curve, back, pole, "w", mean="middles")
     points, end, scale = sheet.run(found.points, found.end, again)
     v, _ = motion(12)
     assert scale[0, 0] == pytest.approx(MU_V)
