@@ -236,12 +236,13 @@ def kind_of(value: object) -> str:
 def near(word: str, known: Iterable[str], cutoff: float = 0.5) -> str:
     """Return the known word that was probably meant; empty if none is like it."""
 
+    def same_length(other: str) -> float:
+        return 0.4 / max(len(word), 1) if len(word) == len(other) else 0.0
+
     def likeness(other: str) -> float:
         ratio = difflib.SequenceMatcher(None, word.casefold(), other.casefold()).ratio()
         begins = other[:1].casefold() == word[:1].casefold()
-        return (
-            ratio + (0.4 / len(word) if len(word) == len(other) else 0.0) + (0.1 if begins else 0.0)
-        )
+        return ratio + (0.1 if begins else 0.0) + same_length(other)
 
     if len(word) > LONGEST_MEANT:
         return ""

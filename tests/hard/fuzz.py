@@ -33,8 +33,8 @@ from graphic_tmm.__main__ import main
 
 LONG = 10.0
 """Seconds a command may add to what the scene takes unchanged: more is a hang."""
-HANG = 30
-"""Seconds after which a command is broken off."""
+HANG, ASLEEP = 30, 600
+"""Seconds after which a command is broken off: of the processor, and of the day (it waits for something)."""
 MEMORY = 2 << 30
 """Bytes that a process may take (not with ``--only``): more is a fault, not a machine that swaps."""
 
@@ -62,13 +62,16 @@ def _clock(seconds: int) -> Iterator[None]:
     def ring(*_: Any) -> None:
         raise _Hang
 
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.alarm(seconds)
+    before = [signal.signal(one, ring) for one in (signal.SIGALRM, signal.SIGVTALRM)]
+    signal.alarm(ASLEEP)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
     try:
         yield
     finally:
         signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        for one, old in zip((signal.SIGALRM, signal.SIGVTALRM), before, strict=True):
+            signal.signal(one, old)
 
 
 def arguments(one: Task, files: dict[str, Path]) -> list[str]:
@@ -161,7 +164,7 @@ def _fault(
     if {name: after.get(name) for name in before} != before:
         return "changed what it was given"
     strange = set(after) - set(before)
-    if status == 2 and strange or one.command != "options" and strange:
+    if (status == 2 and strange) or (one.command != "options" and strange):
         return f"wrote beside its folder: {strange}"
     return _whole(out) or (_told(one.line, result.stdout) if status != 2 else "")
 
