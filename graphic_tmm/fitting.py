@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence, Set
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.scales import Scale
@@ -67,8 +68,11 @@ def fitted(
         for room in reversed([r for r in VECTORS if r > getattr(sizes, plan)]):
             larger = sizes._replace(**{plan: room})
             sizes = larger if trials.count(larger) <= most else sizes
+    sizes, drawn = trials.by_hand(sizes)
     final = whole if wanted is None else project if wanted == scene.shown else record(scene, wanted)
-    return trials.work(sizes) if exact and final is project else trials.final(final, sizes, exact)
+    if final is not project:
+        return trials.final(final, sizes, exact)
+    return trials.work(sizes) if exact else drawn
 
 
 class _Trials:
@@ -147,24 +151,42 @@ class _Trials:
 
         for _ in range(TRIALS):
             found = too_large(self.scene, self.trial(sizes), self.parts, self.cells)
-            way = _giving_way(found, sizes, self.scene)
-            if not way:
+            less = _smaller(found, sizes, self.scene)
+            if less == sizes:
                 break
-            sizes = sizes._replace(
-                **{name: getattr(sizes, name) * min(share, STEP) for name, share in way.items()}
-            )
+            sizes = less
         return sizes
 
+    def by_hand(self, sizes: Sizes) -> tuple[Sizes, Work]:
+        """Return the drawing by the scene's own hand, and its sizes.
 
-def _giving_way(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> dict[str, float]:
-    """Return the sizes that have to give way, each with the least share of it that would fit."""
+        Near a singular position a rounded reading may make a plan much larger than it is: it gives way too.
+        """
+        from graphic_tmm.paper.measuring import Trial, too_large
+
+        orders = (
+            replace(order, place=tuple(place for place in order.place if place in PLANS))
+            for order in self.scene.sheets
+        )
+        plans = replace(self.scene, sheets=tuple(orders))
+        for _ in range(TRIALS):
+            drawn = self.final(self.project, sizes, exact=False)
+            less = _smaller(too_large(plans, Trial.of(drawn), (), {}), sizes, self.scene)
+            if less == sizes:
+                break
+            sizes = less
+        return sizes, drawn
+
+
+def _smaller(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> Sizes:
+    """Return sizes of which those that views too large depend on have given way."""
     way: dict[str, float] = {}
     for one in found:
         names = depends(one.place, one.view, scene)
         name = next((n for n in names if getattr(sizes, n) > LEAST.get(n, 0.0)), None)
         if name is not None:
-            way[name] = min(way.get(name, 1.0), one.share)
-    return way
+            way[name] = min(way.get(name, STEP), one.share)
+    return sizes._replace(**{name: getattr(sizes, name) * share for name, share in way.items()})
 
 
 def depends(place: str, view: str, scene: Scene) -> tuple[str, ...]:

@@ -220,8 +220,7 @@ def _sheets(made: Made) -> int:
     """Return how many sheets a scene takes."""
     from graphic_tmm.paper.measuring import Trial, needed
 
-    work = made.work
-    tried = Trial(work.scales, work.sizes, lambda: work) if work is not None else None
+    tried = Trial.of(made.work) if made.work is not None else None
     return needed(made.scene, tried, made.parts, {})
 
 

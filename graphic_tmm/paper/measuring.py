@@ -28,6 +28,11 @@ class Trial(NamedTuple):
     sizes: Sizes
     work: Callable[[], Work]
 
+    @classmethod
+    def of(cls, work: Work) -> Trial:
+        """Return a drawing that is made already."""
+        return cls(work.scales, work.sizes, lambda: work)
+
 
 class TooLarge(NamedTuple):
     """A view that no sheet of its format holds: the place it belongs to, its name, what share would fit."""
