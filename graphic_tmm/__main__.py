@@ -1,6 +1,8 @@
 """The command line. Heavy packages are imported by the command that needs them.
 
-Exit status: 0 fine, 2 bad input (one clear message; never a traceback; no output half written).
+Exit status: 0 fine, 1 a check has found something, 2 bad input (one clear message; no output half written),
+70 a fault of the program (one line; the environment variable GRAPHIC_TMM_TRACEBACK=1 shows where), 130 Ctrl-C,
+141 nobody reads what is printed.
 """
 
 from __future__ import annotations
@@ -10,13 +12,16 @@ import sys
 import click
 
 from graphic_tmm.options import (
+    WRONG,
+    Finite,
+    People,
     budgeted,
     drawn_by,
     hands,
-    people,
     read_scene,
     say,
     show,
+    terminal_width,
     warn,
     within,
 )
@@ -36,7 +41,7 @@ PLANS = (
 )
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=People, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="graphic-tmm")
 def main() -> None:
     """Emulate the drawing board: plans of mechanisms as recorded constructions.
@@ -61,7 +66,6 @@ def main() -> None:
 )
 @hands
 @budgeted
-@people
 def draw(
     scene: str | None,
     output: str,
@@ -84,7 +88,7 @@ def draw(
     made, texts = sheet_files(task, wanted)
     for path in write(Path(output), texts, remedy="name another folder with -o"):
         click.echo(str(path))
-    warn(made)
+    warn(made, sheets=True)
 
 
 @main.command()
@@ -97,28 +101,45 @@ def draw(
     default="text",
     show_default=True,
 )
-@click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
+@click.option("--exact", is_flag=True, help="Read without the ruler's rounding; print all digits.")
+@click.option(
+    "--width", type=click.IntRange(20, 10_000), help="Characters of a line of text; the terminal's."
+)
+@click.option(
+    "--decimal",
+    type=click.Choice(["point", "comma"]),
+    default="point",
+    show_default=True,
+    help="Decimal sign of CSV; with a comma, semicolons stand between the cells.",
+)
+@click.option(
+    "--bom", is_flag=True, help="Begin CSV with a byte order mark, as spreadsheets want it."
+)
 @hands
 @click.option(
     "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
 )
 @budgeted
-@people
 def table(
     scene: str | None,
     form: str,
     exact: bool,
+    width: int | None,
+    decimal: str,
+    bom: bool,
     hand: str | None,
     seed: int | None,
     trials: int,
     budget: str | None,
 ) -> None:
-    """Print what the plans of SCENE give: segments in mm, quantities in SI."""
+    """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
     from graphic_tmm.studio import make
     from graphic_tmm.studio import table as told
 
     drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
-    show(told(drawn, form, trials), 220)
+    wide = width or terminal_width()
+    text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
+    show("\ufeff" + text if bom and form == "csv" and isinstance(text, str) else text, wide)
     warn(drawn)
 
 
@@ -130,7 +151,6 @@ def table(
 @click.option("--minutes", help="TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
 @click.option("--no-time", is_flag=True, help="Measure no seconds: the same bytes every time.")
 @hands
-@people
 def accuracy(
     scene: str | None,
     output: str | None,
@@ -165,15 +185,23 @@ def accuracy(
     help="By whose drawings readings are judged.",
 )
 @click.option(
+    "--points",
+    type=click.Choice(["paper", "screen", "photo"]),
+    default="paper",
+    show_default=True,
+    help="How x and y were read: off the paper with ruler and square, off the drawing on a screen "
+    "(0.1 mm), off a photograph (0.5 mm).",
+)
+@click.option(
     "--doubtful",
-    type=click.FloatRange(0.5, 1.0),
+    type=Finite(0.5, 1.0),
     default=0.97,
     show_default=True,
     help="Beyond this quantile of the hand's own deviations a reading is doubtful.",
 )
 @click.option(
     "--wrong",
-    type=click.FloatRange(1.0, 100.0),
+    type=Finite(1.0, 100.0),
     default=5.0,
     show_default=True,
     help="Beyond so many times their root mean square, and beyond them all, it is wrong.",
@@ -188,12 +216,17 @@ def accuracy(
 @click.option("--overlay", help="SVG file for the exact plans under the points that were read.")
 @click.option(
     "--enlarge",
-    type=click.FloatRange(1.0, 1000.0),
+    type=Finite(1.0, 1000.0),
     default=1.0,
     show_default=True,
     help="How many times larger the overlay shows deviations.",
 )
 @click.option("--photo", help="A photograph of the sheet, to be laid under it (with --corners).")
+@click.option(
+    "--sheet",
+    type=click.IntRange(1),
+    help="Which sheet the photograph shows (with --photo); default: the first.",
+)
 @click.option(
     "--corners", help="The corners of the frame in the photograph: x,y x,y x,y x,y (dots)."
 )
@@ -205,12 +238,12 @@ def accuracy(
     default="text",
     show_default=True,
 )
-@people
 def check(
     scene: str,
     readings: str | None,
     template: bool,
     hand: str,
+    points: str,
     doubtful: float,
     wrong: float,
     trials: int,
@@ -218,6 +251,7 @@ def check(
     enlarge: float,
     photo: str | None,
     corners: str | None,
+    sheet: int | None,
     form: str,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
@@ -227,22 +261,27 @@ def check(
     if template:
         click.echo(road.template_of(task), nl=False)
         return
+    if photo is None and (sheet is not None or corners is not None):
+        raise click.UsageError("--sheet and --corners go with a photograph: add --photo FILE")
+    if readings is None and photo is None:
+        raise click.UsageError("name the file of READINGS, or ask for --template")
+    report = None
+    if readings is not None:
+        report = road.checked(task, readings, hand, (doubtful, wrong), trials, points)
     if photo is not None:
-        written, told = road.underlay(task, photo, corners or "", overlay or "photo.svg")
+        place = overlay or "photo.svg"
+        written, told = road.underlay(task, photo, corners or "", place, sheet or 1)
         for warning in told:
             say(f"graphic-tmm: warning: {warning}")
         for path in written:
-            click.echo(str(path))
-        if readings is None:
-            return
-    if readings is None:
-        raise click.UsageError("name the file of READINGS, or ask for --template")
-    report = road.checked(task, readings, hand, (doubtful, wrong), trials)
+            click.echo(str(path), err=report is not None)  # a report has the other stream to itself
+    if report is None:
+        return
     if overlay is not None and photo is None:
         say(str(road.overlaid(task, report, overlay, enlarge)))
     show(road.told(report, form), 160)
     if report.wrong:
-        raise SystemExit(1)
+        raise SystemExit(WRONG)
 
 
 @main.command()
@@ -257,25 +296,23 @@ def check(
 @click.option("-n", "--position", help="Number of the position, as on the sheet.")
 @click.option("-l", "--language", type=click.Choice(["ru", "en"]), help="Default: the scene's.")
 @click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
-@people
 def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.narration import part_protocol, protocol
+    from graphic_tmm.narration import steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)
-    chosen = ("synthesis", *PLANS) if plan == "all" else (plan,)
+    known = ("synthesis", *PLANS)
+    chosen = known if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
-    lines = list(protocol(drawn.work, chosen, position, spoken)) if drawn.work is not None else []
-    for line in [*lines, *part_protocol(drawn.parts, chosen, spoken)]:
+    for line in steps_of(drawn.work, drawn.parts, drawn.scene, chosen, position, spoken, known):
         click.echo(line)
     warn(drawn)
 
 
 @main.command()
-@people
 def scenes() -> None:
     """List the scenes that come with the package."""
     import tomllib
@@ -292,14 +329,15 @@ def scenes() -> None:
 @main.command()
 @click.argument("folder")
 @click.option("--like", help="Scene to begin with; the default scene if left out.")
-@people
 def new(folder: str, like: str | None) -> None:
     """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
     from pathlib import Path
 
     from graphic_tmm.errors import Fault, SceneError
     from graphic_tmm.files import write
-    from graphic_tmm.scene.read import FILE, read
+    from graphic_tmm.scene.document import document
+    from graphic_tmm.scene.new import begun
+    from graphic_tmm.scene.read import FILE, SCENE, read
     from graphic_tmm.studio import scene_path
 
     target = Path(folder)
@@ -309,19 +347,16 @@ def new(folder: str, like: str | None) -> None:
     source = scene_path(like)
     file = source / FILE if source.is_dir() else source
     read(file)
-    for path in write(target, {FILE: file.read_text(encoding="utf-8")}):
+    for path in write(target, begun(document(file, SCENE)[0])):
         click.echo(str(path))
 
 
 @main.command()
-@people
 def schema() -> None:
     """Print the JSON Schema of scenes, for editors."""
-    import json
+    from graphic_tmm.scene.new import schema_text
 
-    from graphic_tmm.scene.models import schema as made
-
-    click.echo(json.dumps(made(), ensure_ascii=False, indent=2))
+    click.echo(schema_text(), nl=False)
 
 
 if __name__ == "__main__":

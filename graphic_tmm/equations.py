@@ -68,23 +68,22 @@ def _bar(symbol: str) -> str:
 
 def quantity(letter: str) -> str:
     """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}."""
-    if letter[0] in "ωε":
+    stem, _, rest = letter.partition("_")
+    if rest and stem in "ωε":
         return letter
-    if "_" in letter:
-        stem, _, rest = letter.partition("_")
-        ends = "".join(reversed(ends_of(rest.strip("{}"))))
-        return f"a_{{{ends.upper()}}}^{{{stem}}}"
-    symbol = QUANTITIES.get(letter[0])
-    if symbol is not None:
-        return f"{symbol}_{{{letter[1:].upper()}}}"
-    return f"v_{{{''.join(reversed(ends_of(letter))).upper()}}}"
+    ends = ends_of((rest or letter).strip("{}"))
+    if rest:
+        return f"a_{{{''.join(reversed(ends)).upper()}}}^{{{stem}}}"
+    if ends[0] in QUANTITIES:
+        return f"{QUANTITIES[ends[0]]}_{{{''.join(ends[1:]).upper()}}}"
+    return f"v_{{{''.join(reversed(ends)).upper()}}}"
 
 
 def ends_of(letter: str) -> list[str]:
     """Split a segment into the letters of its ends: aa3 -> a, a3."""
     ends: list[str] = []
     for sign in letter:
-        if sign.isdigit() or sign == "′":
+        if ends and (sign.isdigit() or sign == "′"):
             ends[-1] += sign
         else:
             ends.append(sign)
@@ -97,10 +96,10 @@ def equations(construction: Construction, plan: str, *, turned: bool = False) ->
     ``turned``: the plan is turned by 90°, so that what is drawn along a line is square to it in truth.
     """
     view = construction.view(plan)
-    if view is None or view.pole is None or view.pole.letter not in QUANTITIES:
+    if view is None or view.pole is None or view.pole.name not in QUANTITIES:
         return
     steps = [step for step in construction.steps if step.it.view == plan]
-    read = {step.uses[2]: step.it.letter for step in steps if step.op is measure_along}
+    read = {step.uses[2]: step.it.name for step in steps if step.op is measure_along}
     group, fresh = "", dict[Mark, Step]()
     for step in steps:
         if step.note:
@@ -121,8 +120,8 @@ def _equation(
     turned: bool,
 ) -> Equation:
     """Return the equation of the point where two lines met."""
-    root = QUANTITIES[pole.letter]
-    name = f"{root}_{{{point.letter.upper()}}}"
+    root = QUANTITIES[pole.name]
+    name = f"{root}_{{{point.name.upper()}}}"
     sought: Term | str = name
     sides = []
     for line in lines:
@@ -130,10 +129,10 @@ def _equation(
         known = list[Term]()
         while start in fresh and fresh[start].op is lay_off:
             drawn, length = fresh[start].uses
-            known.insert(0, Term(quantity(length.letter), True, _direction(fresh[drawn], turned)))
+            known.insert(0, Term(quantity(length.name), True, _direction(fresh[drawn], turned)))
             start = fresh[drawn].uses[0]
         if start != pole:
-            known.insert(0, Term(f"{root}_{{{start.letter.upper()}}}", True))
+            known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True))
         direction = _direction(line, turned)
         if known:
             symbol = quantity(read[line.it]) if line.it in read else name
@@ -145,7 +144,7 @@ def _equation(
 
 def _direction(line: Step, turned: bool) -> str:
     """Return the direction of a vector by the line drawn for it: ⊥ AB, ∥ y–y, or B → A along a link."""
-    of = line.uses[1].letter.rstrip("′").strip("()")
+    of = line.uses[1].name.rstrip("′").strip("()")
     ends = ends_of(of)
     along = (line.op is parallel) != turned
     if along and line.choice["sense"] < 0 and len(ends) == 2:

@@ -3,19 +3,26 @@
 ::
 
     TmmError
-    ├── SceneError            the scene file: every fault with its key, its line and the remedy
+    ├── SceneError            a file that is read: every fault with its key, its line and the remedy
     ├── StructureError        the links and pairs do not make a mechanism that this board can draw
     ├── ConstructionError     a step of a construction was recorded wrongly, or cannot be drawn
-    └── SheetError            the paper: a view that does not fit, a folder that cannot be written
+    ├── SheetError            the paper: a view that does not fit, a folder that cannot be written
+    │   └── ViewError         a view that fits no sheet of its format
+    └── BareError             the program runs without its docstrings, of which its sentences are made
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 LONGEST = 60
 """Of a key, and of a text of the scene that a message quotes, so many characters are shown."""
+
+
+_QUOTED = re.compile(r'(?<!\w)"(.*?)"(?!\w)', re.DOTALL)
+"""What a message quotes: a quotation mark after a letter does not open, one before a letter does not close."""
 
 
 class TmmError(Exception):
@@ -23,15 +30,24 @@ class TmmError(Exception):
 
 
 class Fault(NamedTuple):
-    """One fault of a scene file: the key's path, its line (0 if unknown), what is wrong and what to do."""
+    """One fault of a file: the key's path, its line (0 if unknown), what is wrong and what to do."""
 
     key: str
     line: int
     message: str
 
 
+def first_of(faults: Sequence[Fault], most: int, count: int = 0) -> tuple[Fault, ...]:
+    """Return the first faults of a file; if there are more (``count``, or all those given), how many."""
+    more = max(count, len(faults)) - most
+    told = tuple(faults[:most])
+    if more > 0:
+        told += (Fault("", 0, f"and {more} more faults; put these right first"),)
+    return told
+
+
 class SceneError(TmmError):
-    """All faults of a scene file at once."""
+    """All faults of a file that is read at once."""
 
     def __init__(self, path: str, faults: tuple[Fault, ...]) -> None:
         self.path = path
@@ -40,14 +56,19 @@ class SceneError(TmmError):
 
     def _line(self, fault: Fault) -> str:
         place = f"{self.path}:{fault.line}" if fault.line else self.path
-        message = re.sub(rf'"([^"]{{{LONGEST}}})[^"]{{4,}}"', r'"\1..."', fault.message)
+        message = _QUOTED.sub(_shortened, fault.message)
         key = fault.key if len(fault.key) <= LONGEST else f"{fault.key[: LONGEST - 3]}..."
-        return _printable(f"{place}: {key}: {message}" if key else f"{place}: {message}")
+        return printable(f"{place}: {key}: {message}" if key else f"{place}: {message}")
 
 
-def _printable(text: str) -> str:
-    """Return text that does nothing to a terminal: what is not printable as its escape."""
+def printable(text: str) -> str:
+    """Return a line that does nothing to a terminal: what is not printable as its escape."""
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+
+
+def _shortened(match: re.Match[str]) -> str:
+    text = match[1]
+    return f'"{text[:LONGEST]}..."' if len(text) > LONGEST + 3 else match[0]
 
 
 class StructureError(TmmError):
@@ -60,3 +81,20 @@ class ConstructionError(TmmError):
 
 class SheetError(TmmError):
     """The paper: a view that does not fit, a folder that cannot be written."""
+
+
+class ViewError(SheetError):
+    """A view that fits no sheet of its format: its name and size (mm), so that a remedy can be told."""
+
+    def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
+        super().__init__(message)
+        self.view, self.size = view, size
+
+
+class BareError(TmmError):
+    """Python has thrown the docstrings away (``-OO``): the sentences of the steps are made of them."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "python -OO throws away the texts of which the sentences are made; run it without -OO"
+        )

@@ -1,13 +1,105 @@
-"""Files written whole or not at all: every text first goes to a temporary name beside its place."""
+"""Files: read if they are ordinary files of a fit size, written whole or not at all, never over an input.
+
+What one call of the program reads is remembered (`call`), so that nothing that it writes takes its place.
+A text first goes to a temporary file in the folder where it shall stand.
+"""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from contextlib import suppress
+import re
+import stat
+import unicodedata
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from pathlib import Path
+from socket import gethostname
+from typing import BinaryIO, NamedTuple, NoReturn
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import Fault, SceneError, SheetError, printable
+
+HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
+_PART = re.compile(r"\.graphic-tmm-([A-Za-z0-9-]+)-([0-9]+)-[0-9]+\.part")
+_INPUTS: ContextVar[list[Path] | None] = ContextVar("inputs", default=None)
+
+
+class Kind(NamedTuple):
+    """What sort of file is read.
+
+    ``noun``: what it is, "a scene"; ``remedy``: what a person names instead of one that is none;
+    ``largest``: how many bytes it may have.
+    """
+
+    noun: str
+    remedy: str
+    largest: int
+
+
+@contextmanager
+def call() -> Iterator[None]:
+    """Remember the files read within, so that `write` refuses to take their places."""
+    token = _INPUTS.set([])
+    try:
+        yield
+    finally:
+        _INPUTS.reset(token)
+
+
+# ---------------------------------------------------------------- reading
+
+
+def opened(file: Path, kind: Kind) -> BinaryIO:
+    """Return an ordinary file opened for reading bytes.
+
+    Raises
+    ------
+    SceneError
+        If it is not there, a folder, a device or a pipe, has more bytes than its kind may, or cannot be read.
+    """
+    try:
+        state = file.stat()
+        if stat.S_ISDIR(state.st_mode):
+            _refuse(file, f"this is a folder; {kind.remedy}")
+        if not stat.S_ISREG(state.st_mode):
+            _refuse(file, f"this is a device or a pipe, no ordinary file; {kind.remedy}")
+        if state.st_size > kind.largest:
+            _refuse(file, _large(kind))
+        stream = file.open("rb")
+    except FileNotFoundError:
+        _refuse(file, f"there is no such file; {kind.remedy}")
+    except (OSError, ValueError) as error:
+        reason = type(error).__name__
+        _refuse(file, f"the file cannot be read ({reason}); check its name and rights")
+    if (inputs := _INPUTS.get()) is not None:
+        inputs.append(file)
+    return stream
+
+
+def read(file: Path, kind: Kind) -> bytes:
+    """Return the bytes of a file; raises as `opened`."""
+    try:
+        with opened(file, kind) as stream:
+            data = stream.read(kind.largest + 1)
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        _refuse(file, f"the file cannot be read ({reason}); {kind.remedy}")
+    if len(data) > kind.largest:  # it grew, or does not tell its size
+        _refuse(file, _large(kind))
+    return data
+
+
+def _large(kind: Kind) -> str:
+    mega = kind.largest >= 1_000_000
+    most = f"{kind.largest // 1_000_000} MB" if mega else f"{kind.largest // 1000} kB"
+    return f"the file is too large: {kind.noun} has at most {most}; {kind.remedy}"
+
+
+def _refuse(file: Path, message: str) -> NoReturn:
+    raise SceneError(str(file), (Fault("", 0, message),)) from None
+
+
+# ---------------------------------------------------------------- writing
 
 
 def write(
@@ -15,13 +107,17 @@ def write(
 ) -> tuple[Path, ...]:
     """Write texts or bytes (by file name) into a folder, made if it is not there; return the paths.
 
-    ``remedy``: what a person can do if the folder cannot be written.
+    ``remedy``: what a person can do if the folder cannot be written. What a killed run of this program left
+    there half written is taken away.
 
     Raises
     ------
     SheetError
-        If the folder cannot be made or a file in it cannot be written; nothing is left behind then.
+        If the folder cannot be made or a file in it cannot be written, or a file would take the place of one
+        that this `call` has read; nothing is left behind then.
     """
+    for name in texts:
+        _spare(folder / name, remedy)
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     waiting: list[tuple[Path, Path]] = []
     try:
@@ -30,19 +126,80 @@ def write(
             place = folder / name
             if place.is_dir():
                 raise IsADirectoryError(21, "a folder stands there", str(place))
-            passing = folder / f".{name}.{os.getpid()}.part"
+            passing = folder / f".graphic-tmm-{HOST}-{os.getpid()}-{len(waiting)}.part"
             waiting.append((passing, place))
             passing.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
-        for passing, place in waiting:
-            os.replace(passing, place)
+        _sweep(folder)
+        _place(waiting)
     except OSError as error:
         _clear(waiting, made)
         reason = (error.strerror or str(error)).lower()
-        raise SheetError(f"cannot write into {folder}: {reason}; {remedy}") from error
+        raise SheetError(
+            f"cannot write into {printable(str(folder))}: {reason}; {remedy}"
+        ) from error
     except BaseException:
         _clear(waiting, made)
         raise
     return tuple(place for _, place in waiting)
+
+
+def _spare(place: Path, remedy: str) -> None:
+    """Refuse a place where a file stands that was read: under this name, another one, or by a link."""
+    for file in _INPUTS.get() or ():
+        if _same(file, place):
+            raise SheetError(
+                f"{printable(str(place))}: this file was read; it is not written over: {remedy}"
+            )
+
+
+def _same(file: Path, place: Path) -> bool:
+    """Whether two names mean one file, here or on a disk that does not tell small letters from capitals."""
+    with suppress(OSError, ValueError):
+        if os.path.samefile(file, place):
+            return True
+    return _folded(file) == _folded(place)
+
+
+def _folded(file: Path) -> str:
+    """Return where a file stands, links of its folder followed, in one form for all ways of spelling."""
+    whole = os.path.join(os.path.realpath(file.parent), file.name)
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", whole).casefold())
+
+
+def _place(waiting: list[tuple[Path, Path]]) -> None:
+    """Put files that are written into their places: all of them, even if Ctrl-C falls in between."""
+    left = list(waiting)
+    try:
+        while left:
+            os.replace(*left[0])
+            left.pop(0)
+    except KeyboardInterrupt:
+        for passing, place in left:
+            if passing.exists():
+                os.replace(passing, place)
+        raise
+
+
+def _sweep(folder: Path) -> None:
+    """Take away temporary files of this program on this machine whose process is gone."""
+    for path in folder.glob(".graphic-tmm-*.part"):
+        match = _PART.fullmatch(path.name)
+        if match and match[1] == HOST and _gone(int(match[2])):
+            with suppress(OSError):
+                path.unlink()
+
+
+def _gone(process: int) -> bool:
+    """Whether there is no such process; where that cannot be asked without harm, there is."""
+    if os.name != "posix":
+        return False
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return True
+    except (OSError, OverflowError):
+        return False
+    return False
 
 
 def _clear(waiting: list[tuple[Path, Path]], made: list[Path]) -> None:

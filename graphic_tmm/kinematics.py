@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
@@ -20,8 +21,9 @@ from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.motion import Motion
 from graphic_tmm.plans.positions import draw_frame, draw_positions, side_record, side_values
 from graphic_tmm.plans.velocities import draw_velocities
+from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.work import hand_of, work
+from graphic_tmm.work import doubted, executed, hand_of, record
 
 PLANS = ("positions", "velocities", "accelerations")
 
@@ -77,7 +79,12 @@ def motion(
     ConstructionError
         If a point is unknown, or ``fast`` is asked for without numba.
     """
-    scales = work(_plain(scene), exact=True).scales
+    plain = _plain(scene)
+    project = record(plain)
+    # read exactly, the same comes out to any scale: then nobody asks what sets it
+    doubts = Doubts((), {}) if exact else doubted(project)
+    reach = extents(project, doubts)
+    scales = executed(plain, project, Sizes(), reach, doubts, exact=True).scales
     mu = [scales[plan].value for plan in PLANS]
     row = np.atleast_1d(np.asarray(angles, dtype=np.float64))
     drawn = _drawn(scene, row, mu)

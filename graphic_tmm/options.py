@@ -1,10 +1,10 @@
-"""What the commands share: options, reading a scene, telling errors and warnings, printing tables."""
+"""What the commands share: how they end, options, reading a scene, telling warnings, printing tables."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from functools import wraps
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -15,31 +15,101 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
+"""Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
+nobody reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
+TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
+"""The variable of the environment by which a fault of the program shows where it is."""
 
-def people(command: F) -> F:
-    """Turn every error a person can mend into one message and exit status 2."""
 
-    @wraps(command)
-    def run(*args: Any, **options: Any) -> Any:
-        from graphic_tmm.errors import TmmError
+class People(click.Group):
+    """The commands as a person calls them: every error is one message, and every end has its own status."""
 
+    def main(self, *args: Any, **options: Any) -> Any:
+        """Run a command and exit with its status; see the statuses above."""
+        from graphic_tmm.files import call
+
+        options["standalone_mode"] = False
         try:
-            return command(*args, **options)
-        except TmmError as error:
-            say(f"graphic-tmm: {error}")
-        except BrokenPipeError:
-            sys.stderr.close()
-        except OSError as error:
-            place = f"{error.filename}: " if error.filename else ""
-            say(f"graphic-tmm: {place}{error.strerror or error}: check the path and its rights")
-        raise SystemExit(2)
+            with call():
+                ended = super().main(*args, **options)
+            sys.stdout.flush()
+        except (Exception, KeyboardInterrupt, SystemExit) as error:
+            ended = _ended(error)
+        sys.exit(ended if isinstance(ended, int) else FINE)
 
-    return run  # type: ignore[return-value]
+    def make_context(self, *args: Any, **options: Any) -> click.Context:
+        """Understand the command line; help may be asked for, and its reader gone."""
+        with _piped():
+            return super().make_context(*args, **options)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; its reader may be gone."""
+        with _piped():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _piped() -> Iterator[None]:
+    """End with a status of its own when the reader is gone, before click ends with 1."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise click.exceptions.Exit(_hushed()) from None
+
+
+def _ended(error: BaseException) -> int:
+    """Tell a person what has ended the program; return the exit status."""
+    from graphic_tmm.errors import TmmError
+
+    if isinstance(error, BrokenPipeError):
+        return _hushed()
+    if isinstance(error, SystemExit):
+        return error.code if isinstance(error.code, int) else BAD
+    if isinstance(error, (KeyboardInterrupt, click.Abort)):
+        return BROKEN_OFF
+    if isinstance(error, click.ClickException):
+        error.show()
+    elif isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        say(f"graphic-tmm: {place}{error.strerror or error}: check the path and its rights")
+    elif isinstance(error, TmmError):
+        say(f"graphic-tmm: {error}")
+    else:
+        return _own_fault(error)
+    return BAD
+
+
+def _own_fault(error: BaseException) -> int:
+    """Tell of an error that nobody has foreseen: it is the program's, not the person's."""
+    import os
+    import traceback
+
+    if os.environ.get(TRACEBACK):
+        traceback.print_exception(error)
+    what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
+    remedy = f"set {TRACEBACK}=1 to see where, and report it"
+    say(f"graphic-tmm: a fault of the program, not of the input ({what[:200]}); {remedy}")
+    return FAULT
+
+
+def _hushed() -> int:
+    """Let nothing more be written to a reader who is gone, nor be complained of at the end."""
+    import os
+
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):  # it is no stream of the system
+            os.dup2(nowhere, stream.fileno())
+    os.close(nowhere)
+    return NO_READER
 
 
 def say(text: str) -> None:
-    """Print to the error stream."""
-    click.echo(text, err=True)
+    """Print lines to the error stream; what would act on a terminal, as its escape."""
+    from graphic_tmm.errors import printable
+
+    click.echo("\n".join(printable(line) for line in text.split("\n")), err=True)
 
 
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
@@ -67,6 +137,17 @@ def hands(command: F) -> F:
     ):
         command = option(command)
     return command
+
+
+class Finite(click.FloatRange):
+    """A number between bounds; what is not a number lies between none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the number; refuse nan, which no comparison finds out of bounds."""
+        number = super().convert(value, param, ctx)
+        if number != number:
+            self.fail(f"{value} is not a finite number", param, ctx)
+        return number
 
 
 def budgeted(command: F) -> F:
@@ -99,14 +180,25 @@ def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     return scene if seed is None else replace(scene, seed=seed)
 
 
-def warn(made: Made) -> None:
-    """Tell what of a scene could not be drawn."""
+def warn(made: Made, *, sheets: bool = False) -> None:
+    """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    from graphic_tmm.scene.remarks import unplaced
     from graphic_tmm.studio import part_warnings, warnings
 
-    told = list(warnings(made.work)) if made.work is not None else []
+    told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
+    told += list(warnings(made.work)) if made.work is not None else []
     told += [text for part in made.parts for text in part_warnings(part)]
     for text in told:
         say(f"graphic-tmm: {made.scene.source}: warning: {text}")
+
+
+def terminal_width() -> int:
+    """Return how many characters a line of the terminal has, many if nothing is printed to one."""
+    import shutil
+
+    from graphic_tmm.studio import WIDTH
+
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDTH
 
 
 def show(text: str | list[Any], width: int) -> None:
@@ -115,7 +207,13 @@ def show(text: str | list[Any], width: int) -> None:
         click.echo(text, nl=False)
         return
     from rich.console import Console
+    from rich.measure import Measurement
+    from rich.table import Table
 
     console = Console(width=None if sys.stdout.isatty() else width)
-    for part in text:
-        console.print(part)
+    with console.capture() as written:  # rich has an end of its own for a reader who is gone
+        for part in text:
+            wide = console.options.update(max_width=10_000)
+            needed = Measurement.get(console, wide, part).maximum if isinstance(part, Table) else 0
+            console.print(part, width=max(console.width, needed))
+    click.echo(written.get(), nl=False)

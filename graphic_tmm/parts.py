@@ -6,14 +6,16 @@ construction and a reading by itself; a scene may have them beside a mechanism o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.scales import Scale, standard_length
 from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import StructureError
 from graphic_tmm.plans.cam import Cam, draw_cam
@@ -24,7 +26,7 @@ from graphic_tmm.plans.gear_results import gear_results
 from graphic_tmm.plans.planetary import Planetary, draw_overall, draw_planetary
 from graphic_tmm.scaling import free_scales
 from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES, Scene
-from graphic_tmm.tables.cam import cam_marks
+from graphic_tmm.tables.cam import cam_marks, cam_names
 from graphic_tmm.work import hand_of
 
 Results = dict[str, tuple[float, str]]
@@ -53,12 +55,20 @@ class Part:
             marks = {**cam_marks(self.made), **marks}
         if isinstance(self.made, Planetary):
             marks = {**self.made.results, **marks}
-        more = {k: (float(self.reading[m].ravel()[0]), _unit(m)) for k, m in marks.items()}
+        more = {k: (float(self.reading.figure(m).ravel()[0]), _unit(m)) for k, m in marks.items()}
         return found | more
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The numbers of its positions, as on the sheet."""
+        if isinstance(self.made, Cam):
+            return tuple(cam_names(self.made))
+        return tuple(str(k + 1) for k in range(self.reading.positions))
 
     def drawn_by(self, hand: Hand) -> Part:
         """Return the same drawing by another hand."""
-        return replace(self, reading=execute(self.construction, self.given, hand=hand), hand=hand)
+        reading = execute(self.construction, self.given, hand=hand)
+        return replace(self, reading=replace(reading, doubts=self.reading.doubts), hand=hand)
 
     def trial(self, k: int) -> Part:
         """Return one of the drawings of a hand that drew several times."""
@@ -70,7 +80,7 @@ class Part:
         for view in self.construction.views:
             if view.scale is not None:
                 value = float(self.reading[view.scale].ravel()[0])
-                found[view.name] = Scale(view.scale.letter, value, view.scale.unit)
+                found[view.name] = Scale(view.scale.name, value, view.scale.unit)
         return found
 
     def limits(self, language: str) -> tuple[str, ...]:
@@ -89,8 +99,10 @@ def _unit(mark: Mark) -> str:
     return "°" if mark.kind is Angle else mark.unit
 
 
-def draw_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
-    """Draw the parts that the scene's sheets show.
+def draw_parts(
+    scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None
+) -> tuple[Part, ...]:
+    """Draw the parts that the scene calls for; of those that are not ``wanted`` only tell if they can be made.
 
     Raises
     ------
@@ -98,10 +110,49 @@ def draw_parts(scene: Scene, *, exact: bool = False) -> tuple[Part, ...]:
         If a part cannot be made; the message names the scene.
     """
     hand = EXACT if exact else hand_of(scene)
+    wanted = scene.called if wanted is None else wanted
+    found = []
     try:
-        return tuple(_DRAW[kind](scene, hand) for kind in PART_PLACES if kind in scene.shown)
+        for kind in PART_PLACES:
+            if kind in scene.called:
+                recorded = _RECORD[kind](scene)
+                found += [_part(kind, scene, recorded, hand)] if kind in wanted else []
     except StructureError as error:
         raise StructureError(f"{scene.source}: {error}") from error
+    return tuple(found)
+
+
+def resized(part: Part, sizes: Mapping[str, float]) -> Part:
+    """Return a part, drawn in the usual size, with its sizes at a share of that.
+
+    ``sizes``: of what `free_sizes` tells. Scale factors of lengths stay standard ones.
+    """
+    scene, share = part.scene, sizes.get(part.kind, 1.0)
+    if isinstance(part.made, Cam):
+        assert scene.cam is not None
+        order = replace(scene.cam, base=scene.cam.base * sizes.get("cam graphs", 1.0))
+        if share < 1.0:
+            mu = float(part.reading[part.made.profile.mu][0, 0])
+            order = replace(order, mu_l=standard_length(mu / share, 1.0))
+        return _part("cam", scene, _cam(replace(scene, cam=order)), part.hand)
+    if isinstance(part.made, Gear) and share < 1.0:
+        assert scene.gears is not None
+        mu = float(part.reading[part.made.line.mu][0, 0])
+        order_ = replace(scene.gears, mu=standard_length(mu / share, 1.0))
+        return _part("gears", scene, _gears(replace(scene, gears=order_)), part.hand)
+    if isinstance(part.made, Planetary) and share < 1.0:
+        return _part("planetary", scene, _planetary(scene, share), part.hand)
+    return part
+
+
+def free_sizes(scene: Scene, kind: str) -> tuple[str, ...]:
+    """Return the sizes of a part that its scene leaves free."""
+    keys = {
+        "cam": {"cam": "cam.mu_l", "cam graphs": "cam.base"},
+        "gears": {"gears": "gears.mu_l"},
+        "planetary": {"planetary": "planetary.mu_l"},
+    }
+    return tuple(name for name, key in keys[kind].items() if key not in scene.told)
 
 
 def draws_mechanism(scene: Scene, parts: tuple[Part, ...]) -> bool:
@@ -109,47 +160,49 @@ def draws_mechanism(scene: Scene, parts: tuple[Part, ...]) -> bool:
     return scene.mechanism is not None or not (parts or scene.shown <= set(FREE_PLACES))
 
 
-def _gears(scene: Scene, hand: Hand) -> Part:
+class _Recorded(NamedTuple):
+    """A part as recorded: its marks, its board, further marks of results, how its scales are chosen."""
+
+    made: Cam | Gear | Planetary
+    draft: Draft
+    extra: Mapping[str, Mark]
+    scales: Callable[[], Mapping[Mark, object]]
+
+
+def _gears(scene: Scene) -> _Recorded:
     assert scene.gears is not None
     draft = Draft()
     made = draw_gear(draft, scene.gears)
-    given = {**draft.given, **gear_scales(draft, made)}
-    return _part("gears", scene, made, draft, given, hand, {})
+    return _Recorded(made, draft, {}, lambda: gear_scales(draft, made))
 
 
-def _planetary(scene: Scene, hand: Hand) -> Part:
+def _planetary(scene: Scene, size: float = 1.0) -> _Recorded:
     assert scene.planetary is not None
     draft = Draft()
-    made = draw_planetary(draft, scene.planetary)
+    made = draw_planetary(draft, scene.planetary, size)
     extra = {}
     if len(scene.behind) == 2:
         extra["overall_ratio"] = draw_overall(draft, made, *scene.behind)
-    return _part("planetary", scene, made, draft, dict(draft.given), hand, extra)
+    return _Recorded(made, draft, extra, dict)
 
 
-def _part(
-    kind: str,
-    scene: Scene,
-    made: Cam | Gear | Planetary,
-    draft: Draft,
-    given: Mapping[Mark, object],
-    hand: Hand,
-    extra: Mapping[str, Mark],
-) -> Part:
-    log = draft.board.construction()
-    reading = execute(log, given, hand=hand)
-    return Part(kind, scene, made, log, given, reading, hand, extra)
-
-
-def _cam(scene: Scene, hand: Hand) -> Part:
+def _cam(scene: Scene) -> _Recorded:
     assert scene.cam is not None
     draft = Draft()
     made = draw_cam(draft, scene.cam)
-    given = {**draft.given, **free_scales(made.charts, draft.board.construction(), draft.given)}
-    return _part("cam", scene, made, draft, given, hand, {})
+    return _Recorded(
+        made, draft, {}, lambda: free_scales(made.charts, draft.board.construction(), draft.given)
+    )
 
 
-_DRAW: Mapping[str, Callable[[Scene, Hand], Part]] = {
+def _part(kind: str, scene: Scene, recorded: _Recorded, hand: Hand) -> Part:
+    made, draft, extra, scales = recorded
+    log, given = draft.board.construction(), {**draft.given, **scales()}
+    reading = execute(log, given, hand=hand).doubted(Doubts(log.steps, given))
+    return Part(kind, scene, made, log, given, reading, hand, extra)
+
+
+_RECORD: Mapping[str, Callable[[Scene], _Recorded]] = {
     "cam": _cam,
     "gears": _gears,
     "planetary": _planetary,

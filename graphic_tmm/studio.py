@@ -3,54 +3,72 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
-from graphic_tmm.errors import SheetError
-from graphic_tmm.parts import Part, draw_parts, draws_mechanism
+from graphic_tmm.errors import Fault, SceneError, ViewError
+from graphic_tmm.fitting import fitted, fitted_parts
+from graphic_tmm.parts import Part, draws_mechanism
 from graphic_tmm.plans.cam import Cam
+from graphic_tmm.remedies import refusal, refuse_tiny
+from graphic_tmm.scene.quantities import near
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables.cam import cam_angles, cam_columns, cam_names
-from graphic_tmm.tables.charts import chart_columns, flywheel_columns, flywheel_results
-from graphic_tmm.tables.columns import Column, columns
+from graphic_tmm.tables.cam import cam_columns, cam_positions
+from graphic_tmm.tables.charts import (
+    chart_columns,
+    flywheel_columns,
+    flywheel_results,
+    rim_too_wide,
+)
+from graphic_tmm.tables.columns import Column, Positions, columns
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.tables.forces import force_columns
 from graphic_tmm.tables.spread import spread_columns, spread_results
-from graphic_tmm.tables.writing import as_csv, as_json, result_tables, rich_tables
-from graphic_tmm.words import finding
-from graphic_tmm.work import Work, executed, hand_of, ranges, record
+from graphic_tmm.tables.text import result_tables, rich_tables
+from graphic_tmm.tables.wheels import wheel_columns
+from graphic_tmm.tables.writing import as_csv, as_json, decimals_of
+from graphic_tmm.words import finding, left_out, plain
+from graphic_tmm.work import Work, assumed, hand_of, ranges
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
 
 DEFAULT = "windrower"
 """The scene that is drawn when none is named."""
-VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
-"""Room for the longest vector of a plan, mm: as much as the sheets hold."""
 
 
 def sheets(scene: Scene) -> tuple[Made, tuple[Sheet, ...]]:
     """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
     from graphic_tmm.paper.compose import compose
 
-    made = make(scene)
-    return made, compose(scene, made.work, made.parts)
+    made = make(scene, wanted=scene.shown)
+    try:
+        return made, compose(scene, made.work, made.parts)
+    except ViewError as error:
+        raise refusal(scene, error) from error
 
 
-def make(scene: Scene, *, exact: bool = False) -> Made:
+def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Made:
     """Draw a scene: its mechanism, if it has one, and its parts.
+
+    All that it calls for is drawn, or of that only what is ``wanted`` (places of a sheet); but whether the rest
+    can be drawn is found out nevertheless.
 
     Raises
     ------
     SceneError
         If it has neither.
+    SheetError
+        If a scale factor that it fixes draws a plan too small to measure.
     """
-    parts = draw_parts(scene, exact=exact)
+    parts = fitted_parts(scene, exact=exact, wanted=wanted)
     if not draws_mechanism(scene, parts):
         return Made(scene, None, parts)
-    return Made(scene, fitted(scene, parts=parts, exact=exact), parts)
+    drawn = fitted(scene, parts=parts, exact=exact, wanted=wanted)
+    refuse_tiny(scene, drawn)
+    return Made(scene, drawn, parts)
 
 
 class Made(NamedTuple):
@@ -91,6 +109,8 @@ SCALE_KEYS = {
     "energy-mass": "mu_J",
 }
 """What scale factors are called where machines read them."""
+WIDTH = 220
+"""Characters of a line of text where no terminal tells how many it has."""
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
 
@@ -117,44 +137,11 @@ def sheet_files(
     return made, files
 
 
-def fitted(scene: Scene, *, parts: Sequence[Part] = (), exact: bool = False) -> Work:
-    """Draw a scene with its plans as large as fit on the sheets ordered, or on as few more as they need.
-
-    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``parts`` stand on
-    the sheets too.
-    """
-    from graphic_tmm.paper.compose import Cells, needed
-
-    project = record(scene)
-    cells: Cells = {}
-    tried: dict[tuple[float, ...], float] = {}
-
-    def count(rooms: tuple[float, float]) -> float:
-        """Return how many sheets the plans take; without end if one of them fits none."""
-        made = executed(scene, project, exact=True, vectors=rooms)
-        factors = tuple(scale.value for scale in made.scales.values())
-        if factors not in tried:
-            try:
-                tried[factors] = needed(scene, made, parts, cells)
-            except SheetError:
-                tried[factors] = math.inf
-        return tried[factors]
-
-    least = (VECTORS[-1], VECTORS[-1])
-    most = max(len(scene.sheets), count(least))
-    rooms = next(((r, r) for r in VECTORS if count((r, r)) <= most), least)
-    for larger in reversed([r for r in VECTORS if r > rooms[1]]):
-        rooms = (rooms[0], larger) if count((rooms[0], larger)) <= most else rooms
-    for larger in reversed([r for r in VECTORS if r > rooms[0]]):
-        rooms = (larger, rooms[1]) if count((larger, rooms[1])) <= most else rooms
-    return executed(scene, project, exact=exact, vectors=rooms)
-
-
 def part_warnings(part: Part) -> tuple[str, ...]:
     """Return, for people, what of a part could not be drawn and why."""
-    count = part.reading.positions
-    names = tuple(str(k + 1) for k in range(count))
-    told = [finding(f, names, "en") for f in part.findings() if f.kind == "undrawn"]
+    found = part.findings()
+    told = [finding(f, part.names, "en") for f in found if f.kind == "undrawn"]
+    told += left_out([f for f in found if f.kind == "lost"], part.names, "en")
     return (*told, *part.limits("en"))
 
 
@@ -164,10 +151,12 @@ def warnings(work: Work) -> tuple[str, ...]:
     if work.undrawn:
         missing = ", ".join(names[i] for i in work.undrawn)
         told.append(f"positions {missing} cannot be drawn" + ranges(work.project))
-    for found in work.findings():
-        if found.kind != "touching":
-            told.append(finding(found, names, "en"))
-    return tuple(told)
+    findings = work.findings()
+    told += [finding(f, names, "en") for f in findings if f.kind not in ("touching", "lost")]
+    told += left_out([f for f in findings if f.kind == "lost"], names, "en")
+    if wide := rim_too_wide(work.project, work.reading, "en"):
+        told.append(f"flywheel: {plain(wide)}")
+    return (*told, *assumed(work))
 
 
 def packaged() -> list[Path]:
@@ -179,11 +168,25 @@ def packaged() -> list[Path]:
 
 
 def scene_path(name: str | None) -> Path:
-    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package."""
+    """Return the folder or file of a scene: a path, or the name of a scene that comes with the package.
+
+    Raises
+    ------
+    SceneError
+        If there is neither.
+    """
     wanted = DEFAULT if name is None else name
     if name is not None and Path(name).exists():
         return Path(name)
-    return next((path for path in packaged() if path.name == wanted), Path(wanted))
+    found = {path.name: path for path in packaged()}
+    if wanted in found:
+        return found[wanted]
+    from graphic_tmm.scene.read import SCENE
+
+    meant = near(wanted, found, 0.8)
+    said = f', did you mean the scene "{meant}"?' if meant else f"; {SCENE.remedy}"
+    listed = '"graphic-tmm scenes" lists those that come with it'
+    raise SceneError(wanted, (Fault("", 0, f"there is no such file{said}; {listed}"),))
 
 
 def scene_name(source: str) -> str:
@@ -210,23 +213,20 @@ def table_columns(work: Work) -> list[Column]:
     return [column.without(work.undrawn) for column in found]
 
 
-def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
+def table(
+    made: Made | Work, form: str, trials: int = 1, *, width: int = WIDTH, comma: bool = False
+) -> str | list[Any]:
     """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
 
-    ``trials``: how often the scene's hand draws everything; more than once, each figure is followed by the
-    median and the 5th and 95th hundredths of them.
+    ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``:
+    how often the scene's hand draws everything; more than once, each figure is followed by the median and the
+    5th and 95th hundredths of them.
     """
     if isinstance(made, Work):
         made = Made(made.scene, made, ())
     work, scene = made.work, made.scene
-    names = work.project.names if work is not None else ()
-    angles = work.project.angles if work is not None else ()
-    positions = list(zip(names, angles, strict=True))
     found = scene_columns(made)
-    if work is None and (cam := _cam(made)) is not None:
-        assert isinstance(cam.made, Cam)
-        names, angles = tuple(cam_names(cam.made)), tuple(cam_angles(cam.made))
-        positions = list(zip(names, angles, strict=True))
+    positions = _positions(made)
     results, numbers = _structure(made), scene_results(made)
     if trials > 1:
         drawn = list(drawings(made, hand_of(made.scene, trials)))
@@ -239,16 +239,29 @@ def table(made: Made | Work, form: str, trials: int = 1) -> str | list[Any]:
         if math.isfinite(value)
     }
     if form == "csv":
-        return as_csv(positions, found)
+        return as_csv(positions, found, None if made.exact else _division(made), comma=comma)
     if form == "text":
-        decimals = 3 if made.exact else 1
-        tables = rich_tables(found, names, scene.language, scene.title, decimals)
-        shown = numbers if trials > 1 else _part_results(made)
-        return [*tables, *result_tables(shown, scene.language, scene.title)]
+        decimals = 3 if made.exact else decimals_of(_division(made))
+        tables = rich_tables(found, positions, scene.language, scene.title, decimals, width)
+        return [*tables, *result_tables(numbers, scene.language, scene.title)]
     scales = {k: s for k, s in work.scales.items()} if work is not None else {}
     scales |= {view: s for part in made.parts for view, s in part.scales().items()}
     told = {_scale_key(plan): {"value": s.value, "unit": s.unit} for plan, s in scales.items()}
     return as_json(scene_name(scene.source), told, positions, found, results)
+
+
+def _positions(made: Made) -> Positions:
+    """Return the positions of a scene: those of its mechanism, else of its cam; none of wheels alone."""
+    if made.work is not None:
+        return tuple(zip(made.work.project.names, made.work.project.angles, strict=True))
+    cam = _cam(made)
+    return cam_positions(cam) if cam is not None else ()
+
+
+def _division(made: Made) -> float:
+    """Return the division of the coarsest ruler that a scene is read with, mm."""
+    hands = [part.hand for part in made.parts] + ([made.work.hand] if made.work else [])
+    return max((hand.ruler for hand in hands if hand.ruler is not None), default=0.1)
 
 
 def _part_results(made: Made) -> dict[str, tuple[float, str]]:
@@ -260,11 +273,11 @@ def _cam(made: Made) -> Part | None:
 
 
 def scene_columns(made: Made) -> list[Column]:
-    """Return the columns of a scene: of its mechanism, else of its cam."""
-    if made.work is not None:
-        return table_columns(made.work)
-    cam = _cam(made)
-    return list(cam_columns(cam)) if cam is not None else []
+    """Return the columns of a scene: of its mechanism and of its parts, which have positions of their own."""
+    found = table_columns(made.work) if made.work is not None else []
+    for part in made.parts:
+        found += cam_columns(part) if isinstance(part.made, Cam) else wheel_columns(part)
+    return found
 
 
 def drawings(made: Made, hand: Hand) -> Iterator[Made]:

@@ -8,11 +8,17 @@ from hypothesis import settings
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more.
+# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more;
+# the everyday run a few.
 settings.register_profile("person", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True, database=None, max_examples=60)
-settings.load_profile("ci" if os.environ.get("CI") else "person")
+settings.register_profile("everyday", deadline=None, max_examples=15)
 
 
 def pytest_addoption(parser):
     parser.addoption("--redraw", action="store_true", help="accept the sheets as drawn now")
+
+
+def pytest_configure(config):
+    everyday = config.option.markexpr == "not slow"
+    settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")

@@ -13,6 +13,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
+from graphic_tmm.tables.columns import segment_name
 from graphic_tmm.work import Work
 
 
@@ -82,7 +83,7 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
     lengths: dict[str, Mark] = {}
     for mark in work.project.marks(plan):
         if mark.kind.__name__ == "Length":
-            lengths.setdefault(quantity(mark.letter.rstrip("′")), mark)
+            lengths.setdefault(quantity(mark.name), mark)
     for equation in found(name, plan):
         point = log.mark(plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower())
         assert point is not None
@@ -107,6 +108,11 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
         ("n_{ba3}", "a_{A3B}^{n}"),
         ("k_{aa3}", "a_{A3A}^{k}"),
         ("ω_2", "ω_2"),
+        ("p1b", "v_{BP1}"),  # from the image of a point P1, not from the pole
+        ("pp1", "v_{P1}"),
+        ("π1k3", "v_{K3Π1}"),
+        ("ωb", "v_{BΩ}"),  # from the image of a point Ω: no rate
+        ("n_{ωb}", "a_{BΩ}^{n}"),
     ],
 )
 def test_a_segment_stands_for_its_quantity(letter: str, due: str) -> None:
@@ -116,3 +122,11 @@ def test_a_segment_stands_for_its_quantity(letter: str, due: str) -> None:
 def test_the_ends_of_a_segment() -> None:
     assert ends_of("aa3") == ["a", "a3"]
     assert ends_of("s2b′") == ["s2", "b′"]
+    assert ends_of("2") == ["2"]
+
+
+@pytest.mark.parametrize(
+    ("letter", "due"), [("ω_2", "omega2"), ("ε_{12}", "epsilon12"), ("ωb", "ωb"), ("n_{ab}", "nab")]
+)
+def test_a_rate_is_a_rate_by_its_index(letter: str, due: str) -> None:
+    assert segment_name(letter) == due

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from test_main import ROOT, made, run, scene
 
-from graphic_tmm.errors import SheetError
-from graphic_tmm.files import write
+from graphic_tmm.errors import SceneError, SheetError
+from graphic_tmm.files import HOST, Kind, read, write
 
 
 def found(folder: Path) -> dict[str, bytes]:
@@ -57,7 +60,7 @@ def test_nothing_is_left_of_files_broken_off_half_way(
     plain = Path.write_bytes
 
     def fails(path: Path, data: bytes) -> int:
-        if "second" in path.name:
+        if data == b"second":
             plain(path, data[:2])
             raise trouble
         return plain(path, data)
@@ -65,11 +68,11 @@ def test_nothing_is_left_of_files_broken_off_half_way(
     monkeypatch.setattr(Path, "write_bytes", fails)
     told = SheetError if isinstance(trouble, OSError) else KeyboardInterrupt
     with pytest.raises(told):
-        write(tmp_path / "new" / "folder", {"first.svg": "abc", "second.svg": "abc"})
+        write(tmp_path / "new" / "folder", {"first.svg": "abc", "second.svg": "second"})
     assert found(tmp_path) == {}
     (tmp_path / "first.svg").write_text("old")
     with pytest.raises(told):
-        write(tmp_path, {"first.svg": "abc", "second.svg": "abc"})
+        write(tmp_path, {"first.svg": "abc", "second.svg": "second"})
     assert found(tmp_path) == {"first.svg": b"old"}
 
 
@@ -127,13 +130,119 @@ def test_new_copies_nothing_that_is_no_scene(tmp_path: Path) -> None:
         assert not (tmp_path / "mine").exists()
 
 
-def test_new_is_a_copy_to_the_byte_and_leaves_a_scene_that_is_there(tmp_path: Path) -> None:
-    assert run("new", str(tmp_path)).stdout == f"{tmp_path / 'scene.toml'}\n"
-    due = (ROOT / "sheets" / "windrower" / "scene.toml").read_bytes()
-    assert (tmp_path / "scene.toml").read_bytes() == due
+def test_new_is_a_copy_that_finds_its_schema_and_leaves_a_scene_that_is_there(
+    tmp_path: Path,
+) -> None:
+    names = ("scene.toml", "scene.schema.json")
+    assert run("new", str(tmp_path)).stdout == "".join(f"{tmp_path / name}\n" for name in names)
+    text = (tmp_path / "scene.toml").read_text(encoding="utf-8")
+    schema = text.splitlines()[0].removeprefix("#:schema ")
+    assert json.loads((tmp_path / schema).read_text(encoding="utf-8"))["properties"]["drive"]
+    assert "kept for the poles" in text
+    due = (ROOT / "sheets" / "windrower" / "scene.toml").read_text(encoding="utf-8")
+    old = [line for line in due.splitlines() if not line.startswith("#:schema")]
+    assert text.splitlines()[2:] == old
+    assert "#:schema" not in "\n".join(old)
     (tmp_path / "scene.toml").write_text("mine")
     result = run("new", str(tmp_path), "--like", "engine")
     assert (result.exit_code, (tmp_path / "scene.toml").read_text()) == (2, "mine")
+
+
+def test_a_scene_begun_from_one_that_was_begun_finds_its_own_schema(tmp_path: Path) -> None:
+    assert run("new", str(tmp_path / "a"), "--like", "cam").exit_code == 0
+    assert run("new", str(tmp_path / "b"), "--like", str(tmp_path / "a")).exit_code == 0
+    made = [(tmp_path / name / "scene.toml").read_text(encoding="utf-8") for name in "ab"]
+    assert made[0] == made[1]
+
+
+# what a killed run has left
+
+
+PART = ".graphic-tmm-{}-{}-0.part"
+
+
+def test_what_a_dead_process_has_left_is_taken_away_by_the_next(tmp_path: Path) -> None:
+    ended = subprocess.run(
+        [sys.executable, "-c", "import os; print(os.getpid())"], capture_output=True
+    )
+    dead = int(ended.stdout)
+    kept = [
+        PART.format(HOST, os.getppid()),  # it lives
+        PART.format("other-machine", dead),
+        f".mine.{dead}.part",
+        f"graphic-tmm-{HOST}-{dead}-0.part",
+    ]
+    for name in (*kept, PART.format(HOST, dead)):
+        (tmp_path / name).write_text("half")
+    write(tmp_path, {"x.svg": "new"})
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([*kept, "x.svg"])
+
+
+@pytest.mark.skipif(os.name != "posix", reason="kill -9 is of POSIX")
+def test_a_killed_run_leaves_nothing_once_another_has_written(tmp_path: Path) -> None:
+    code = (
+        "import os, signal; from graphic_tmm import files;"
+        "os.replace = lambda a, b: os.kill(os.getpid(), signal.SIGKILL);"
+        f"files.write(files.Path({str(tmp_path)!r}), {{'a.svg': 'new', 'b.svg': 'new'}})"
+    )
+    killed = subprocess.run([sys.executable, "-c", code], cwd=ROOT)
+    assert killed.returncode == -9
+    assert len(list(tmp_path.iterdir())) == 2
+    write(tmp_path, {"c.svg": "whole"})
+    assert found(tmp_path) == {"c.svg": b"whole"}
+
+
+def test_files_that_are_being_put_in_their_places_get_there_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ctrl-C between two of them: the sheets of one drawing are all old or all new."""
+    plain, calls = os.replace, []
+
+    def broken_off(source: Path, target: Path) -> None:
+        calls.append(target)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        plain(source, target)
+
+    for name in "abc":
+        (tmp_path / name).write_text("old")
+    monkeypatch.setattr(os, "replace", broken_off)
+    with pytest.raises(KeyboardInterrupt):
+        write(tmp_path, dict.fromkeys("abc", "new"))
+    assert found(tmp_path) == dict.fromkeys("abc", b"new")
+
+
+# what is read
+
+
+KIND = Kind("a thing", "name a thing", 1000)
+
+
+def test_a_file_as_large_as_it_may_be_is_read_and_no_larger(tmp_path: Path) -> None:
+    file = tmp_path / "thing"
+    file.write_bytes(b"x" * 1000)
+    assert read(file, KIND) == b"x" * 1000
+    file.write_bytes(b"x" * 1001)
+    with pytest.raises(SceneError, match="too large: a thing has at most 1 kB; name a thing"):
+        read(file, KIND)
+
+
+def test_no_device_pipe_or_folder_is_read(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("/dev/zero")
+    for name in ("pipe", "/dev/zero", "/dev/null", "link"):
+        with pytest.raises(SceneError, match="a device or a pipe, no ordinary file; name a thing"):
+            read(tmp_path / name, KIND)
+    with pytest.raises(SceneError, match="this is a folder; name a thing"):
+        read(tmp_path, KIND)
+    with pytest.raises(SceneError, match="there is no such file; name a thing"):
+        read(tmp_path / "none", KIND)
+
+
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="no files of unknown size")
+def test_a_file_that_does_not_tell_its_size_is_cut_at_the_limit() -> None:
+    with pytest.raises(SceneError, match="too large"):
+        read(Path("/proc/self/maps"), KIND)
 
 
 def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:

@@ -19,7 +19,12 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 
 NS = "{http://www.w3.org/2000/svg}"
-TAGS = ("svg", "g", "path", "rect", "text", "title")
+TAGS = ("svg", "g", "path", "rect", "title", "desc")
+NAMESPACES = (
+    "{http://www.inkscape.org/namespaces/inkscape}",
+    "{http://www.w3.org/XML/1998/namespace}",
+)
+"""Of layers, and of the language: attributes that do nothing."""
 SCENE = """title = {title}
 language = "{language}"
 [frame]
@@ -124,15 +129,15 @@ def test_a_page_holds_text_and_ink_and_nothing_that_acts(
     root = ElementTree.fromstring(out)
     assert {e.tag for e in root.iter()} == {NS + tag for tag in TAGS}
     names = {name for e in root.iter() for name in e.attrib}
-    assert not [n for n in names if "href" in n or n.startswith(("on", "style", "src", "{"))]
+    plain = [name for name in names if not name.startswith(NAMESPACES)]
+    assert not [n for n in plain if "href" in n or n.startswith(("on", "style", "src", "{"))]
     acting = re.compile(r"url\(|javascript:|https?:|data:", re.IGNORECASE)
     values = [v for e in root.iter() for n, v in e.attrib.items() if n != "aria-label"]
     assert not [value for value in values if acting.search(value)]
     meant = " ".join(text.split())
     assert root.find(f"{NS}title").text == meant
     labels = [e.attrib["aria-label"] for e in root.iter() if "aria-label" in e.attrib]
-    words = [e.text for e in root.iter(f"{NS}text")]
-    assert words.count(meant) == labels.count(meant) >= 1  # the name of a link
+    assert labels.count(meant) >= 1  # the name of a link
 
 
 @pytest.mark.parametrize("what", SEEN)
@@ -360,7 +365,7 @@ def test_a_link_in_the_output_folder_is_replaced_and_not_followed(tmp_path: Path
 
 
 def test_a_name_too_long_for_its_files_is_refused_and_nothing_left(tmp_path: Path) -> None:
-    path = scene(tmp_path).rename(tmp_path / f"{'x' * 248}.toml")
+    path = scene(tmp_path).rename(tmp_path / f"{'x' * 252}.ab")
     result = run("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert "name too long" in result.stderr

@@ -210,7 +210,7 @@ MORE_BAD = {
     "not TOML": ([("[frame]", "[frame")], ["scene.toml:12"]),
     "a view larger than the paper": (
         [('pa   = "60 mm"', 'pa   = "700 mm"')],
-        ["does not fit on A1", "smaller pa", "larger mu_v"],
+        ["scales.pa", "does not fit on A1", 'write pa = "', "leave it out"],
     ),
     "a character without a letter": ([("кривошип", "克")], ["克"]),
 }
@@ -305,7 +305,19 @@ def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: 
     assert result.exit_code == 0, result.output
     root = ElementTree.parse(tmp_path / "out" / f"{tmp_path.name}.svg").getroot()
     assert {e.tag.rpartition("}")[2] for e in root.iter()} <= {
-        *("svg", "title", "rect", "g", "path", "text", "tspan", "circle", "line", "polyline")
+        *(
+            "svg",
+            "title",
+            "desc",
+            "rect",
+            "g",
+            "path",
+            "text",
+            "tspan",
+            "circle",
+            "line",
+            "polyline",
+        )
     }
     assert not [k for e in root.iter() for k in e.attrib if k.lower().startswith("on")]
     assert root.find("{http://www.w3.org/2000/svg}title").text == meant

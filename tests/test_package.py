@@ -73,7 +73,9 @@ def test_an_operation_speaks_both_languages(op) -> None:
     assert op.en
     assert op.ru
     assert _placeholders(op.en) == _placeholders(op.ru)
-    assert _placeholders(op.en) <= {*op.arguments, "it"}
+    assert _placeholders(op.en) <= {*op.arguments, *op.choices, "it"}
+    if _placeholders(op.en) & set(op.choices):
+        assert op.sides[0] != ("+", "−")
     if op.formula:
         assert _placeholders(op.formula) == set(op.arguments)
     if "side" in op.arguments:

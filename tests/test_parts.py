@@ -127,10 +127,10 @@ def scene_of(tmp_path: Path, name: str, *edits: tuple[str, str]) -> Path:
         ("planetary", (GIVEN, FOUR), "28.5 is not whole"),
         ("planetary", ("behind     = [15, 25]", "behind = [15]"), "two wheels"),
         ("planetary", ('scheme     = "ring"', 'scheme = "belt"'), "it is one of"),
-        ("gear-pair", ("z1 = 15", "z1 = 2"), "teeth"),
+        ("gear-pair", ("z1 = 15", "z1 = 2"), "gears.z1: the number 2"),
         ("gear-pair", ("z1 = 15", 'z1 = "15"'), "whole number"),
         ("gear-pair", ('m  = "8 mm"', 'm = "-8 mm"'), "not greater than 0"),
-        ("cam", ('rise         = "100 deg"', 'rise = "300 deg"'), "none may be negative"),
+        ("cam", ('rise         = "100 deg"', 'rise = "300 deg"'), "shorten them"),
         ("cam", ('stroke       = "28 mm"', 'stroke = "20 deg"'), "moves along its guide"),
         (
             "cam",

@@ -266,7 +266,7 @@ def test_the_ruler_rounds_readings_and_exact_does_not() -> None:
 
 
 def test_a_plan_that_is_not_asked_for_is_not_recorded() -> None:
-    made = work(scene(sheets=(SheetOrder("A4", ("positions",)),)))
+    made = work(scene(row=Row(6), sheets=(SheetOrder("A4", ("positions",)),)))
     assert made.project.velocities is None
     assert made.project.accelerations is None
     assert made.accelerated is None

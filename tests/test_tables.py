@@ -19,7 +19,8 @@ from test_main import column, made, run, scene
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted, table, table_columns
 from graphic_tmm.tables.columns import Column, columns, segment_name
-from graphic_tmm.tables.writing import as_csv, as_json, rich_tables
+from graphic_tmm.tables.text import rich_tables
+from graphic_tmm.tables.writing import as_csv, as_json
 from graphic_tmm.work import Work
 
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")
@@ -162,27 +163,29 @@ def test_a_column_without_some_positions() -> None:
 
 
 def test_json_keeps_text_tidies_figures_and_refuses_what_json_has_not() -> None:
-    text = as_json('<"&\n', {}, [("7*", 1.5)], [COLUMN], {})
+    text = as_json('<"&\n', {}, (("7*", 1.5),), [COLUMN], {})
     made = json.loads(text)
     assert made["scene"] == '<"&\n'
     assert made["positions"] == [{"number": "7*", "angle_deg": 1.5}]
     assert made["columns"][0]["mm"] == [1.0, 0.0, None]
     assert "-0" not in text
     with pytest.raises(ValueError, match="JSON"):
-        as_json("", {}, [], [COLUMN._replace(mm=(float("inf"), 0.0, 0.0))], {})
+        as_json("", {}, (), [COLUMN._replace(mm=(float("inf"), 0.0, 0.0))], {})
 
 
 def test_twelve_digits_are_kept() -> None:
-    made = json.loads(as_json("", {}, [], [COLUMN._replace(mm=(1 / 3, 0.1 + 0.2, None))], {}))
+    made = json.loads(as_json("", {}, (), [COLUMN._replace(mm=(1 / 3, 0.1 + 0.2, None))], {}))
     assert made["columns"][0]["mm"] == [0.333333333333, 0.3, None]
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_csv_holds_what_json_holds(name: str) -> None:
-    text = table(drawn(name), "csv")
+    exact = fitted(read(SHEETS / name), exact=True)
+    text, whole = table(exact, "csv"), table(exact, "json")
     assert isinstance(text, str)
+    assert isinstance(whole, str)
     rows = list(csv.DictReader(io.StringIO(text)))
-    made = document(name)
+    made = json.loads(whole)
     due = [
         (one["plan"], place["number"], one["segment"], mm, value, one["unit"])
         for one in made["columns"]
@@ -204,7 +207,7 @@ def test_csv_holds_what_json_holds(name: str) -> None:
 
 
 def test_csv_quotes_what_would_break_its_lines() -> None:
-    text = as_csv([('a,"b', 0.0), ("c", 1.0), ("d", 2.0)], [COLUMN])
+    text = as_csv((('a,"b', 0.0), ("c", 1.0), ("d", 2.0)), [COLUMN])
     rows = list(csv.DictReader(io.StringIO(text)))
     assert [row["position"] for row in rows] == ['a,"b', "c"]
 
@@ -218,13 +221,15 @@ def printed(*tables: Any) -> str:
 
 
 def test_a_table_for_people_says_what_the_scene_says_literally() -> None:
-    text = printed(*rich_tables([COLUMN], ["1", "[red]2", "3"], "en", "[bold]T[/bold] [/]"))
+    positions = (("1", 0.0), ("[red]2", 1.0), ("3", 2.0))
+    text = printed(*rich_tables([COLUMN], positions, "en", "[bold]T[/bold] [/]", 1, 200))
     assert "[bold]T[/bold] [/]. Velocity plan" in text
     assert "[red]2" in text
 
 
 def test_a_table_for_people_shows_only_positions_that_have_a_plan() -> None:
-    text = printed(*rich_tables([COLUMN], ["1", "2", "3"], "ru", "T"))
+    positions = (("1", 0.0), ("2", 1.0), ("3", 2.0))
+    text = printed(*rich_tables([COLUMN], positions, "ru", "T", 1, 200))
     assert "План скоростей" in text
     head = next(line for line in text.splitlines() if "Отрезок" in line)
     assert [word for word in head.replace("┃", " ").split() if word.isdigit()] == ["1", "2"]
@@ -294,7 +299,9 @@ def test_the_document_is_as_written_down() -> None:
     assert document["scales"]["mu_l"] == {"value": 0.005, "unit": "m/mm"}
     assert document["scales"]["mu_a"]["unit"] == "(m/s²)/mm"
     assert document["positions"][3] == {"number": "4", "angle_deg": 90.0}
-    assert {tuple(c) for c in document["columns"]} == {("plan", "segment", "unit", "mm", "value")}
+    shape = ("plan", "segment", "unit", "positions", "mm", "value")
+    assert {tuple(c) for c in document["columns"]} == {shape}
+    assert all(c["positions"] == [str(k) for k in range(1, 13)] for c in document["columns"])
     segments = [c["segment"] for c in document["columns"] if c["plan"] == "velocities"]
     assert segments == ["pa", "ab", "pb", "ps2", "omega1", "omega2"]
     assert all(len(c["mm"]) == len(c["value"]) == 12 for c in document["columns"])

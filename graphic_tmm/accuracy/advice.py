@@ -8,8 +8,7 @@ from graphic_tmm.accuracy.lessons import Optimum, along, divisions
 from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
 from graphic_tmm.accuracy.words import WORDS, counted
-from graphic_tmm.narration import view_title
-from graphic_tmm.words import number, sentence
+from graphic_tmm.words import number, sentence, view_name
 
 KNOWN, LEVEL = 0.5, 0.25
 """A slope is told if it is known to within the first; it is none if it is less than the second."""
@@ -117,7 +116,7 @@ def step_name(study: Study, steps: Steps, share: Share) -> str:
     places = [step.it for step in steps.log.steps if step.it.view == view]
     point = study.scene.diagrams.point if study.scene.diagrams is not None else ""
     return WORDS[language]["step of"].format(
-        view=view_title(view, language).replace("{point}", point),
+        view=view_name(view, language).replace("{point}", point),
         number=places.index(share.step.it) + 1,
         text=sentence(share.step, language, steps.reading, min(1, steps.reading.positions - 1)),
     )

@@ -61,7 +61,7 @@ def grid(own: Setting, trials: int) -> Iterator[Place]:
 
 def rows(scene: Scene) -> Iterator[tuple[str, list[tuple[str, Scene]]]]:
     """Yield the axes along which a drawing is divided finer, and the scenes on them."""
-    shown = scene.shown
+    shown = scene.called
     if scene.mechanism is not None and shown - {"cam", "gears", "planetary"}:
         counts = sorted({*COUNTS, *LONG, scene.row.count})
         found = [(str(n), at_count(scene, n)) for n in counts]
@@ -106,7 +106,7 @@ def _sizes(own: Setting, trials: int) -> Iterator[Place]:
 
 
 def _diagrams(own: Setting) -> KinematicOrder | None:
-    return own.scene.diagrams if "diagrams" in own.scene.shown else None
+    return own.scene.diagrams if "diagrams" in own.scene.called else None
 
 
 def _ordered(own: Setting, order: KinematicOrder) -> Setting:
@@ -134,7 +134,7 @@ def _starts(own: Setting, trials: int) -> Iterator[Place]:
 
 def _poles(own: Setting, trials: int) -> Iterator[Place]:
     kinematic = _diagrams(own) is not None
-    flywheel = own.scene.flywheel if "flywheel" in own.scene.shown else None
+    flywheel = own.scene.flywheel if "flywheel" in own.scene.called else None
     for times in POLES if kinematic or flywheel is not None else ():
         only = (*(DIAGRAMS if kinematic else ()), *(FLYWHEEL if flywheel is not None else ()))
         yield Place("pole", f"{times:g}", replace(own, pole=times), only)
@@ -142,7 +142,7 @@ def _poles(own: Setting, trials: int) -> Iterator[Place]:
 
 def _passes(own: Setting, trials: int) -> Iterator[Place]:
     forces = own.scene.forces
-    if forces is None or forces.friction is None or "forces" not in own.scene.shown:
+    if forces is None or forces.friction is None or "forces" not in own.scene.called:
         return
     for n in PASSES:
         order = replace(forces, friction=replace(forces.friction, passes=n))
@@ -153,7 +153,7 @@ def _engines(
     own: Setting, axis: str, change: Callable[[EngineOrder], list[tuple[str, EngineOrder]]]
 ) -> Iterator[Place]:
     engine = own.scene.engine
-    if engine is None or not own.scene.shown & set(ENGINE_PLACES):
+    if engine is None or not own.scene.called & set(ENGINE_PLACES):
         return
     for value, order in change(engine):
         yield Place(

@@ -125,7 +125,7 @@ def _worst(errors: Mapping[str, float]) -> float:
 
 def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
     """Yield every candidate with its minutes at the board."""
-    graphs = scene.diagrams is not None and "diagrams" in scene.shown
+    graphs = scene.diagrams is not None and "diagrams" in scene.called
     for divided, one in _divided(scene):
         for method in ("chords", "tangents") if graphs else (None,):
             own = one
@@ -160,7 +160,7 @@ def _full(scene: Scene) -> Scene:
 
 
 def _asked(scene: Scene, name: str) -> bool:
-    shown = scene.shown
+    shown = scene.called
     return name not in ASKED or bool(shown & set(ASKED[name]))
 
 
@@ -218,9 +218,11 @@ def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str,
 
 def _sheets(made: Made) -> int:
     """Return how many sheets a scene takes."""
-    from graphic_tmm.paper.compose import needed
+    from graphic_tmm.paper.measuring import Trial, needed
 
-    return needed(made.scene, made.work, made.parts, {})
+    work = made.work
+    tried = Trial(work.scales, work.sizes, lambda: work) if work is not None else None
+    return needed(made.scene, tried, made.parts, {})
 
 
 def _told(

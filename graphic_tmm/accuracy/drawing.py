@@ -20,9 +20,10 @@ from graphic_tmm.plans.gear import Gear
 from graphic_tmm.plans.planetary import Planetary
 from graphic_tmm.plans.project import Project
 from graphic_tmm.plans.survey import survey
+from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made
-from graphic_tmm.work import executed, record
+from graphic_tmm.work import doubted, executed, record
 
 MECHANISM = "mechanism"
 PER_MM = "/mm"
@@ -92,7 +93,9 @@ def draw(
         project = record(scene)
         given = _pin(MECHANISM, dict(project.given), project.construction, scales)
         if missing := [m for m in project.construction.given if m not in given]:
-            free = executed(scene, project, exact=True, vectors=(80.0, 80.0)).given
+            doubts = doubted(project)
+            reach = extents(project, doubts)
+            free = executed(scene, project, Sizes(), reach, doubts, exact=True).given
             given |= {mark: free[mark] for mark in missing}
         if pole != 1.0:
             given |= _farther(project, given, pole)

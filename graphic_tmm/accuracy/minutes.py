@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-import math
-import tomllib
 from pathlib import Path
 
 from graphic_tmm.accuracy.geometrography import ELEMENTARY
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import Fault, SceneError, first_of
+from graphic_tmm.files import Kind
+from graphic_tmm.scene.document import document
+
+MINUTES = Kind("a table of minutes", "name a TOML file with a line such as R1 = 0.1", 100_000)
+LONGEST = 1e6
+"""Minutes of one operation: two years."""
+TOLD = 20
+"""So many faults of a file are told."""
 
 
 def read_minutes(file: str) -> dict[str, float]:
@@ -16,13 +22,10 @@ def read_minutes(file: str) -> dict[str, float]:
     Raises
     ------
     SceneError
-        If the file is no TOML, names what is no elementary operation, or gives what is no number of minutes.
+        If the file cannot be read (as `document`), names what is no elementary operation, or gives what is
+        no number of minutes.
     """
-    try:
-        table = tomllib.loads(Path(file).read_bytes().decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        says = f"this is not TOML ({error}); write a line such as R1 = 0.1 for each operation"
-        raise SceneError(file, (Fault("", 0, says),)) from error
+    table = document(Path(file), MINUTES)[1]
     faults = []
     for name, value in table.items():
         if name not in ELEMENTARY:
@@ -31,11 +34,13 @@ def read_minutes(file: str) -> dict[str, float]:
                 Fault(name, 0, f"there is no such elementary operation; there are {told}")
             )
         elif isinstance(value, bool) or not isinstance(value, (int, float)) or not _able(value):
-            faults.append(Fault(name, 0, "write minutes as a number, 0 or more, such as 0.1"))
+            faults.append(
+                Fault(name, 0, f"write minutes as a number 0 to {LONGEST:.0f}, such as 0.1")
+            )
     if faults:
-        raise SceneError(file, tuple(faults))
+        raise SceneError(file, first_of(faults, TOLD))
     return {name: float(value) for name, value in table.items()}
 
 
 def _able(value: float) -> bool:
-    return math.isfinite(value) and value >= 0.0
+    return 0 <= value <= LONGEST

@@ -59,7 +59,7 @@ def whole(scene: Scene) -> Scene:
     Diagrams are judged by the plans of accelerations, so these are drawn with them.
     """
     sheets = scene.sheets
-    if "diagrams" in scene.shown:
+    if "diagrams" in scene.called:
         first = replace(sheets[0], place=(*sheets[0].place, "accelerations"))
         sheets = (first, *sheets[1:])
     forces = replace(scene.forces, positions=ALL) if scene.forces is not None else None

@@ -133,8 +133,8 @@ def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
 
 
 def _nothing(scene: Scene) -> str:
-    shown = ", ".join(sorted(scene.shown))
+    shown = ", ".join(sorted(scene.called))
     return (
-        f"its sheets show {shown}: nothing whose error can be told; place velocities, accelerations, diagrams, "
+        f"it calls for {shown}: nothing whose error can be told; place velocities, accelerations, diagrams, "
         "forces, flywheel, engine, cam or gears on a [[sheet]]"
     )

@@ -25,6 +25,8 @@ from graphic_tmm.board.values import (
     Side,
 )
 
+_MOST = (("highest", "lowest"), ("высшую", "низшую"))
+
 
 @operation(
     "По полуокружности {arc} от {start} отложить центральный угол {by}; отметить {it}.",
@@ -158,19 +160,19 @@ def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
 
 
 @operation(
-    "На кривой {curve} отметить высшую (или низшую) точку {it}.", across=True, fails=WHOLE_ROW
+    "На кривой {curve} отметить {above} точку {it}.", across=True, fails=WHOLE_ROW, sides=_MOST
 )
 def crest_of_curve(curve: Curve, *, above: int) -> Point:
-    """On the curve {curve} mark the highest (or lowest) point {it}.
+    """On the curve {curve} mark the {above} point {it}.
 
     ``above``: 1 for the highest, −1 for the lowest.
     """
     return Point(_farthest(curve, np.full((1, 1), above * 1j)))
 
 
-@operation("Из точек {first} и {second} оставить высшую (или низшую) {it}.")
+@operation("Из точек {first} и {second} взять {above}; это {it}.", sides=_MOST)
 def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
-    """Of the points {first} and {second} keep the higher (or lower) one, {it}.
+    """Of the points {first} and {second} take the {above}; this is {it}.
 
     ``above``: 1 for the higher, −1 for the lower.
     """

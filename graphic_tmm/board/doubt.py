@@ -3,134 +3,173 @@
 Whatever a step makes is moved by a random `SHAKE` of itself, and what comes out is laid over the unshaken
 drawing. So an error is magnified, passed on, compensated and lost as in the drawing itself, over any number of
 steps and plans: where two loci meet at a small angle 1/κ, a direction taken from their point is off by κ, a
-velocity along it by κ², an acceleration by κ³. No operation has to tell how it magnifies.
+velocity along it by κ², an acceleration by κ³, a force by more. No operation has to tell how it magnifies.
 
-Points are judged, each against the extent of its plan; lines and quantities show in the points that they lead
-to. A step across the row begins anew: it makes one curve of many positions, which have been judged already.
+A figure is judged by its own bound at its own position. If the bound leaves a digit of it, it is itself, to the
+digits that are sure. If it leaves none, and is small against what such a figure is computed from, the figure is
+nothing: the velocity at a dead centre. Else it is not known, and is not there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from graphic_tmm.board.execute import BLOCK, Reading
-from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Point, Reals, Side
+from graphic_tmm.board.shaking import NOTHING, Shaken, shaken
+from graphic_tmm.board.sizes import DIGIT, FIGURES, Sizes
+from graphic_tmm.board.values import Curve, Point, Reals, Side, at
+from graphic_tmm.board.values import given as as_value
 
-SHAKE = 64 * EPS
-"""More than a step's own rounding, so that a few shakes stand for the worst of it."""
-SHAKES = 4
-"""Each once to and once fro: where one leaves two figures apart, the other brings them together.
+DOUBTFUL = 1e-6
+"""What rounding moves by more than this share of its natural size is doubtful: no zero is told of it."""
+WRITTEN = 1e-12
+"""A bound below this share of a figure shows in no digit that is written."""
 
-Two that cancel each other in one shake seldom do in all of them.
-"""
+Mask = NDArray[np.bool_]
 
 
-def shares(steps: Sequence[Step], reading: Reading) -> Iterator[tuple[Step, Reals]]:
-    """Yield each step with how far shaking moves its point, as a share of the plan's extent.
+class Doubts:
+    """How far rounding moves every mark of some steps at every position; found when first asked for.
 
-    (1, position); infinite where every shake leaves nothing of it; 0 if the step leaves no point.
+    Parameters
+    ----------
+    steps
+        The steps, in the order of the log.
+    given
+        Values of the marks that they begin with.
+    lost
+        What is lost, if it is known from a drawing to other scale factors: it does not depend on them.
+    to_scale
+        Whether the figures to be told are drawn to the scale factors that are given; else they are to
+        others, and drawn as exactly.
+    coarse
+        For some marks by slot: doubts that leave fewer digits of their figures.
+    ruler
+        Instead of rounding, what a ruler of this division (mm) does: each reading is moved by up to half of it.
     """
-    reading = reading.trial(0)
-    values = {mark.slot: reading[mark] for step in steps for mark in (step.it, *step.uses)}
-    starts = range(0, reading.positions, BLOCK)
-    blocks = [_block(steps, values, slice(start, start + BLOCK)) for start in starts]
-    extents = {view: _usual(_joined([found[view] for _, found in blocks])) for view in blocks[0][1]}
-    for step in steps:
-        off = [found[step.it.slot] for found, _ in blocks if step.it.slot in found]
-        if not off:
-            yield step, np.zeros((1, 1))
-            continue
-        moved, extent = _joined(off), extents[step.it.view]
-        yield step, np.where(moved == 0.0, 0.0, moved / extent)
+
+    def __init__(
+        self,
+        steps: Sequence[Step],
+        given: Mapping[Mark, object],
+        lost: Mapping[int, Mask] | None = None,
+        to_scale: bool = True,
+        coarse: Mapping[int, Doubts] | None = None,
+        ruler: float | None = None,
+    ) -> None:
+        self.steps = {step.it.slot: step for step in steps}
+        made = self.steps.keys()
+        begun = {mark for step in steps for mark in step.uses if mark.slot not in made}
+        self._given = {mark: as_value(given[mark], mark.kind) for mark in sorted(begun, key=_slot)}
+        self._coarse = coarse or {}
+        self._known, self._to_scale, self._ruler = lost, to_scale, ruler
+        self._positions = max((v.shape[1] for v in self._given.values()), default=1)
+
+    def bound(self, mark: Mark) -> Reals:
+        """Return how far a mark may be off, in its own unit, (1, position); of a line its direction."""
+        return self._found.bounds.get(mark.slot, NOTHING)
+
+    def share(self, mark: Mark) -> Reals:
+        """Return how far a point may be off as a share of its plan's extent, (1, position); 0 of others."""
+        if mark.kind is not Point or mark.slot not in self._found.bounds:
+            return NOTHING
+        bound = self.bound(mark)
+        return np.where(bound == 0.0, 0.0, bound / self._sizes.extent(mark.view))
+
+    def figure(self, mark: Mark, value: Any, by: Any = 1.0, places: Any = None) -> Any:
+        """Return a mark's value times a scale factor as a figure that may be told.
+
+        It has as many digits as are sure; it is 0 where it is nothing but rounding, NaN where it is lost.
+        ``places``: the indices of the value's positions; None for all.
+        """
+        told = self._by_ruler(mark, value, places) * by
+        if mark.slot not in self._found.bounds or mark.kind is Side:
+            return told
+        with np.errstate(all="ignore"):
+            bound = self._bound_of(told, mark, by, places)
+            seen = bound > WRITTEN * np.abs(told)
+            if not seen.any():
+                return told
+            unit = 10.0 ** np.floor(np.log10(np.where(seen & np.isfinite(bound), bound, 1.0)))
+            short = np.where(np.abs(told) <= bound, 0.0 * told, np.round(told / unit) * unit)
+            told = np.where(seen, short, told)
+        gone = self.lost.get(mark.slot)
+        return told if gone is None else np.where(at(gone, places), np.nan, told)
+
+    def nothing(self, mark: Mark) -> Mask:
+        """Where a figure is nothing but rounding, drawn exactly, (1, position)."""
+        value = self._found.values[mark.slot]
+        return np.asarray(self.figure(mark, value) == 0.0)
+
+    def _by_ruler(self, mark: Mark, value: Any, places: Any) -> Any:
+        """Return a value to the digits that the ruler leaves of it, but whole at least."""
+        if mark.slot not in self._coarse:
+            return value
+        bound = at(self._coarse[mark.slot].bound(mark), places)
+        with np.errstate(all="ignore"):
+            unit = np.minimum(10.0 ** np.floor(np.log10(bound)), 1.0)
+            return np.where(unit > 0.0, np.round(value / unit) * unit, value)
+
+    def _bound_of(self, told: Any, mark: Mark, by: Any, places: Any) -> Reals:
+        bound = self.bound(mark)
+        if self._to_scale:
+            return np.asarray(at(bound, places) * np.abs(by))
+        drawn = np.abs(self._found.values[mark.slot])
+        share = np.where(bound < drawn, bound / drawn, np.where(bound > 0.0, np.inf, 0.0))
+        return np.asarray(np.where(told == 0.0, 0.0, at(share, places) * np.abs(told)))
+
+    @cached_property
+    def lost(self) -> dict[int, Mask]:
+        """Where no digit of a mark is sure though it was drawn, (1, position), by slot; none is left out."""
+        if self._known is not None:
+            return dict(self._known)
+        found: dict[int, Mask] = {}
+        with np.errstate(all="ignore"):
+            for slot, step in self.steps.items():
+                mask = self._lost(step, found)
+                if mask is not None and mask.any():
+                    found[slot] = mask
+        return found
+
+    def _lost(self, step: Step, before: Mapping[int, Mask]) -> Mask | None:
+        mark, bound = step.it, self.bound(step.it)
+        if mark.kind is Point:
+            return self.share(mark) > DIGIT
+        if mark.kind in FIGURES:
+            value = self._found.values[mark.slot]
+            unsure = ~(bound <= DIGIT * np.abs(value)) & np.isfinite(value)
+            if not unsure.any():
+                return None
+            unclean = ~(bound <= DOUBTFUL * self._sizes.of(mark))
+            figures = [
+                use.slot for use in step.uses if use.kind in FIGURES and use.slot in self.steps
+            ]
+            if figures and all(slot in before for slot in figures):
+                # that figures of which nothing is known are alike says nothing
+                masks = np.broadcast_arrays(*(before[slot] for slot in figures))
+                unclean = unclean | np.logical_and.reduce(masks)
+            return np.asarray(unsure & unclean)
+        used = [before[use.slot] for use in step.uses if use.slot in before]
+        if mark.kind is Curve:
+            # what a curve goes through is lost at some place or other of its row
+            row = step.choice.get("row")
+            used = [np.atleast_2d(mask[:, :row].any()) for mask in used]
+        own = bound > DIGIT
+        return np.asarray(np.logical_or.reduce(np.broadcast_arrays(own, *used)))
+
+    @cached_property
+    def _found(self) -> Shaken:
+        return shaken(list(self.steps.values()), self._given, self._positions, self._ruler)
+
+    @cached_property
+    def _sizes(self) -> Sizes:
+        return Sizes(self.steps, self._found)
 
 
-def _block(
-    steps: Sequence[Step], whole: dict[int, Any], part: slice
-) -> tuple[dict[int, Reals], dict[str, Reals]]:
-    """Shake a block of positions; return how far points move, by slot, and how far plans reach, by view."""
-    values = {slot: _cut(value, part) for slot, value in whole.items()}
-    made = {step.it.slot for step in steps}
-    given = {mark for step in steps for mark in step.uses if mark.slot not in made}
-    shakes = iter(_shakes(len(steps) + len(given)))
-    for mark in sorted(given, key=lambda mark: mark.slot):
-        if mark.kind in (Point, Length, Angle):
-            values[mark.slot] = _shaken(values[mark.slot], next(shakes))
-    for step in steps:
-        if not step.op.across:
-            it = step.op.run(*[values[mark.slot] for mark in step.uses], **step.choice)
-            values[step.it.slot] = it if step.op.leaves is Side else _shaken(it, next(shakes))
-    points = [s.it.slot for s in steps if s.op.leaves is Point and not s.op.across]
-    return {slot: _off(values[slot]) for slot in points}, _extents(steps, values)
-
-
-def _cut(value: Any, part: slice) -> Any:
-    if isinstance(value, Curve):
-        return value
-    if isinstance(value, tuple):
-        return type(value)(*(_cut(array, part) for array in value))
-    return value if value.shape[1] == 1 else value[:, part]
-
-
-def _joined(parts: list[Reals]) -> Reals:
-    """Join what was found by blocks; what does not vary along the first block varies nowhere."""
-    return parts[0] if parts[0].shape[1] == 1 else np.concatenate(parts, axis=1)
-
-
-def _shakes(count: int) -> Reals:
-    """Return shakes (value, part, trial, 1): none in the first trial, then half to whole ones to and fro."""
-    random = np.random.default_rng(0)
-    shape = (count, 3, SHAKES)
-    sizes = random.uniform(0.5, 1.0, shape) * random.choice((-1.0, 1.0), shape)
-    return SHAKE * np.concatenate((np.zeros((count, 3, 1)), sizes, -sizes), axis=2)[..., None]
-
-
-def _shaken(value: Any, shakes: Reals) -> Any:
-    """Move the parts of a value."""
-    if isinstance(value, Curve):
-        return value
-    if isinstance(value, Line):
-        at, along = value
-        return Line(_shaken(at, shakes), along * (1.0 + 1j * shakes[2]))
-    if isinstance(value, Arc):
-        return Arc(_shaken(value.centre, shakes), value.radius * (1.0 + shakes[2]))
-    if np.iscomplexobj(value):
-        return value * (1.0 + shakes[0] + 1j * shakes[1])
-    return value * (1.0 + shakes[0])
-
-
-def _extents(steps: Sequence[Step], values: dict[int, Any]) -> dict[str, Reals]:
-    """Return for each plan how far its points reach at each position."""
-    points: dict[str, dict[Mark, Any]] = {}
-    for step in steps:
-        for mark in (step.it, *step.uses):
-            if mark.kind is Point:
-                points.setdefault(mark.view, {})[mark] = values[mark.slot][:1]
-    return {view: _extent(list(found.values())) for view, found in points.items()}
-
-
-def _extent(points: list[Any]) -> Reals:
-    low = high = points[0]
-    for point in points[1:]:
-        low = np.fmin(low.real, point.real) + 1j * np.fmin(low.imag, point.imag)
-        high = np.fmax(high.real, point.real) + 1j * np.fmax(high.imag, point.imag)
-    size: Reals = np.abs(high - low)
-    return np.where(size == 0.0, np.abs(high), size)
-
-
-def _usual(size: Reals) -> Reals:
-    """Judge a plan that shrinks to a point by what it is along the row."""
-    there = size[np.isfinite(size)]
-    return np.fmax(size, np.median(there)) if there.size else size
-
-
-def _off(point: Any) -> Reals:
-    off = np.abs(point - point[:1])[1:]
-    if not off.size:
-        return np.zeros((1, 1))
-    lost = np.isnan(off).all(axis=0)
-    return np.atleast_2d(np.where(lost, np.inf, np.fmax.reduce(off, axis=0)))
+def _slot(mark: Mark) -> int:
+    return mark.slot

@@ -7,18 +7,21 @@ that works across positions (a French curve) runs on whole arrays, between two s
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
 from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve
+from graphic_tmm.board.values import Curve, at, blank
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.errors import ConstructionError
+
+if TYPE_CHECKING:
+    from graphic_tmm.board.doubt import Doubts
 
 BLOCK = 16384
 """Positions in one block: what numpy's calls cost is little against it, and the arrays in use stay in cache."""
@@ -26,18 +29,45 @@ BLOCK = 16384
 
 @dataclass(frozen=True)
 class Reading:
-    """The numbers of the marks asked for, by mark; ``positions`` is the length of the position axis."""
+    """The numbers of the marks asked for, by mark; ``positions`` is the length of the position axis.
+
+    ``doubts``: how far rounding moves them; None where nobody asked. ``places``: where the positions stand
+    among those that are doubted; None for all of them.
+    """
 
     values: Mapping[int, Any]
     positions: int
+    doubts: Doubts | None = None
+    places: tuple[int, ...] | None = None
 
     def __getitem__(self, mark: Mark) -> Any:
         """Return the value of ``mark``, axes (trial, position), size 1 where it does not vary."""
         return self.values[mark.slot]
 
+    def figure(self, mark: Mark, by: Mark | None = None) -> Any:
+        """Return the value of ``mark``, times a scale factor, as a figure that may be told; see `doubt`."""
+        times = 1.0 if by is None else self[by]
+        if self.doubts is None:
+            return self[mark] * times
+        return self.doubts.figure(mark, self[mark], times, self.places)
+
+    def doubted(self, doubts: Doubts, places: tuple[int, ...] | None = None) -> Reading:
+        """Return the same numbers beside how far rounding moves them."""
+        return replace(self, doubts=doubts, places=places)
+
+    def without(self, lost: Mapping[int, Any], places: tuple[int, ...] | None = None) -> Reading:
+        """Return the same numbers, NaN where a mark is lost; ``lost``: by slot, (1, position)."""
+        gone = {slot: mask for slot, mask in lost.items() if slot in self.values}
+        if not gone:
+            return self
+        values = dict(self.values)
+        for slot, mask in gone.items():
+            values[slot] = blank(values[slot], at(mask, places))
+        return replace(self, values=values)
+
     def trial(self, k: int) -> Reading:
         """Return the numbers of one trial."""
-        return Reading(_Trial(self.values, k), self.positions)
+        return replace(self, values=_Trial(self.values, k))
 
     def __contains__(self, mark: object) -> bool:
         """Whether the value of ``mark`` was asked for."""

@@ -6,6 +6,7 @@ positions concerned, to name the step that failed while everything it used was t
 A point is in doubt where rounding alone (see `doubt`) moves it by more than a millionth of its plan; the first
 step of which that is true is named, those that use what it left are not. Where two roots touch, rounding moves
 them by its own root, which is less: that is told as what it is, and what magnifies it further is in doubt.
+Where it leaves no digit of a figure, that figure is left out; in every plan those that are left out are named.
 """
 
 from __future__ import annotations
@@ -15,22 +16,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.doubt import shares
+from graphic_tmm.board.doubt import DOUBTFUL, Doubts
 from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.geometry import TANGENT
 from graphic_tmm.board.grammar import WHOLE_ROW, Gap
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Curve, Reals, undefined
-
-DOUBTFUL = 1e-6
-"""The share of its plan's extent beyond which a point that rounding moves so far is doubtful."""
+from graphic_tmm.board.sizes import FIGURES
+from graphic_tmm.board.values import Curve, Line, Reals, undefined
 
 
 class Finding(NamedTuple):
-    """``kind``: "undrawn", "touching" or "doubtful"; the step; the positions (indices).
+    """``kind``: "undrawn", "touching", "doubtful", "lost" or "idle"; the step; the positions (indices).
 
     ``amount``: what is missing, mm; of a doubtful point how far rounding moves it, as a share of its plan.
+    ``letters``: of figures of which no digit is sure; ``idle`` is a polygon of no forces.
     """
 
     kind: str
@@ -39,6 +39,7 @@ class Finding(NamedTuple):
     positions: tuple[int, ...]
     amount: float
     gap: Gap | None = None
+    letters: tuple[str, ...] = ()
 
 
 def step_number(construction: Construction, step: Step) -> int:
@@ -54,27 +55,35 @@ def examine(
     *,
     hand: Hand = EXACT,
     positions: Sequence[int] | None = None,
+    doubts: Doubts | None = None,
 ) -> tuple[Finding, ...]:
-    """Return what happened on the way to the wanted marks, in the order of the log.
+    """Return what happened on the way to the wanted marks, in the order of the log; then what is left out.
 
     ``positions``: the indices looked at; None for all. Findings name the indices of the whole axis.
+    ``doubts``: of the steps at these positions, if they are known.
     """
     steps = needed(construction, wanted)
     if not steps:
         return ()
     marks = {mark for step in steps for mark in (step.it, *step.uses)}
     reading = execute(construction, given, marks, hand=hand, positions=positions)
+    if doubts is None:
+        doubts = Doubts(
+            steps, {mark: reading[mark] for mark in marks if mark in construction.given}
+        )
     found: list[Finding] = []
     with np.errstate(all="ignore"):
         broken: set[str] = set()
         lost: dict[Mark, Any] = {}
-        for step, share in shares(steps, reading):
+        for step in steps:
             if step.op.across:
                 found += _across(construction, step, reading, broken)
                 continue
-            told, lost[step.it] = _told(step, share, lost)
+            told, lost[step.it] = _told(step, doubts.share(step.it), lost)
             values = [reading[mark] for mark in step.uses]
-            found += _of_step(construction, step, values, reading[step.it], told)
+            result = reading[step.it]
+            found += _of_step(construction, step, values, result, told)
+    found += _left_out(construction, steps, reading, doubts)
     if positions is None:
         return tuple(found)
     return tuple(f._replace(positions=tuple(positions[i] for i in f.positions)) for f in found)
@@ -106,6 +115,43 @@ def _across(
     return [Finding("undrawn", step, step_number(construction, step), places, 0.0)]
 
 
+def _left_out(
+    construction: Construction, steps: Sequence[Step], reading: Reading, doubts: Doubts
+) -> list[Finding]:
+    """Return, plan by plan, the figures of which no digit is sure, together those that are so alike."""
+    groups: dict[tuple[str, tuple[int, ...]], list[Step]] = {}
+    for step in steps:
+        if step.it.slot in doubts.lost and step.it.kind in FIGURES:
+            there = ~undefined(reading[step.it]) & doubts.lost[step.it.slot]
+            there = there & _matters(step, steps, doubts)
+            if there.any():
+                spread = np.broadcast_to(there, (there.shape[0], reading.positions))
+                groups.setdefault((step.it.view, _where(spread)), []).append(step)
+    return [
+        Finding(
+            "lost",
+            first := some[0],
+            step_number(construction, first),
+            places,
+            0.0,
+            letters=tuple(step.it.letter for step in some),
+        )
+        for (_, places), some in groups.items()
+    ]
+
+
+def _matters(step: Step, steps: Sequence[Step], doubts: Doubts) -> Any:
+    """Return where it matters that a figure is lost, (1, position).
+
+    It does not where a line has no direction, for it is that of nothing, and what is made of its arm is sure.
+    """
+    if all(use.kind is not Line for use in step.uses):
+        return np.ones((1, 1), bool)
+    none = np.zeros((1, 1), bool)
+    after = [doubts.lost.get(s.it.slot, none) for s in steps if step.it in s.uses]
+    return np.logical_or.reduce(np.broadcast_arrays(*after)) if after else ~none
+
+
 def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, Any]:
     """Return the share by which a step is in doubt that used nothing in doubt, and where its mark is lost."""
     before = np.logical_or.reduce(
@@ -115,7 +161,11 @@ def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, An
 
 
 def _of_step(
-    construction: Construction, step: Step, values: list[Any], result: Any, share: Reals
+    construction: Construction,
+    step: Step,
+    values: list[Any],
+    result: Any,
+    share: Reals,
 ) -> list[Finding]:
     there = [undefined(value) for value in values if not isinstance(value, Curve)]
     bad = undefined(result)

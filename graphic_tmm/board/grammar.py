@@ -10,10 +10,12 @@ docstring is the formula, and the same text serves both languages.
 from __future__ import annotations
 
 import inspect
+import sys
 from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from graphic_tmm.board.values import KINDS, Kind, Reals
+from graphic_tmm.errors import BareError
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -77,7 +79,7 @@ def operation(
     ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
     ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
     ``fails``: why there may be no answer, in English and Russian. ``sides``: what +1 and −1 of an argument
-    of the kind Side are called, in English and in Russian.
+    of the kind Side, or a choice that the sentence names, are called, in English and in Russian.
     """
 
     def enter(function: F) -> Operation:
@@ -90,6 +92,8 @@ def operation(
             raise TypeError(
                 f"{function.__name__}: {unknown or 'the result'} has no kind of the board"
             )
+        if function.__doc__ is None and sys.flags.optimize > 1:
+            raise BareError
         sentence = " ".join((inspect.getdoc(function) or "").split("\n\n")[0].split())
         made = Operation(
             function.__name__,

@@ -108,7 +108,7 @@ HANDS = {
     "careful": Hand(ruler=0.1, prick=0.1, compass=0.1, swing=0.15, reading=0.15, digits=5),
     "student": Hand(ruler=0.5, prick=0.15, compass=0.15, swing=0.6, reading=0.75, digits=4),
 }
-"""Named hands; the student's is fitted to 49 published examples (see the README)."""
+"""Named hands; the student's is fitted to 49 published examples (see checking/README.md)."""
 
 
 class Slip(NamedTuple):

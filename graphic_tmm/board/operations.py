@@ -338,7 +338,7 @@ def bearing(start: Point, end: Point) -> Angle:
     return Angle(degrees(end - start))
 
 
-@operation("В крайнем положении взять {extreme}, в остальных {regular}; это {it}.")
+@operation("В положении вне ряда угол кривошипа {it} равен {extreme}, в положениях ряда {regular}.")
 def stand(regular: Angle, extreme: Angle, at: Number) -> Angle:
-    """At the extreme position take {extreme}, at the others {regular}; this is {it}."""
+    """At the position outside the row the crank's angle {it} is {extreme}, at those of the row {regular}."""
     return Angle(np.where(at > 0, extreme, regular))

@@ -13,15 +13,26 @@ from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import KINDS, Kind, Point
 from graphic_tmm.errors import ConstructionError
 
+TALLY = "#"
+"""What a letter bears that other marks of its view have too: it tells them apart and is shown to nobody."""
+
 
 class Mark(NamedTuple):
-    """What a plan's author holds: the slot in the log, the letter, the kind, the view, the unit."""
+    """What a plan's author holds: the slot in the log, the letter, the kind, the view, the unit.
+
+    The letter is the mark's alone in its view; the ``name`` is what readers see, and others may bear it too.
+    """
 
     slot: int
     letter: str
     kind: Kind
     view: str
     unit: str = ""
+
+    @property
+    def name(self) -> str:
+        """What the mark is called on sheets, in tables and protocols; "" if it is told by its value."""
+        return self.letter.replace(TALLY, "")
 
 
 class Step(NamedTuple):
@@ -91,6 +102,11 @@ class Board:
         """Begin (or go on with) the view of that name; marks made from now on are in it."""
         self._view = view
 
+    @property
+    def view(self) -> str:
+        """The view that is open."""
+        return self._view
+
     def lay_out(self, pole: Mark | None, scale: Mark | None) -> None:
         """Tell the pole and the scale factor of the view that is open."""
         self._views.append(View(self._view, pole, scale))
@@ -112,7 +128,7 @@ class Board:
         ------
         ConstructionError
             If the kinds of the marks are not those the operation takes, a choice is not one of its
-            choices, or a point of that letter stands in this view already. Other marks are primed.
+            choices, or a point of that letter stands in this view already. Other marks get a tally.
         """
         kinds = tuple(mark.kind for mark in uses)
         if kinds != op.takes:
@@ -132,9 +148,9 @@ class Board:
         return next(step.uses for step in self._steps if step.it == mark)
 
     def free(self, letter: str) -> str:
-        """Return the letter, primed as often as it takes to be new in the view that is open."""
+        """Return the letter, with as many tallies as it takes to be new in the view that is open."""
         while (self._view, letter) in self._letters:
-            letter += "′"
+            letter += TALLY
         return letter
 
     def figure(self, kind: str, name: str, *marks: Mark) -> None:

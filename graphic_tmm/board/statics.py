@@ -19,6 +19,10 @@ _PURE_COUPLE = (
     "the forces come to a couple, which no single force replaces",
     "силы сводятся к паре, её нельзя заменить одной силой",
 )
+_NO_BALANCE = (
+    "what balances the crank is zero: there is nothing to compare with",
+    "уравновешивающая величина равна нулю: сравнивать не с чем",
+)
 _NOT_SETTLED = (
     "the passes of friction do not settle: the mechanism locks itself, or is near to it",
     "проходы с трением не сходятся: самоторможение или близость к нему",
@@ -177,7 +181,7 @@ def moment_on_arm(force: Number, length: Number) -> Number:
     return Number(force * length)
 
 
-@operation(formula=True)
+@operation(formula=True, fails=_NO_BALANCE)
 def apart_percent(first: Number, second: Number) -> Number:
     """100·|{first} − {second}|/|{second}|"""
     return Number(100.0 * np.abs(first - second) / np.abs(np.where(second == 0.0, np.nan, second)))

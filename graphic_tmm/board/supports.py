@@ -9,6 +9,8 @@ from graphic_tmm.board.geometry import along, cis, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
 
+_ON = (("from above", "from below"), ("сверху", "снизу"))
+
 
 @operation(
     "Среди точек {points} найти самую далёкую от {start}; отметить {it}.",
@@ -25,12 +27,13 @@ def farthest(start: Point, points: Point, *, row: int) -> Point:
 
 
 @operation(
-    "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} сверху (1) или снизу (−1).",
+    "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} {above}.",
     across=True,
     fails=WHOLE_ROW,
+    sides=_ON,
 )
 def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
-    """At the angle {angle} draw the line {it} that rests on the points {points}.
+    """At the angle {angle} draw the line {it} that rests on the points {points} {above}.
 
     ``above``: 1 for the line that leaves all points below it, −1 for the one that leaves them above it.
     """
@@ -43,12 +46,13 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
 
 
 @operation(
-    "Под углом {angle} провести касательную {it} к кривой {curve} сверху (1) или снизу (−1).",
+    "Под углом {angle} провести касательную {it} к кривой {curve} {above}.",
     across=True,
     fails=WHOLE_ROW,
+    sides=_ON,
 )
 def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
-    """At the angle {angle} draw the tangent {it} that leaves the whole closed curve {curve} on one side.
+    """At the angle {angle} draw the tangent {it} that touches the closed curve {curve} {above}.
 
     ``above``: 1 for the line above the curve, −1 for the one below it.
     """

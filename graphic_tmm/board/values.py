@@ -75,6 +75,21 @@ def undefined(value: Any) -> NDArray[np.bool_]:
     return np.asarray(np.logical_or.reduce(np.broadcast_arrays(*bad)))
 
 
+def at(row: Any, places: Any) -> Any:
+    """Return a row (1, position) at some positions; None for all."""
+    return row if places is None or row.shape[1] == 1 else row[:, list(places)]
+
+
+def blank(value: Any, mask: NDArray[np.bool_]) -> Any:
+    """Return a value with NaN where a mask (trial, position) is true; a curve is whole, or is not."""
+    if isinstance(value, Curve):
+        gone = np.nan if mask.any() else 0.0
+        return Curve(value.knots + gone, value.tangents + gone, value.closed)
+    if isinstance(value, tuple):
+        return type(value)(*(blank(part, mask) for part in value))
+    return np.where(mask, np.nan, value)
+
+
 def given(value: object, kind: Kind) -> Any:
     """Return plain numbers as a value of ``kind`` with axes (trial, position): a scalar becomes (1, 1)."""
     dtype = np.complex128 if kind is Point else np.float64

@@ -32,8 +32,7 @@ def position_names(made: Made) -> tuple[str, ...]:
     """Return the numbers of the positions of a scene."""
     if made.work is not None:
         return made.work.project.names
-    columns = scene_columns(made)
-    return tuple(str(k) for k in range(len(columns[0].value))) if columns else ()
+    return tuple(dict.fromkeys(name for column in scene_columns(made) for name, _ in column.at))
 
 
 def cells(made: Made) -> dict[Key, Cell]:
@@ -41,7 +40,8 @@ def cells(made: Made) -> dict[Key, Cell]:
     names = position_names(made)
     found: dict[Key, Cell] = {}
     for column in scene_columns(made):
-        rows = zip(names, column.mm, column.value, strict=True)
+        own = [name for name, _ in column.at] or names
+        rows = zip(own, column.mm, column.value, strict=True)
         for name, mm, value in rows:
             if mm is not None or value is not None:
                 found[column.plan, column.segment, name] = Cell(mm, value, column.unit)
@@ -50,14 +50,20 @@ def cells(made: Made) -> dict[Key, Cell]:
     return found
 
 
-def longest(found: Mapping[Key, Cell]) -> dict[tuple[str, str], float]:
-    """Return the longest segment of every plan and position, mm."""
+def longest(
+    found: Mapping[Key, Cell], spots: Mapping[Key, complex]
+) -> dict[tuple[str, str], float]:
+    """Return the longest vector of every plan and position, mm: to a point where no segment is measured."""
     most: dict[tuple[str, str], float] = {}
     for (plan, _, position), cell in found.items():
         if cell.mm is not None:
             at = (plan, position)
             most[at] = max(most.get(at, 0.0), abs(cell.mm))
-    return most
+    reach: dict[tuple[str, str], float] = {}
+    for (plan, _, position), spot in spots.items():
+        at = (plan, position)
+        reach[at] = max(reach.get(at, 0.0), abs(spot))
+    return reach | most
 
 
 def plans(found: Mapping[Key, Cell]) -> Iterator[str]:

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.files import Kind, read
 
-LARGEST_FILE = 32_000_000
+READINGS = Kind("a file of readings", "name a CSV file of readings", 8_000_000)
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8"),
     (codecs.BOM_UTF32_LE, "utf-32-le"),  # before UTF-16, whose mark is its beginning
@@ -28,20 +29,9 @@ def text_of(file: Path) -> str:
     Raises
     ------
     SceneError
-        If there is no such file, or it is a folder, cannot be read, is too large or not a text.
+        If it cannot be read (as `files.read`), or is not a text.
     """
-    try:
-        with file.open("rb") as stream:
-            data = stream.read(LARGEST_FILE + 1)
-    except FileNotFoundError:
-        _refuse(file, "there is no such file; name a CSV file of readings")
-    except IsADirectoryError:
-        _refuse(file, "this is a folder; name a CSV file of readings in it")
-    except (OSError, ValueError) as error:
-        reason = type(error).__name__
-        _refuse(file, f"the file cannot be read ({reason}); check its name and rights")
-    if len(data) > LARGEST_FILE:
-        _refuse(file, f"the file has more than {LARGEST_FILE} bytes; readings are a short text")
+    data = read(file, READINGS)
     if data.startswith(_WORKBOOK):
         _refuse(file, "this is a workbook or an archive, not a text; save the sheet as CSV")
     return _decoded(file, data)

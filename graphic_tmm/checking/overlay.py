@@ -52,7 +52,7 @@ def overlay_sheet(made: Made, report: Report, enlarge: float) -> Sheet:
     edge = frame(
         size, language=report.language, first=True, number=1, count=1, fields={"name": report.title}
     )
-    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid))
+    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid), report.language)
 
 
 def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, ...]]:
@@ -76,7 +76,9 @@ def _plan(made: Made, plan: str, position: str, upon: Sequence[Stroke], title: s
     project = work.project
     place = project.names.index(position)
     if plan == "positions":
-        found = draw_position_ink(project.construction, work.reading, place, name, title, upon=upon)
+        found = draw_position_ink(
+            project.construction, work.reading, work.reaches, place, name, title, upon=upon
+        )
     else:
         accelerated = plan == "accelerations"
         reading = work.accelerated if accelerated else work.reading

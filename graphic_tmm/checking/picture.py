@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from pathlib import Path
 from typing import Any
@@ -10,11 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, TmmError
+from graphic_tmm.files import Kind, opened
 
 MOST = 100e6
 """No photograph and no flattened sheet has more pixels."""
 
+PHOTOGRAPH = Kind("a photograph", "name a photograph (JPEG, PNG, TIFF, WebP or BMP)", 400_000_000)
 FORMATS = ("JPEG", "PNG", "TIFF", "WEBP", "BMP")
 
 
@@ -24,22 +25,25 @@ def read(path: str | Path) -> NDArray[np.uint8]:
     Raises
     ------
     SheetError
-        If Pillow is missing, or the file is not there, no image, damaged, or of more than `MOST` pixels.
+        If Pillow is missing, or the file is no image, damaged, or of more than `MOST` pixels.
+    SceneError
+        If the file cannot be read (as `files.opened`).
     """
     images, operations = pillow()
     place = Path(path)
-    if not os.path.isfile(place):
-        raise SheetError(f"{place}: no such file: name a photograph (JPEG, PNG, TIFF, WebP or BMP)")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            with images.open(place, formats=FORMATS) as opened:
-                columns, rows = opened.size
+            with (
+                opened(place, PHOTOGRAPH) as stream,
+                images.open(stream, formats=FORMATS) as image,
+            ):
+                columns, rows = image.size
                 if columns * rows > MOST:
                     raise SheetError(_large(place, f"{columns} × {rows} pixels"))
-                operations.exif_transpose(opened, in_place=True)
-                return _colours(opened, images)
-        except SheetError:
+                operations.exif_transpose(image, in_place=True)
+                return _colours(image, images)
+        except TmmError:
             raise
         except images.DecompressionBombError as error:
             raise SheetError(_large(place, "very large")) from error

@@ -8,10 +8,10 @@ from typing import NamedTuple, NoReturn
 
 from graphic_tmm.checking.csv_cells import HEADS, SEPARATORS, Head, Row, table
 from graphic_tmm.checking.decoding import text_of
-from graphic_tmm.checking.figures import decimal_comma, millimetres, value_of
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.figures import decimal_comma, half_unit, millimetres, value_of
+from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.checking.writing import template, write_readings
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import Fault, SceneError, first_of
 
 __all__ = ["read_readings", "template", "write_readings"]
 
@@ -186,7 +186,8 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
         empty = "y" if one.x else "x"
         faults.append(Fault(head.title(empty), line, "a point needs both x and y; this is empty"))
     mm, x, y = numbers
-    return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line)
+    last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
+    return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
 
 
 def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None:
@@ -204,8 +205,4 @@ def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None
 
 
 def _refuse(file: Path, faults: Sequence[Fault]) -> NoReturn:
-    more = len(faults) - TOLD
-    told = tuple(faults[:TOLD])
-    if more > 0:
-        told += (Fault("", 0, f"and {more} more faults; put these right first"),)
-    raise SceneError(str(file), told) from None
+    raise SceneError(str(file), first_of(faults, TOLD)) from None

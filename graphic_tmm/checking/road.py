@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from graphic_tmm.checking.cells import POINTED, RESULTS, points, position_names
+from graphic_tmm.checking.cells import POINTED, RESULTS, position_names
+from graphic_tmm.checking.cells import points as spots
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.readings import read_readings
@@ -15,11 +16,13 @@ from graphic_tmm.checking.report_json import json_report
 from graphic_tmm.checking.report_text import markdown_report, text_report
 from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.checking.writing import template
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, printable
 from graphic_tmm.files import write
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, scene_columns, scene_results, sheets
 from graphic_tmm.tables.columns import Column
+
+_REMEDY = "name another file with --overlay"
 
 
 def template_of(scene: Scene) -> str:
@@ -29,18 +32,25 @@ def template_of(scene: Scene) -> str:
     rows = list(scene_columns(made))
     for name, (value, unit) in scene_results(made).items():
         rows.append(Column(RESULTS, name, name, unit, (None,), (value,)))
-    letters = dict.fromkeys((plan, letter) for plan, letter, _ in points(made) if plan in POINTED)
+    letters = dict.fromkeys((plan, letter) for plan, letter, _ in spots(made) if plan in POINTED)
     return template(rows, names, tuple(letters), language=scene.language)
 
 
 def checked(
-    scene: Scene, readings: str, hand: str, limits: tuple[float, float], trials: int
+    scene: Scene,
+    readings: str,
+    hand: str,
+    limits: tuple[float, float],
+    trials: int,
+    points: str = "paper",
 ) -> Report:
-    """Return the report on a file of readings."""
+    """Return the report on a file of readings; ``points``: how their x and y were read."""
     taken = read_readings(Path(readings))
     doubtful, wrong = limits
     bounds = Limits(doubtful=doubtful, wrong=wrong)
-    return check(scene, taken, hand=hand, trials=trials, limits=bounds, source=readings)
+    return check(
+        scene, taken, hand=hand, points=points, trials=trials, limits=bounds, source=readings
+    )
 
 
 def told(report: Report, form: str) -> str | list[Any]:
@@ -54,42 +64,50 @@ def overlaid(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
     """Write the exact plans thin under the points that were read; deviations ``enlarge`` times as large."""
     from graphic_tmm.paper.svg import svg
 
-    path = Path(file)
+    path = _drawing(file)
     text = svg(overlay_sheet(make(scene, exact=True), report, enlarge))
-    (written,) = write(path.parent, {path.name: text}, remedy="name another file with --overlay")
+    (written,) = write(path.parent, {path.name: text}, remedy=_REMEDY)
     return written
 
 
 def underlay(
-    scene: Scene, photo: str, corners: str, file: str
+    scene: Scene, photo: str, corners: str, file: str, number: int = 1
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
-    """Write a sheet's photograph, flattened, under the exact sheet at true millimetres.
+    """Write a sheet's photograph, flattened, and over it the exact sheet, thin and coloured, true to the mm.
 
-    Return the files, and what the photograph is warned about.
+    ``number``: of the sheet, from 1. Return the files, and what the photograph is warned about. The picture
+    has the drawing's name with "-flat": not the photograph's, which may stand beside it.
+
+    Raises
+    ------
+    SheetError
+        If there is no such sheet, the corners are none, the photograph cannot be flattened, or a file cannot be
+        written.
     """
     from graphic_tmm.checking.photo import flatten, png
-    from graphic_tmm.paper.frame import SIZES, drawing_area
-    from graphic_tmm.paper.svg import svg
+    from graphic_tmm.paper.frame import drawing_area
+    from graphic_tmm.paper.svg import Under, svg
 
+    path = _drawing(file)
+    clicked = _corners(corners)
     drawn = sheets(scene)[1]
-    sheet = drawn[0]
-    area = drawing_area(sheet.format, scene.language, True)
-    left, bottom, right, top = area.inner
-    width, height = SIZES[sheet.format]
-    frame, paper = (left, bottom, right, top), (0.0, 0.0, width, height)
-    flat = flatten(Path(photo), _corners(corners), frame, area=paper)
+    if number > len(drawn):
+        raise SheetError(f"--sheet: there is no sheet {number}; the scene has {len(drawn)}")
+    sheet = drawn[number - 1]
+    left, bottom, right, top = drawing_area(sheet.format, scene.language, number == 1).inner
+    paper = (0.0, 0.0, sheet.width, sheet.height)
+    flat = flatten(Path(photo), clicked, (left, bottom, right, top), area=paper)
+    picture = f"{path.stem}-flat.png"
+    text = svg(sheet, under=Under(picture))
+    files: dict[str, str | bytes] = {path.name: text, picture: png(flat)}
+    return write(path.parent, files, remedy=_REMEDY), flat.warnings
+
+
+def _drawing(file: str) -> Path:
     path = Path(file)
-    image = path.with_suffix(".png").name
-    text = svg(sheet)
-    cut = text.index(">", text.index("<svg")) + 1
-    placed = (
-        f'<image href="{image}" x="0" y="0" width="{width:g}" height="{height:g}" '
-        'preserveAspectRatio="none"/>'
-    )
-    whole = text[:cut] + placed + text[cut:]
-    files: dict[str, str | bytes] = {path.name: whole, image: png(flat)}
-    written = write(path.parent, files, remedy="name another file with --overlay")
-    return tuple(written), tuple(flat.warnings)
+    if path.suffix.lower() != ".svg":
+        raise SheetError(f"--overlay: {printable(file)}: the drawing is an SVG file; name it .svg")
+    return path
 
 
 def _corners(text: str) -> list[tuple[float, float]]:

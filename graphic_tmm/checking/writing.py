@@ -57,7 +57,7 @@ def template(
         given = _given(column)
         places.setdefault(column.plan, set()).update(given)
         unit = column.unit or "1"
-        positions = [""] if column.plan == RESULTS else names
+        positions = [""] if column.plan == RESULTS else [name for name, _ in column.at] or names
         asked += [Taken(column.plan, positions[k], column.segment, unit=unit) for k in given]
     for plan, letter in points:
         drawn = sorted(places.get(plan, range(len(names))))

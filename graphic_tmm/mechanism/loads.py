@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from graphic_tmm.mechanism.orders import IndicatorOrder
 
 GRAVITY = 9.81
-"""g throughout the documents, m/s²."""
+"""g throughout the documents, m/s²: what a weight is taken with if a scene gives no other."""
 AGAINST = "against"
 """The direction of a load that resists: against the velocity of its point, or the rotation of its link."""
 
@@ -58,7 +58,8 @@ class ForcesOrder:
     ``positions``: their numbers, or ("all",). ``balance``: a "force" at the crank pin, square to the crank, or
     a "moment". ``couples``: on the lever as "moment" or as a "pair" of forces. ``single``: links whose inertia
     force and couple are replaced by one force. ``limit``: of the difference of both methods, %. ``mu``: N/mm
-    of every polygon; None for standard ones. ``gas``: the indicator diagram whose gas pushes the piston.
+    of every polygon; None for standard ones. ``g``: of weights, m/s². ``gas``: the
+    indicator diagram whose gas pushes the piston.
     """
 
     positions: tuple[str, ...]
@@ -72,3 +73,4 @@ class ForcesOrder:
     single: tuple[int, ...] = field(default=())
     limit: float = 5.0
     mu: float | None = None
+    g: float = GRAVITY

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
-from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.bounds import PLANETARY, POSITIVE, Bound, OrderError
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,6 @@ SCHEMES: Mapping[str, Scheme] = MappingProxyType(
     }
 )
 """The schemes by name."""
-MOST = 1000
-"""No wheel has more teeth than these."""
 
 
 @dataclass(frozen=True)
@@ -134,13 +132,13 @@ def scheme_of(order: PlanetaryOrder) -> Scheme:
 
     Raises
     ------
-    StructureError
+    OrderError
         If the scheme is not one of the four, or anything asked for is no quantity of a train.
     """
     scheme = SCHEMES.get(order.scheme)
     if scheme is None:
-        raise StructureError(
-            f'planetary: no scheme "{order.scheme}": take one of {", ".join(SCHEMES)}'
+        raise OrderError(
+            "planetary", "scheme", f'no scheme "{order.scheme}": take one of {", ".join(SCHEMES)}'
         )
     _refuse_sizes(order, scheme)
     _refuse_counts(order, scheme)
@@ -155,78 +153,76 @@ def module_ratio(order: PlanetaryOrder) -> Fraction:
     return Fraction(order.module_2 / order.module).limit_denominator(1000)
 
 
-def _positive(value: object) -> bool:
-    return isinstance(value, int | float) and math.isfinite(value) and value > 0
+def _refuse(key: str, message: str) -> OrderError:
+    return OrderError("planetary", key, message)
 
 
-def _refuse(message: str) -> StructureError:
-    return StructureError(f"planetary: {message}")
+def _bounded(key: str, value: object, bound: Bound | None = None) -> None:
+    """Refuse a value outside the bounds of a key, or outside others."""
+    (PLANETARY[key] if bound is None else bound).refuse("planetary", key, value)
 
 
 def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
     for name, value in (
         ("module", order.module),
         ("module_2", order.module_2),
-        ("h_a*", order.ha),
         ("mu_l", order.mu_l),
         ("mu_v", order.mu_v),
         ("pole", order.pole),
     ):
-        if value is not None and not _positive(value):
-            raise _refuse(f"{name} = {value} is not greater than 0")
-    if not 0.0 < order.alpha < 45.0:
-        raise _refuse(f"α = {order.alpha:g}° is no pressure angle: take 20°")
-    if not (math.isfinite(order.c) and order.c >= 0.0):
-        raise _refuse(f"c* = {order.c} is less than 0")
+        if value is not None:
+            _bounded(name, value, POSITIVE)
+    for name in ("alpha", "ha", "c"):
+        _bounded(name, getattr(order, name))
     if not (math.isfinite(order.speed) and order.speed != 0.0):
-        raise _refuse(f"the driving shaft turns at {order.speed}: give its angular velocity")
+        raise _refuse(
+            "speed", f"the driving shaft turns at {order.speed}: give its angular velocity"
+        )
     if order.driving not in ("1", "H"):
-        raise _refuse(f'wheel "{order.driving}" cannot drive: take "1" or "H", the other is driven')
+        raise _refuse(
+            "driving", f'wheel "{order.driving}" cannot drive: take "1" or "H", the other is driven'
+        )
     if order.module_2 is None:
         return
     if scheme.rows == 1:
-        raise _refuse("a single row has one module: leave module_2 out")
+        raise _refuse("module_2", "a single row has one module: leave module_2 out")
     if abs(order.module * float(module_ratio(order)) - order.module_2) > 1e-9 * order.module_2:
         raise _refuse(
+            "module_2",
             f"modules of {order.module:g} and {order.module_2:g} m have no simple ratio: "
-            "take standard ones"
+            "take standard ones",
         )
-
-
-def whole(value: object) -> bool:
-    """Whether a value is a whole number, and not a truth."""
-    return isinstance(value, int) and not isinstance(value, bool)
 
 
 def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
     if order.teeth and len(order.teeth) != len(scheme.wheels):
         raise _refuse(
+            "teeth",
             f'scheme "{scheme.name}" has wheels {", ".join(scheme.wheels)}, '
-            f"not {len(order.teeth)}: give a tooth number for each, or none"
+            f"not {len(order.teeth)}: give a tooth number for each, or none",
         )
-    for wheel, z in zip(scheme.wheels, order.teeth, strict=False):
-        if z is not None and (not whole(z) or z < 1):
-            raise _refuse(f"z{wheel} = {z} is not a whole number of teeth")
+    for z in order.teeth:
+        if z is not None:
+            _bounded("teeth", z)
     if not order.satellites:
-        raise _refuse("no number of satellites is allowed: give one, such as 3")
+        raise _refuse("satellites", "no number of satellites is allowed: give one, such as 3")
     for k in order.satellites:
-        if not whole(k) or k < 1:
-            raise _refuse(f"{k} is not a number of satellites")
+        _bounded("satellites", k)
     limits = order.limits
     for name in ("least", "most", "ring_most", "difference"):
-        z = getattr(limits, name)
-        if not whole(z) or not 1 <= z <= MOST:
-            raise _refuse(f"limit {name} = {z} is not a number of teeth from 1 to {MOST}")
+        _bounded(name, getattr(limits, name), PLANETARY["least"])
     if limits.least > limits.most:
-        raise _refuse(f"from {limits.least} to {limits.most} there is no tooth number")
+        raise _refuse("least", f"from {limits.least} to {limits.most} there is no tooth number")
 
 
 def _refuse_ratio(order: PlanetaryOrder) -> None:
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
-            raise _refuse("neither a ratio nor all tooth numbers are given: give one of them")
+            raise _refuse(
+                "ratio", "neither a ratio nor all tooth numbers are given: give one of them"
+            )
         return
-    if not math.isfinite(order.ratio) or order.ratio == 0.0:
-        raise _refuse(f"a ratio of {order.ratio} is none")
-    if not 0.0 <= order.tolerance <= 0.5:
-        raise _refuse(f"a tolerance of {order.tolerance} is not a share from 0 to 0.5 of the ratio")
+    _bounded("ratio", order.ratio)
+    if order.ratio == 0.0:
+        raise _refuse("ratio", "a ratio of 0 is none")
+    _bounded("tolerance", order.tolerance)

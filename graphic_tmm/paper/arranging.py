@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.paper.drawing import Drawing, Label
-from graphic_tmm.paper.layout import bounds
+from graphic_tmm.paper.drawing import Drawing, Label, Within
+from graphic_tmm.paper.layout import bounds, settled
 from graphic_tmm.paper.letters import letter
 from graphic_tmm.words import number, unit
 
@@ -34,7 +34,16 @@ def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
 
 
 def captioned(view: Drawing, *lines: str) -> Drawing:
-    """Return a view with lines of lettering below it: in the middle, below a table from its left edge."""
+    """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
+
+    Where a sheet is too narrow for it, its lines are broken, and the view comes apart if it can.
+    """
+
+    def apart(within: Within) -> list[Drawing]:
+        *first, last = settled(view, within)
+        broken = [part for text in lines for part in wrapped(text, SMALL, within.width)]
+        return [*first, captioned(last, *broken)._replace(apart=None)]
+
     left, low, right, top = bounds(view)
     middle, labels = (left + right) / 2, list(view.labels)
     for k, text in enumerate(lines):
@@ -49,11 +58,33 @@ def captioned(view: Drawing, *lines: str) -> Drawing:
     else:
         reach = max([right - left, *widths]) / 2
         cell = (middle - reach, low, middle + reach, top)
-    return view._replace(labels=tuple(labels), cell=cell)
+    return view._replace(labels=tuple(labels), cell=cell, apart=apart)
+
+
+def wrapped(text: str, size: float, width: float) -> list[str]:
+    """Return mark-up in lines no wider than ``width`` mm, broken behind commas, else at spaces."""
+    if letter(text, size=size).width <= width:
+        return [text]
+    for mark in (", ", " "):
+        ends = [k for k, _ in enumerate(text) if text.startswith(mark, k) and _outside(text[:k])]
+        heads = [k + len(mark) - 1 for k in ends]
+        fitting = [k for k in heads if letter(text[:k], size=size).width <= width]
+        if fitting:
+            cut = fitting[-1]
+            return [text[:cut], *wrapped(text[cut + 1 :], size, width)]
+    return [text]
+
+
+def _outside(head: str) -> bool:
+    """Whether what follows a piece of mark-up stands outside braces."""
+    return head.count("{") == head.count("}")
 
 
 def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
-    """Return drawings one below the other as one, their origins above each other."""
+    """Return drawings one below the other as one, their origins above each other.
+
+    Where no sheet is so high they stand by themselves.
+    """
     moved, top = [], 0.0
     for view in views:
         _, low, _, high = bounds(view)
@@ -68,4 +99,6 @@ def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
     )
     strokes = tuple(stroke for view in moved for stroke in view.strokes)
     labels = tuple(label for view in moved for label in view.labels)
-    return Drawing(name, "; ".join(view.title for view in views), strokes, labels, cell)
+    return Drawing(
+        name, "; ".join(view.title for view in views), strokes, labels, cell, lambda _: views
+    )

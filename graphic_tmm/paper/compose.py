@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from graphic_tmm.paper.drawing import Drawing, Sheet
+from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.frame import SIZES, drawing_area, frame
-from graphic_tmm.paper.layout import Room, bounds, pack
-from graphic_tmm.paper.views import FOLLOWS, FREE_VIEWS, PART_VIEWS, VIEWS
+from graphic_tmm.paper.layout import Room, pack, settled
+from graphic_tmm.paper.views import FREE_VIEWS, PART_VIEWS, VIEWS
 from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.words import number
@@ -19,10 +19,15 @@ def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tup
 
     ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it.
     """
-    laid = _laid(scene, lambda plan: _views(plan, scene, drawn, parts, True))
-    count = len(laid)
+
+    def views(plan: str, within: Within) -> list[Drawing]:
+        whole = views_of(plan, scene, drawn, parts, True)
+        return [part for view in whole for part in settled(view, within)]
+
+    placed_views = laid(scene, views)
+    count = len(placed_views)
     sheets = []
-    for index, (format, placed) in enumerate(laid):
+    for index, (format, placed) in enumerate(placed_views):
         edge = frame(
             format,
             language=scene.language,
@@ -33,47 +38,37 @@ def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tup
         )
         name = f"sheet-{index + 1}" if count > 1 else "sheet"
         width, height = SIZES[format]
-        sheets.append(Sheet(name, scene.title, format, width, height, (edge, *placed)))
+        drawings = (edge, *placed)
+        sheets.append(Sheet(name, scene.title, format, width, height, drawings, scene.language))
     return tuple(sheets)
 
 
-Cells = dict[tuple[object, ...], list[Drawing]]
-"""The room of the views of a plan, by its name and the μ that it depends on."""
+Views = Callable[[str, Within], Sequence[Drawing]]
+"""The views of a place, for what a sheet offers."""
 
 
-def needed(scene: Scene, drawn: Work | None, parts: Sequence[Part], cells: Cells) -> int:
-    """Return how many sheets a scene takes: tried with plans that only take the room they will need.
-
-    ``cells``: what earlier trials of the same scene found, with other μ of the plans; kept up.
-    """
-
-    def room(plan: str) -> list[Drawing]:
-        scales = drawn.scales if drawn is not None else {}
-        follows = FOLLOWS.get(plan, ("velocities", "accelerations"))
-        key = (plan, *(scales[name].value for name in follows if name in scales))
-        if key not in cells:
-            views = _views(plan, scene, drawn, parts, False)
-            cells[key] = [Drawing(view.name, view.title, cell=bounds(view)) for view in views]
-        return cells[key]
-
-    return len(_laid(scene, room))
+def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
+    """Return the sheets ordered, each with the room of its first sheet and of those that follow it."""
+    return [
+        (order, (_room(order, scene, k == 0), _room(order, scene, False)))
+        for k, order in enumerate(scene.sheets)
+    ]
 
 
-def _laid(
-    scene: Scene, views: Callable[[str], Sequence[Drawing]]
-) -> list[tuple[str, list[Drawing]]]:
+def laid(scene: Scene, views: Views) -> list[tuple[str, list[Drawing]]]:
     """Return the views placed, sheet by sheet, with the formats of the sheets."""
-    laid: list[tuple[str, list[Drawing]]] = []
-    for order in scene.sheets:
-        rooms = (_room(order, scene, not laid), _room(order, scene, False))
-        there = [view for plan in order.place for view in views(plan)]
-        laid += [(order.format, placed) for placed in pack(there, rooms, order.format)]
-    return laid
+    found: list[tuple[str, list[Drawing]]] = []
+    for order, rooms in orders(scene):
+        within = rooms[0].within
+        there = [view for plan in order.place for view in views(plan, within)]
+        found += [(order.format, placed) for placed in pack(there, rooms, order.format)]
+    return found
 
 
-def _views(
+def views_of(
     plan: str, scene: Scene, drawn: Work | None, parts: Sequence[Part], lettered: bool
 ) -> list[Drawing]:
+    """Return the views of a place as they are drawn, before any of them comes apart."""
     if plan in FREE_VIEWS:
         return FREE_VIEWS[plan](scene)
     if plan in PART_VIEWS:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 Vertex = tuple[float, float, float]
@@ -49,10 +50,26 @@ class Label(NamedTuple):
     inclined: bool = True
 
 
+class Within(NamedTuple):
+    """What an empty sheet offers a view: widths and heights of its largest free rectangles, mm."""
+
+    sizes: tuple[tuple[float, float], ...]
+
+    @property
+    def width(self) -> float:
+        """The width of the widest of them."""
+        return max(width for width, _ in self.sizes)
+
+    def share(self, width: float, height: float) -> float:
+        """Return how many times larger what takes so much room may be; below 1 it does not fit."""
+        return max(min(w / max(width, 1e-9), h / max(height, 1e-9)) for w, h in self.sizes)
+
+
 class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
-    ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink.
+    ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
+    comes apart into where no sheet holds it whole; None if it does not.
     """
 
     name: str
@@ -60,6 +77,7 @@ class Drawing(NamedTuple):
     strokes: tuple[Stroke | Bezier, ...] = ()
     labels: tuple[Label, ...] = ()
     cell: tuple[float, float, float, float] | None = None
+    apart: Callable[[Within], Sequence[Drawing]] | None = None
 
     def moved(self, by: complex) -> Drawing:
         """Return the drawing translated by ``by`` (complex, mm)."""
@@ -78,7 +96,10 @@ class Drawing(NamedTuple):
 
 
 class Sheet(NamedTuple):
-    """A sheet of paper: its format, its size in mm, the drawings in sheet coordinates (y upward)."""
+    """A sheet of paper: its format, its size in mm, the drawings in sheet coordinates (y upward).
+
+    ``language``: of its texts, "ru" or "en"; "" if it is not known.
+    """
 
     name: str
     title: str
@@ -86,6 +107,7 @@ class Sheet(NamedTuple):
     width: float
     height: float
     drawings: tuple[Drawing, ...]
+    language: str = ""
 
     def _repr_svg_(self) -> str:
         """Return the sheet as SVG: a notebook shows it."""

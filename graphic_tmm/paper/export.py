@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import struct
+import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -10,10 +12,12 @@ from typing import Any, Literal
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Sheet
-from graphic_tmm.paper.svg import svg
+from graphic_tmm.paper.svg import clean, svg
 
 PPI = 150.0
 """Dots per inch of a PNG: an A1 sheet has 4967 × 3508."""
+BEHIND_HEADER = 8 + 25
+"""Where the first chunk of a PNG after its header begins: signature, then 13 bytes in a chunk."""
 HAIR = 1e-6
 """By how much the paper of a PNG is narrower, and lower, than a whole number of dots (of itself)."""
 
@@ -30,8 +34,16 @@ def pdf(sheets: Sequence[Sheet]) -> bytes:
 
 
 def png(sheet: Sheet, *, ppi: float = PPI) -> bytes:
-    """Return a sheet as PNG; raises SheetError if typst is not installed."""
-    return _compiled([_on_dots(sheet, ppi)], "png", ppi)[0]
+    """Return a sheet as PNG that tells its size; raises SheetError if typst is not installed."""
+    return _sized(_compiled([_on_dots(sheet, ppi)], "png", ppi)[0], ppi)
+
+
+def _sized(image: bytes, ppi: float) -> bytes:
+    """Return a PNG with its dots to the metre, without which it is printed at any size (chunk pHYs)."""
+    dots = round(ppi / 0.0254)
+    told = b"pHYs" + struct.pack(">IIB", dots, dots, 1)
+    chunk = struct.pack(">I", len(told) - 4) + told + struct.pack(">I", zlib.crc32(told))
+    return image[:BEHIND_HEADER] + chunk + image[BEHIND_HEADER:]
 
 
 def _on_dots(sheet: Sheet, ppi: float) -> Sheet:
@@ -54,6 +66,11 @@ def _short(size: float) -> float:
     return math.floor(size * (1 - HAIR) * 1000) / 1000
 
 
+def _quoted(text: str) -> str:
+    """Return a text as typst writes it."""
+    return '"{}"'.format(clean(text).replace("\\", "\\\\").replace('"', '\\"'))
+
+
 def _compiled(
     sheets: Sequence[Sheet], form: Literal["pdf", "png"], ppi: float = PPI
 ) -> list[bytes]:
@@ -65,9 +82,11 @@ def _compiled(
         ) from error
     with TemporaryDirectory() as folder:
         home = Path(folder)
-        lines = ["#set document(date: none)"]
+        lines = [f"#set document(title: {_quoted(sheets[0].title)}, date: none)"]
+        if sheets[0].language:
+            lines.append(f"#set text(lang: {_quoted(sheets[0].language)})")
         for k, sheet in enumerate(sheets):
-            (home / f"{k}.svg").write_text(svg(sheet), encoding="utf-8")
+            (home / f"{k}.svg").write_text(svg(sheet, searchable=True), encoding="utf-8")
             size = f"width: {sheet.width}mm, height: {sheet.height}mm"
             lines.append(f'#page({size}, margin: 0pt)[#image("{k}.svg", {size})]')
         (home / "sheets.typ").write_text("\n".join(lines), encoding="utf-8")

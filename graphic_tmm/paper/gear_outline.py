@@ -71,7 +71,7 @@ def tooth_outline(reading: Reading, tooth: Tooth, centre: complex) -> Iterator[S
     for side in (tooth.left, tooth.right):
         for piece in (fillet(reading, side), flank(reading, side)):
             if piece:
-                yield Bezier("main", piece, side.flank.letter)
+                yield Bezier("main", piece, side.flank.name)
     left, right = (spot(reading, side.tip) for side in (tooth.left, tooth.right))
     if cmath.isfinite(left) and cmath.isfinite(right) and abs(left - right) > 1e-9:
         yield _between(left, centre, cmath.phase((right - centre) / (left - centre)))

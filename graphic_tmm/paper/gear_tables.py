@@ -8,8 +8,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.gear import Gear
 from graphic_tmm.plans.gear_dimensions import WheelSizes
 from graphic_tmm.words import fixed, number, unit
@@ -38,7 +38,15 @@ def dimension_table(reading: Reading, made: Gear, language: str, title: str) -> 
     rows += [[s, _cell(reading, mark, language), "", _unit(mark, language)] for s, mark in pair]
     heads = [words["value"], "1", "2", words["unit"]]
     align = ["left", "centre", "centre", "left"]
-    return table("table-gear", title, heads, rows, size=SIZE, align=align)
+    return breakable(
+        "table-gear",
+        title,
+        heads,
+        rows,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        align=align,
+    )
 
 
 WHEEL = (
@@ -88,7 +96,16 @@ def sliding_table(reading: Reading, made: Gear, language: str, title: str) -> Dr
         rows.append([f"ϑ_{{{k}}}", "", *(_sliding(value, language) for value in found)])
     heads = [words["value"], words["unit"], *(name for _, name, *_ in places)]
     align = ["left", "left", *["centre"] * len(places)]
-    return table("table-sliding", title, heads, rows, size=SIZE, align=align)
+    return breakable(
+        "table-sliding",
+        title,
+        heads,
+        rows,
+        again=words["continued"],
+        size=SIZE,
+        lead=2,
+        align=align,
+    )
 
 
 def _sliding(value: float, language: str) -> str:

@@ -150,7 +150,7 @@ class _Ink:
         """The curve of a step."""
         if step.op is graph_of_stretch:
             for controls in bezier(self.reading[step.it]):
-                yield Bezier("main", tuple(complex(z) for z in controls), step.it.letter)
+                yield Bezier("main", tuple(complex(z) for z in controls), step.it.name)
 
     def outline(self) -> Iterator[Stroke]:
         """What is drawn besides the curves: dwells, jumps, straight lines that are given."""
@@ -174,7 +174,7 @@ class _Ink:
 
     def poles(self) -> list[complex]:
         """The pole, where there is one."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.letter == "P"]
+        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name == "P"]
         return [complex(self.points(mark)[0]) for mark in marks]
 
     def extent(self, names: CamNames) -> tuple[float, float]:
@@ -243,7 +243,7 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 def _laid(ink: _Ink, step: Step) -> Ends:
     """From the base to a point laid off above or below it; what lies on the base has its tick."""
-    if step.it.letter != "P" and step.uses[0] not in ink.axis_lines:
+    if step.it.name != "P" and step.uses[0] not in ink.axis_lines:
         start, end = ink.starts(step.uses[0]), ink.shown(step.it)
         level = np.abs((end - start).imag) > LEAST
         yield np.where(level, start, np.nan), end

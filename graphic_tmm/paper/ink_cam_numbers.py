@@ -47,7 +47,7 @@ class Numbers:
     def curve(self, mark: Mark, pen: str = "main") -> list[Ink]:
         """A curve as it was drawn."""
         runs = bezier(self.reading[mark])
-        return [Bezier(pen, tuple(complex(z) for z in run), mark.letter) for run in runs]
+        return [Bezier(pen, tuple(complex(z) for z in run), mark.name) for run in runs]
 
     def dots(self, spots: Complexes) -> list[Ink]:
         """Points of a curve."""

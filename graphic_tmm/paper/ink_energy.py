@@ -42,7 +42,7 @@ class _Sheet:
 
     def curve(self, mark: Mark) -> Iterator[Bezier]:
         for controls in bezier(self.reading[mark]):
-            yield Bezier("main", tuple(complex(z) for z in controls), mark.letter)
+            yield Bezier("main", tuple(complex(z) for z in controls), mark.name)
 
     def dots(self, mark: Mark) -> Iterator[Stroke]:
         for z in self.all(mark):
@@ -100,7 +100,7 @@ def draw_indicator_ink(
     """Return the indicator diagram with the division of its base; ``names``: of the positions of the row."""
     ink = _Sheet(construction, reading, len(names))
     origin, end, feet = ink.one(made.origin), ink.one(made.end), ink.all(made.feet)
-    auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.letter == "q")
+    auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.name == "q")
     spots = ink.all(auxiliary.it)
     strokes: list[Stroke | Bezier] = list(ink.lines(spots, feet))
     far = complex(spots[int(np.argmax(np.nan_to_num(np.abs(spots - origin))))])
@@ -141,16 +141,20 @@ def draw_energy_mass_ink(
     title: str,
     figure: str,
     *,
+    along: str = "J_{red}",
     lettered: bool = True,
 ) -> Drawing:
-    """Return the energy–mass curve with its two tangents and the segment ab; ``figure``: its length."""
+    """Return the energy–mass curve, its two tangents and the segment ab.
+
+    ``figure``: the length of the segment; ``along``: the letter of the base.
+    """
     ink = _Sheet(construction, reading, len(names))
     points = ink.all(made.points)
     right, low, high = _most(points.real), -_most(-points.imag), _most(points.imag)
     strokes: list[Stroke | Bezier] = []
     wanted = [
         Wanted("ΔT", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
-        Wanted("J_{r}", complex(right + OVER, 0), SIZE, 1.5, -1j),
+        Wanted(along, complex(right + OVER, 0), SIZE, 1.5, -1j),
     ]
     for tangent, mark in zip(made.tangents, made.ends, strict=True):
         spot, foot = complex(reading[tangent].at[0, 0]), ink.one(mark)
@@ -158,7 +162,7 @@ def draw_energy_mass_ink(
             way = (spot - foot) / abs(spot - foot)
             strokes.append(line("main", foot, spot + 10.0 * way))
             strokes.append(circle("main", spot, DOT, filled=True))
-            wanted.append(Wanted(mark.letter, foot, SIZE, 1.0, -1 + 0j))
+            wanted.append(Wanted(mark.name, foot, SIZE, 1.0, -1 + 0j))
             low, high = min(low, foot.imag), max(high, foot.imag)
     strokes += _axes(0.0, right, min(low, 0.0), max(high, 0.0))
     wanted[0] = wanted[0]._replace(at=complex(0, max(high, 0.0) + OVER))

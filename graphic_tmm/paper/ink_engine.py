@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import cmath
+import math
+
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.paper.arrows import told_arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.ink_polygons import LEAST, spot
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import fixed_pivot, pole, slider, turning_pair
@@ -27,20 +31,22 @@ def draw_triangles(
     *,
     lettered: bool = True,
 ) -> Drawing:
-    """Return the mechanism of one position with the triangles P′–N–Q at B and Q–T–K at A."""
+    """Return the mechanism of one position with the triangles P′ = Q + N at B and Q = K + T at A."""
     t, unit = made.triangles, made.order.unit
     marks = (pivot, t.at_a, t.at_b, t.end_p, t.end_q, t.end_qa, t.end_t)
     o, a, b, p, q, qa, end_t = (spot(reading, mark, index) for mark in marks)
     strokes: list[Stroke | Bezier] = [line("thin", o, a, b), *fixed_pivot(o)]
-    strokes += [*slider(b, 0.0, pin=False), *turning_pair(a), *turning_pair(b)]
+    guide = complex(reading[made.guide].along[0, 0])
+    angle = math.degrees(cmath.phase(guide))
+    strokes += [*slider(b, angle, pin=False), *turning_pair(a), *turning_pair(b)]
     wanted = [
-        Wanted("O", o, SIZE, 2.2),
-        Wanted("A", a, SIZE, 2.2, a - o),
-        Wanted("B", b, SIZE, 2.2, 1j),
+        Wanted(markup(pivot.letter), o, SIZE, 2.2),
+        Wanted(markup(t.at_a.letter), a, SIZE, 2.2, a - o),
+        Wanted(markup(t.at_b.letter), b, SIZE, 2.2, 1j * guide),
     ]
     for start, end, letter, pen in (
         (b, p, "P′", "over"),
-        (p, q, "N", "over"),
+        (q, p, "N", "over"),
         (b, q, "Q", "over"),
         (a, qa, "Q", "over"),
         (a, end_t, "T", "over"),

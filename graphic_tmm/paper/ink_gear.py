@@ -148,7 +148,7 @@ def _turned(ink: _Ink) -> Iterator[Stroke | Bezier]:
         for curve in (engaged.entering, engaged.leaving):
             piece = part(ink.reading, curve, wheel.flank, start, tip)
             if piece:
-                yield Bezier("dashed", piece, curve.letter)
+                yield Bezier("dashed", piece, curve.name)
 
 
 def _bands(ink: _Ink) -> Iterator[Stroke]:

@@ -162,7 +162,7 @@ class _Ink:
         """The curve of a step, over the base only."""
         if step.it.kind is Curve:
             for controls in bezier(self.reading[step.it]):
-                yield from _clipped(controls, self.length, step.it.letter)
+                yield from _clipped(controls, self.length, step.it.name)
 
     def dots(self) -> list[complex]:
         """The points through which curves are drawn, and those in which they turn."""
@@ -180,8 +180,8 @@ class _Ink:
 
     def lettered_poles(self) -> list[tuple[str, complex]]:
         """The poles with their letters."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.letter in POLES]
-        spots = [(mark.letter, complex(self.points(mark)[0])) for mark in marks]
+        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name in POLES]
+        spots = [(mark.name, complex(self.points(mark)[0])) for mark in marks]
         return [(name, spot) for name, spot in spots if np.isfinite(spot)]
 
     def extent(self) -> tuple[float, float]:
@@ -218,15 +218,15 @@ class _Ink:
         for name, spot in self.lettered_poles():
             yield Wanted(name, spot, NUMBER, 1.0, -1 + 0j)
         for step in self.steps:
-            if step.it.letter in names.curves and step.op in (join, graph_of_rays):
+            if step.it.name in names.curves and step.op in (join, graph_of_rays):
                 spot = self.outermost(step.uses[1 if step.op is join else 0])
                 spot = 0.6 * spot if step.op is join else spot
                 if np.isfinite(spot):
-                    yield Wanted(names.curves[step.it.letter], spot, NUMBER, 1.0, 1j - 0.5)
-            if step.op is measure_along and step.it.letter in names.curves:
+                    yield Wanted(names.curves[step.it.name], spot, NUMBER, 1.0, 1j - 0.5)
+            if step.op is measure_along and step.it.name in names.curves:
                 spot = self.outermost(step.uses[1])
                 if np.isfinite(spot):
-                    letter = names.curves[step.it.letter]
+                    letter = names.curves[step.it.name]
                     yield Wanted(letter, spot, NUMBER, 1.0, spot.imag * 1j)
             yield from self.named(step)
         yield from self.numbers(names)
@@ -235,12 +235,12 @@ class _Ink:
         """The letter of a point that is one of a kind: where a curve turns, what is carried to the axis."""
         ways = {"c": -1 + 0j, "d": -1 + 0j, "M_c": -1 - 0.5j} if step.op is meet else {}
         if step.op in EXTREMES:
-            ways = {step.it.letter: 1j if step.op is g.highest else -1j}
-        spot = complex(self.points(step.it)[0]) if step.it.letter in ways else complex("nan")
+            ways = {step.it.name: 1j if step.op is g.highest else -1j}
+        spot = complex(self.points(step.it)[0]) if step.it.name in ways else complex("nan")
         if np.isfinite(spot):
-            size = SIZE if step.it.letter in ("c", "d") else NUMBER
-            name = step.it.letter.replace("M_c", "M_{c}")
-            yield Wanted(name, spot, size, 1.0, ways[step.it.letter])
+            size = SIZE if step.it.name in ("c", "d") else NUMBER
+            name = step.it.name.replace("M_c", "M_{c}")
+            yield Wanted(name, spot, size, 1.0, ways[step.it.name])
 
     def numbers(self, names: Names) -> Iterator[Wanted]:
         """The numbers of the positions under the base."""
@@ -266,7 +266,7 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 
 def _laid(ink: _Ink, step: Step) -> Ends:
-    if step.it.letter != "P" and step.it not in (ink.marks.feet, ink.marks.end):
+    if step.it.name != "P" and step.it not in (ink.marks.feet, ink.marks.end):
         yield ink.starts(step.uses[0]), ink.points(step.it)
 
 

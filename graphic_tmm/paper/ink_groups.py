@@ -13,15 +13,17 @@ from typing import NamedTuple
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.statics import arm
-from graphic_tmm.board.values import Line, Point
+from graphic_tmm.board.values import Line
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arrows import arrow, told_arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.ink_plans import markup
 from graphic_tmm.paper.ink_polygons import LEAST, bar, spot
-from graphic_tmm.paper.ink_positions import PositionsInk
+from graphic_tmm.paper.ink_positions import HEAVY, PositionsInk
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols import round_arrow
 from graphic_tmm.plans.loads import VIEW, Couple, Force
+from graphic_tmm.plans.reaches import Reach
 
 SIZE = 3.5
 SHOWN = 18.0
@@ -43,7 +45,7 @@ class Reactive(NamedTuple):
 
 
 class Detached(NamedTuple):
-    """What a figure shows: its links, forces and couples on them, reactions, the scale of the polygon (Number).
+    """What a figure shows: its links, forces and couples on them, reactions, the scale of its forces (N/mm).
 
     ``circles``: friction circles, their pins and radii (m).
     """
@@ -52,50 +54,46 @@ class Detached(NamedTuple):
     forces: Sequence[Force]
     couples: Sequence[Couple]
     reactions: Sequence[Reactive]
-    mu: Mark
+    mu: float
     circles: Sequence[tuple[Mark, Mark]] = ()
 
 
 def draw_group(
     construction: Construction,
     reading: Reading,
+    reaches: Mapping[Figure, Reach],
     shown: Detached,
     index: int,
     name: str,
     title: str,
     mu_l: Mark,
-    names: Mapping[str, str],
+    language: str,
     *,
     lettered: bool = True,
 ) -> Drawing:
     """Return a detached group, or the driving link, in one position.
 
-    ``names``: letters of the log that the language of the sheet calls otherwise.
+    ``language``: of the sheet.
     """
-    ink = PositionsInk(construction, reading, [index])
-    figures = [
-        f
-        for f in construction.figures
-        if f.view == "positions" and f.kind != "frame" and f.name in map(str, shown.links)
-    ]
+    ink = PositionsInk(construction, reading, reaches, [index])
+    links = [str(number) for number in shown.links]
     strokes: list[Stroke | Bezier] = []
-    for figure in figures:
-        strokes += ink.link(figure, index, "rod")
-    for figure in figures:
-        strokes += ink.symbols(figure, index)
-    drawing = _Loads(reading, index, float(reading[shown.mu][0, 0]), names)
+    for link in links:
+        strokes += ink.lines(link, index, HEAVY)
+    strokes += ink.symbols(links, index)
+    drawing = _Loads(reading, index, shown.mu, language)
     for force in shown.forces:
         drawing.force(force)
     for reaction in shown.reactions:
         drawing.reaction(reaction)
     for couple in shown.couples:
-        drawing.couple(couple, _middle(ink, figures, couple, index))
+        drawing.couple(couple, _middle(ink, couple, index))
     drawing.arms(construction, shown.forces)
     for pin, radius in shown.circles:
         rho = float(reading[radius][0, 0]) / float(reading[mu_l][0, 0])
         strokes.append(circle("thin", spot(reading, pin, index), rho))
     strokes += drawing.strokes
-    wanted = [*ink.letters(figures, index), *drawing.wanted]
+    wanted = [*ink.letters(links, index), *drawing.wanted]
     if not lettered:
         spots = [z for stroke in strokes if isinstance(stroke, Stroke) for z in _ends(stroke)]
         x, y = [z.real for z in spots], [z.imag for z in spots]
@@ -110,15 +108,10 @@ def _ends(stroke: Stroke) -> Iterable[complex]:
     return (complex(x, y) for x, y, _ in stroke.path)
 
 
-def _middle(ink: PositionsInk, figures: Sequence[Figure], couple: Couple, index: int) -> complex:
+def _middle(ink: PositionsInk, couple: Couple, index: int) -> complex:
     """Return about where a couple is drawn: in the middle of its link, off its pins."""
-    pins = [
-        ink.at(mark, index)
-        for figure in figures
-        if figure.kind == "link" and figure.name == str(couple.link)
-        for mark in figure.marks
-        if mark.kind is Point
-    ]
+    name = str(couple.link)
+    pins = [*ink.spots(name, index), *(bar.foot for bar in ink.bars(name, index))]
     if len(pins) < 2:
         return pins[0] if pins else 0j
     far = max(((a, b) for a in pins for b in pins), key=lambda ends: abs(ends[1] - ends[0]))
@@ -128,8 +121,8 @@ def _middle(ink: PositionsInk, figures: Sequence[Figure], couple: Couple, index:
 class _Loads:
     """Arrows and arms while they are drawn; arrows from one point do not lie on each other."""
 
-    def __init__(self, reading: Reading, index: int, mu: float, names: Mapping[str, str]) -> None:
-        self.reading, self.index, self.mu, self.names = reading, index, mu, names
+    def __init__(self, reading: Reading, index: int, mu: float, language: str) -> None:
+        self.reading, self.index, self.mu, self.language = reading, index, mu, language
         self.strokes: list[Stroke] = []
         self.wanted: list[Wanted] = []
         self.taken: list[tuple[complex, complex]] = []
@@ -138,6 +131,10 @@ class _Loads:
         value: Line = self.reading[mark]
         at, along = (complex(p[0, self.index if p.shape[1] > 1 else 0]) for p in value)
         return at, along
+
+    def named(self, letter: str) -> str:
+        """Return what a letter of the log is called in the language of the sheet."""
+        return symbol(letter, self.language)
 
     def free(self, at: complex, way: complex) -> bool:
         """Whether no arrow goes from a place in that direction yet."""
@@ -159,7 +156,7 @@ class _Loads:
         else:
             self.strokes += arrow(start, start + vector, pen)
         end = start + vector if start == at else start
-        self.wanted.append(Wanted(bar(self.names.get(letter, letter)), end, SIZE, 1.5, end - at))
+        self.wanted.append(Wanted(bar(self.named(letter)), end, SIZE, 1.5, end - at))
 
     def force(self, force: Force) -> None:
         """A load, to scale, at its point."""
@@ -183,14 +180,14 @@ class _Loads:
         sweep = math.copysign(210.0, value)
         self.strokes += round_arrow(at, ROUND, 120.0 if value > 0 else 60.0, sweep)
         top = at + ROUND * 1j
-        self.wanted.append(Wanted(markup(couple.letter), top, SIZE, 2.0, 1j))
+        self.wanted.append(Wanted(markup(self.named(couple.letter)), top, SIZE, 2.0, 1j))
 
     def displaced(self, centre: Mark, step: Step) -> None:
         """How far a force that stands for a force and a couple lies off the mass centre."""
         a, b = spot(self.reading, centre, self.index), spot(self.reading, step.it, self.index)
         if abs(b - a) >= LEAST:
             self.strokes.append(line("thin", a, b))
-            letter = markup(step.uses[1].letter)
+            letter = markup(self.named(step.uses[1].name))
             self.wanted.append(Wanted(letter, (a + b) / 2, 2.5, 0.8, 1j * (b - a)))
 
     def arms(self, construction: Construction, forces: Sequence[Force]) -> None:
@@ -207,11 +204,11 @@ class _Loads:
             at, along = self.line_of(step.uses[1])
             reach = ((about - at) * along.conjugate()).real
             foot = at + reach * along
-            if abs(foot - about) < 2.0 or along == 0:
+            if not abs(foot - about) >= 2.0 or along == 0:  # also where it is not there
                 continue
             further = foot + along * math.copysign(3.0, reach)
             self.strokes.append(line("thin", at, further))
             self.strokes.append(line("thin", about, foot))
-            letter = markup(step.it.letter.rstrip("′"))
+            letter = markup(self.named(step.it.name))
             middle = (about + foot) / 2
             self.wanted.append(Wanted(letter, middle, 2.5, 0.8, 1j * (foot - about)))

@@ -10,6 +10,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.statics import arm
 from graphic_tmm.board.values import Line
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arrows import arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
 from graphic_tmm.paper.ink_plans import TOGETHER, markup
@@ -35,6 +36,7 @@ def draw_lever_ink(
     index: int,
     name: str,
     title: str,
+    language: str,
     *,
     lettered: bool = True,
 ) -> Drawing:
@@ -42,7 +44,7 @@ def draw_lever_ink(
 
     ``balance``: the balancing force's letter, its size (N) and its direction at the crank pin's image.
     """
-    ink = _Ink(reading, index)
+    ink = _Ink(reading, index, language)
     at_pole = ink.at(lever.pole)
     strokes: list[Stroke | Bezier] = []
     images = {m: ink.at(m) for marks in lever.images.values() for m in marks}
@@ -62,9 +64,8 @@ def draw_lever_ink(
     largest = max((s for s in sizes if math.isfinite(s)), default=0.0)
     for force in lever.forces:
         start, along = ink.line_of(force.line)
-        ink.force(
-            force.letter, start, along * _shown(ink.number(force.value), largest), strokes, wanted
-        )
+        letter = symbol(force.letter, language)
+        ink.force(letter, start, along * _shown(ink.number(force.value), largest), strokes, wanted)
     if balance is not None:
         letter, size, way = balance
         ink.force(letter, ink.at(lever.pin), way * _shown(size, largest), strokes, wanted, "main")
@@ -87,12 +88,12 @@ def _shown(size: float, largest: float) -> float:
 
 
 def _letters(images: dict[Mark, complex], pole_mark: Mark, at_pole: complex) -> list[Wanted]:
-    groups: list[tuple[complex, list[str]]] = [(at_pole, [pole_mark.letter])]
+    groups: list[tuple[complex, list[str]]] = [(at_pole, [pole_mark.name])]
     for mark, z in images.items():
         if mark == pole_mark:
             continue
         near = next((names for at, names in groups if abs(at - z) < TOGETHER), None)
-        text = markup(mark.letter)
+        text = markup(mark.name)
         if near is None:
             groups.append((z, [text]))
         elif text not in near:
@@ -103,8 +104,8 @@ def _letters(images: dict[Mark, complex], pole_mark: Mark, at_pole: complex) -> 
 class _Ink:
     """The lever in one position while it is inked."""
 
-    def __init__(self, reading: Reading, index: int) -> None:
-        self.reading, self.index = reading, index
+    def __init__(self, reading: Reading, index: int, language: str) -> None:
+        self.reading, self.index, self.language = reading, index, language
 
     def at(self, mark: Mark) -> complex:
         return spot(self.reading, mark, self.index)
@@ -155,7 +156,7 @@ class _Ink:
             if along == 0 or not abs(foot - at_pole) >= 2.0:
                 continue
             strokes.append(line("thin", at, foot + along * math.copysign(3.0, reach)))
-            letter = markup(step.it.letter.rstrip("′"))
+            letter = markup(symbol(step.it.name, self.language))
             near = next((names for z, names in feet if abs(z - foot) < 1.0), None)
             if near is None:
                 feet.append((foot, [letter]))

@@ -5,10 +5,14 @@ Everything stands where the log has it; lines of projection run from the circles
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import shapely
+
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, line
 from graphic_tmm.paper.ink_train import BESIDE, OVER, SIZE, TrainInk
 from graphic_tmm.paper.ink_train_circles import circle_letters, draw_circles
@@ -21,7 +25,7 @@ from graphic_tmm.paper.ink_train_rates import (
 from graphic_tmm.paper.ink_train_scheme import draw_scheme, spots
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.letters import letter
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.placing import Wanted, box, interrupt, leaders, place
 from graphic_tmm.plans.planetary import Planetary
 
 NAME = "planetary"
@@ -77,17 +81,36 @@ def _levels(ink: TrainInk) -> list[Stroke]:
 
 
 def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
-    """The captions: below the two views, between picture and plan, below the plan."""
+    """The captions: below the two views, between picture and plan, below the plan.
+
+    One that would stand on another goes below it; that of the picture keeps clear of the scheme.
+    """
     picture = [z.real for z in (*ink.zeros, *ink.tips)]
     rates = [z.real for z in (ink.foot, *ink.ends.values())]
     views = [ink.centre.real - ink.beyond, ink.scheme.right]
     heights = (ink.centre.imag - ink.beyond, ink.centre.imag, ink.pole.imag)
+    half = (min(picture) + max(picture)) / 2 - ink.scheme.right - PITCH
+    widths = (math.inf, 2 * half, math.inf)
+    labels: list[Label] = []
+    for lines, xs, y, down, most in zip(
+        captions, (views, picture, rates), heights, BELOW, widths, strict=True
+    ):
+        broken = [part for text in lines for part in wrapped(text, CAPTION, most)]
+        middle = (min(xs) + max(xs)) / 2
+        block = _block(broken, middle, y - down)
+        if any(shapely.intersects(box(one), box(other)) for one in block for other in labels):
+            lowest = min(shapely.bounds(box(label))[1] for label in labels)
+            block = _block(broken, middle, min(y - down, lowest - PITCH))
+        labels += block
+    return labels
+
+
+def _block(lines: Sequence[str], middle: float, y: float) -> list[Label]:
+    """Lines of a caption, the first just below a height."""
     labels = []
-    for lines, xs, y, down in zip(captions, (views, picture, rates), heights, BELOW, strict=True):
-        y -= down
-        for text in lines:
-            made = letter(text, size=CAPTION)
-            y -= made.ascent
-            labels.append(Label(text, complex((min(xs) + max(xs)) / 2, y), CAPTION, "middle"))
-            y -= made.descent + PITCH
+    for text in lines:
+        made = letter(text, size=CAPTION)
+        y -= made.ascent
+        labels.append(Label(text, complex(middle, y), CAPTION, "middle"))
+        y -= made.descent + PITCH
     return labels

@@ -62,10 +62,10 @@ def vectors(construction: Construction, plan: str) -> tuple[Vector, ...]:
 
 def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | None:
     if step.op in (measure, measure_along):
-        return step.uses[0], step.uses[1], step.it.letter
+        return step.uses[0], step.uses[1], step.it.name
     if step.op is lay_off:
         drawn = by_mark[step.uses[0]]
-        return drawn.uses[0], step.it, step.uses[1].letter
+        return drawn.uses[0], step.it, step.uses[1].name
     return None
 
 
@@ -168,9 +168,9 @@ def _letters(
     construction: Construction, plan: str, seen: Sequence[tuple[Place, _Places]], pole_mark: Mark
 ) -> Iterator[Wanted]:
     steps = [s.it for s in construction.steps if s.it.view == plan and s.it.kind is Point]
-    spots = [(seen[0][1][pole_mark], markup(pole_mark.letter))]
+    spots = [(seen[0][1][pole_mark], markup(pole_mark.name))]
     for stood, at in seen:
-        spots += [(at[m], markup(m.letter, stood.number)) for m in steps if at.there(m)]
+        spots += [(at[m], markup(m.name, stood.number)) for m in steps if at.there(m)]
     common = len(seen) > 1
     middle = spots[0][0] if common else complex(np.mean([spot for spot, _ in spots]))
     groups: list[tuple[complex, list[str]]] = []

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arrows import told_arrow
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
@@ -51,14 +52,14 @@ def draw_polygon(
     name: str,
     title: str,
     mu: float,
-    names: Mapping[str, str],
+    language: str,
     *,
     lettered: bool = True,
 ) -> Drawing:
     """Return a polygon of forces in one position; the last two sides were unknown.
 
-    ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``names``:
-    letters of the log that the language of the sheet calls otherwise.
+    ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``language``:
+    of the sheet.
     """
     strokes: list[Stroke | Bezier] = []
     corners = [spot(reading, tail, index) for _, tail, _ in polygon.sides]
@@ -72,7 +73,7 @@ def draw_polygon(
             if abs(b - a) < LEAST:
                 continue
             strokes += told_arrow(a, b, pen, letter, mu, "N")
-            wanted.append(_label(names.get(letter, letter), a, b, middle))
+            wanted.append(_label(symbol(letter, language), a, b, middle))
     strokes += [line("thin", *ends) for ends in _beyond(reading, polygon, index)]
     wanted += _numbers(reading, polygon, index, middle)
     if not lettered:
@@ -109,9 +110,9 @@ def _numbers(reading: Reading, polygon: Polygon, index: int, middle: complex) ->
         at = spot(reading, mark, index)
         near = next((names for z, names in places if abs(z - at) < LEAST), None)
         if near is None:
-            places.append((at, [mark.letter]))
+            places.append((at, [mark.name]))
         else:
-            near.append(mark.letter)
+            near.append(mark.name)
     return [Wanted(", ".join(names), at, SMALL, 1.0, _out(at - middle)) for at, names in places]
 
 

@@ -117,7 +117,7 @@ class _Rolling:
         yield line("medium", self.limit, self.pole)
         whole = controls(self.reading, self.wheel.flank)
         if whole:
-            yield Bezier("thin", whole, self.wheel.flank.letter)
+            yield Bezier("thin", whole, self.wheel.flank.name)
 
     def fillet(self) -> Iterator[Stroke]:
         """The normals from where the rack's pitch line touches to the fillet."""

@@ -56,7 +56,7 @@ def draw_sliding_ink(
     for branch in made.sliding.branches:
         whole = controls(reading, branch.curve)
         if whole:
-            strokes.append(Bezier("main", whole, branch.curve.letter))
+            strokes.append(Bezier("main", whole, branch.curve.name))
     strokes += _dots(ink, made)
     wanted = list(_letters(ink, language))
     if not lettered:

@@ -6,13 +6,15 @@ import math
 from collections.abc import Sequence
 
 from graphic_tmm.captions import CAPTIONS, LINK_NAMES
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.equations import quantity
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.blocks import breakable, fewest
+from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.ink_plans import markup
+from graphic_tmm.paper.layout import settled
 from graphic_tmm.paper.letters import escape
-from graphic_tmm.paper.ruled import table
 from graphic_tmm.tables.columns import Column
 from graphic_tmm.words import fixed, unit
 
@@ -57,8 +59,10 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
     ]
     heads = [words["number"], words["link"], words["mobility"]]
-    return table(
-        "table-links", words["links"], heads, rows, size=SIZE, align=["centre", "left", "left"]
+    align = ["centre", "left", "left"]
+    again = words["continued"]
+    return breakable(
+        "table-links", words["links"], heads, rows, again=again, size=SIZE, align=align
     )
 
 
@@ -72,7 +76,8 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
         rows.append([escape(name), joined, words[f"kind {pair.kind}"], index])
     heads = [words["letter"], words["joined"], words["kind"], words["index"]]
-    return table("table-pairs", words["pairs"], heads, rows, size=SIZE)
+    again = words["continued"]
+    return breakable("table-pairs", words["pairs"], heads, rows, again=again, size=SIZE)
 
 
 def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
@@ -104,13 +109,14 @@ def result_table(
 ) -> Drawing:
     """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions.
 
-    ``upright``: a row for each position instead, for narrow sheets.
+    ``upright``: a row for each position instead. A table that no sheet holds whole is broken into blocks, or
+    turned the other way, whichever gives fewer.
     """
     words = CAPTIONS[language]
     shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
     rows = []
     for column in columns:
-        letter = words.get(column.letter) or markup(column.letter)
+        letter = words.get(column.letter) or markup(symbol(column.letter, language))
         if any(x is not None for x in column.mm):
             cells = [fixed(column.mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
@@ -119,12 +125,26 @@ def result_table(
         cells = [fixed(column.value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
-    if upright:
-        heads, *rows = [list(column) for column in zip(heads, *rows, strict=True)]
-        align = ["centre"] * len(heads)
-        return table(f"table-{plan}", words[f"table {plan}"], heads, rows, size=SIZE, align=align)
-    align = ["left", "left", *["centre"] * len(shown)]
-    return table(f"table-{plan}", words[f"table {plan}"], heads, rows, size=SIZE, align=align)
+    name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
+
+    def lying() -> Drawing:
+        align = ["left", "left", *["centre"] * len(shown)]
+        return breakable(name, title, heads, rows, again=again, lead=2, size=SIZE, align=align)
+
+    def standing() -> Drawing:
+        first, *others = (list(column) for column in zip(heads, *rows, strict=True))
+        align = ["centre"] * len(first)
+        return breakable(
+            name, title, first, others, again=again, lead=1, over=1, size=SIZE, align=align
+        )
+
+    usual, other = (standing, lying) if upright else (lying, standing)
+    made = usual()
+
+    def apart(within: Within) -> list[Drawing]:
+        return fewest(within, settled(made, within), settled(other(), within))
+
+    return made._replace(apart=apart)
 
 
 def _decimals(row: Sequence[float | None]) -> int:

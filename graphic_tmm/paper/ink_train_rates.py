@@ -49,12 +49,12 @@ def _told(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Strok
     """Return a stroke that tells a page the segment read, in mm, and what it stands for."""
     mm, value = (float(ink.reading[mark][0, 0]) for mark in (segment, quantity))
     data = (
-        ("segment", segment.letter),
+        ("segment", segment.name),
         ("mm", f"{mm:.2f}"),
         ("value", f"{value:.6g}"),
         ("unit", quantity.unit),
     )
-    title = f"{segment.letter} = {mm:.1f} mm = {value:.4g} {quantity.unit}"
+    title = f"{segment.name} = {mm:.1f} mm = {value:.4g} {quantity.unit}"
     return stroke._replace(title=title, data=data)
 
 

@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import math
+
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.mechanism.tooth_search import Solutions
+from graphic_tmm.paper.arranging import wrapped
+from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.ruled import table
+from graphic_tmm.paper.letters import letter
+from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.plans.planetary import Planetary
 from graphic_tmm.plans.train_dimensions import Condition
 from graphic_tmm.words import fixed, number, unit
 
 SIZE = 3.5
+SLANT = 1.0
+"""How far inclined letters lean over the width of a text, mm."""
 WORDS = {
     "ru": {
         "conditions": "Условия, которым отвечают числа зубьев",
@@ -56,10 +64,21 @@ def condition_table(
 ) -> Drawing:
     """Return the table of conditions, each with its formula and its numbers."""
     words, log = WORDS[language], _Log(construction, reading, language)
-    rows = [[words[c.name], text] for c in made.sizes.conditions for text in log.condition(c)]
-    heads = [words["condition"], words["check"]]
-    return table(
-        "table-planetary", words["conditions"], heads, rows, size=SIZE, align=["left", "left"]
+    found = [(words[c.name], text) for c in made.sizes.conditions for text in log.condition(c)]
+
+    def within_lines(most: float) -> Drawing:
+        rows = [
+            ["" if k else name, line]
+            for name, text in found
+            for k, line in enumerate(wrapped(text, SIZE, most))
+        ]
+        heads, align = [words["condition"], words["check"]], ["left", "left"]
+        return table("table-planetary", words["conditions"], heads, rows, size=SIZE, align=align)
+
+    names = max(letter(name, size=SIZE).width for name, _ in found)
+    beside = names + 4 * (max(PADDING, SIZE / 2) + SLANT)
+    return within_lines(math.inf)._replace(
+        apart=lambda within: [within_lines(within.width - beside)]
     )
 
 
@@ -73,14 +92,22 @@ def rate_table(
     for body, segment in rates.segments.items():
         mm, omega = log.value(segment), log.value(rates.values[body])
         name = block if body == "2" else body
-        rows.append([name, segment.letter, fixed(mm, 1, language), fixed(omega, 1, language)])
+        rows.append([name, segment.name, fixed(mm, 1, language), fixed(omega, 1, language)])
     heads = [
         words["body"],
         words["segment"],
         unit("mm", language),
         f"ω, {unit('1/s', language)}",
     ]
-    return table("table-planetary-rates", words["rates"], heads, rows, size=SIZE)
+    return breakable(
+        "table-planetary-rates",
+        words["rates"],
+        heads,
+        rows,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        lead=1,
+    )
 
 
 def ratio_lines(
@@ -103,7 +130,15 @@ def train_table(found: Solutions, language: str, *, rows: int = 12) -> Drawing:
         cells = [str(int(z)) for z in found.teeth[rank]] + [str(int(found.satellites[rank]))]
         cells.append(fixed(float(found.ratio[rank]), 3, language))
         body.append([*cells, fixed(1000.0 * float(found.size[rank]), 1, language)])
-    return table("table-trains", words["trains"], heads, body, size=SIZE)
+    return breakable(
+        "table-trains",
+        words["trains"],
+        heads,
+        body,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        lead=1,
+    )
 
 
 class _Log:
@@ -136,12 +171,12 @@ class _Log:
         """A calculated mark: its letter, the formula in letters and in numbers, its number."""
         step = self.steps.get(mark)
         if step is None or not step.op.formula:
-            return f"{mark.letter} = {self.figure(mark)}"
+            return f"{mark.name} = {self.figure(mark)}"
         names = step.op.arguments
-        letters = {name: used.letter for name, used in zip(names, step.uses, strict=True)}
+        letters = {name: used.name for name, used in zip(names, step.uses, strict=True)}
         numbers = {name: self.put(used) for name, used in zip(names, step.uses, strict=True)}
         formula = step.op.formula
-        parts = (mark.letter, formula.format(**letters), formula.format(**numbers))
+        parts = (mark.name, formula.format(**letters), formula.format(**numbers))
         return " = ".join([*parts, self.figure(mark)])
 
     def condition(self, condition: Condition) -> tuple[str, ...]:
@@ -150,5 +185,5 @@ class _Log:
         if right is None:
             return (f"{left} – {WORDS[self.language]['whole']}",)
         if condition.relation == "=":
-            return left, f"{self.calculated(right)} = {condition.left.letter}"
-        return (f"{left} {condition.relation} {right.letter} = {self.figure(right)}",)
+            return left, f"{self.calculated(right)} = {condition.left.name}"
+        return (f"{left} {condition.relation} {right.name} = {self.figure(right)}",)

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import shapely
 
-from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.errors import ViewError
+from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.placing import box, shape
 
 GAP = 7.0
@@ -28,6 +28,11 @@ class Room(NamedTuple):
     inner: Box
     occupied: tuple[Box, ...]
 
+    @property
+    def within(self) -> Within:
+        """What the sheet offers a view while nothing else stands on it."""
+        return Within(tuple((f[2] - f[0], f[3] - f[1]) for f in _free(self)))
+
 
 def bounds(drawing: Drawing) -> Box:
     """Return the cell of a drawing, or the box of its ink, mm: strokes without their width, letters with it."""
@@ -40,13 +45,31 @@ def bounds(drawing: Drawing) -> Box:
     return float(left), float(bottom), float(right), float(top)
 
 
+def share(view: Drawing, within: Within) -> float:
+    """Return how many times larger a view may be on a sheet of its own; below 1 it does not fit."""
+    left, low, right, top = bounds(view)
+    return within.share(right - left, top - low) * (1 + 1e-12)
+
+
+def holds(within: Within, *views: Drawing) -> bool:
+    """Whether a sheet holds each of the views, by itself."""
+    return all(share(view, within) >= 1.0 for view in views)
+
+
+def settled(view: Drawing, within: Within) -> list[Drawing]:
+    """Return a view as it is where an empty sheet holds it, else what it comes apart into."""
+    if view.apart is None or holds(within, view):
+        return [view]
+    return [part for one in view.apart(within) for part in settled(one, within)]
+
+
 def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> list[list[Drawing]]:
     """Return the views placed, sheet by sheet; ``rooms``: of the first sheet, and of those after it.
 
     Raises
     ------
-    SheetError
-        If a view does not fit on an empty sheet; says its size and what would help.
+    ViewError
+        If a view does not fit on an empty sheet; says its size.
     """
     sheets: list[list[Drawing]] = []
     free: list[Box] = []
@@ -63,11 +86,11 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
             if by is None:
                 left.append((view, extent))
                 continue
-            placed.append(view.moved(by))
+            placed.append(view.moved(by)._replace(apart=None))
             if view.name == "positions":
                 edge = max(edge, extent[2] + by.real + GAP)
         if not placed:
-            raise SheetError(_too_large(left[0][0], room, format))
+            raise _too_large(left[0][0], room, format)
         sheets.append(placed)
         waiting = left
     return sheets
@@ -139,22 +162,11 @@ def _inside(f: Box, g: Box) -> bool:
     return g[0] <= f[0] and g[1] <= f[1] and g[2] >= f[2] and g[3] >= f[3]
 
 
-def _remedy(view: Drawing, format: str) -> str:
-    """Return what would make a view fit that does not fit an empty sheet of its format."""
-    plan = view.name.partition("-")[0]
-    drawn = {"positions": "OA", "velocities": "pa", "accelerations": "pi_a"}.get(plan)
-    factor = {"OA": "mu_l", "pa": "mu_v", "pi_a": "mu_a"}.get(drawn or "")
-    larger = [] if format != "A4" else ['a further sheet with format = "A1" for it']
-    smaller = [f"a smaller {drawn} (or a larger {factor}) in [scales]"] if drawn else []
-    fewer = ["fewer positions"] if plan == "table" else []
-    return "what helps: " + ", or ".join([*larger, *smaller, *fewer])
-
-
-def _too_large(view: Drawing, room: Room, format: str) -> str:
+def _too_large(view: Drawing, room: Room, format: str) -> ViewError:
     left, bottom, right, top = bounds(view)
-    inner = room.inner
-    return (
-        f"the view '{view.title or view.name}' is {right - left:.0f}×{top - bottom:.0f} mm and does not fit on "
-        f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm): "
-        f"{_remedy(view, format)}"
+    wide, high, inner = right - left, top - bottom, room.inner
+    says = (
+        f"the view '{view.title or view.name}' is {wide:.0f}×{high:.0f} mm and does not fit on "
+        f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm)"
     )
+    return ViewError(says, view.name, (wide, high))

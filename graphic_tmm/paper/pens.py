@@ -69,6 +69,14 @@ def pens(format: str) -> Mapping[str, Pen]:
     )
 
 
+def tracing(box: Mapping[str, Pen], colour: str) -> Mapping[str, Pen]:
+    """Return the pens as on tracing paper: all of them thin and of one colour, and hiding nothing."""
+    width = box["thin"].width
+    pen = {key: Pen(width if pen.width else 0.0, pen.dashes, colour) for key, pen in box.items()}
+    hidden = {key: pen[key]._replace(colour="none") for key in box if not box[key].width}
+    return MappingProxyType(pen | hidden)
+
+
 def fitted(dashes: tuple[float, ...], length: float, *, closed: bool = False) -> tuple[float, ...]:
     """Return the pattern stretched so that a line of ``length`` mm begins and ends with a stroke.
 

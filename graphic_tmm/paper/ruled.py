@@ -192,6 +192,63 @@ def set_text(text: str, slot: Slot) -> tuple[Label, ...]:
     return tuple(labels)
 
 
+class Grid(NamedTuple):
+    """A table measured: its heads and cells by columns, how they are aligned, and what room they take.
+
+    ``places``: of each column the width of its text, the anchor and place of each cell; ``widths`` those of the
+    columns; ``row``: the heights of a row and of its base line; ``head``: the height of the head, and of its
+    last line below and above the base line, mm.
+    """
+
+    heads: list[list[str]]
+    body: list[list[str]]
+    ways: Sequence[str]
+    places: list[tuple[float, tuple[tuple[str, float], ...]]]
+    widths: list[float]
+    row: tuple[float, float]
+    head: tuple[float, float, float]
+
+
+def measured(
+    name: str,
+    columns: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    *,
+    size: float,
+    head_size: float,
+    align: Sequence[str] | None,
+) -> Grid:
+    """Return what a table takes; see `table`.
+
+    Raises
+    ------
+    SheetError
+        Where a row has not one cell for each column.
+    """
+    if not columns or any(len(row) != len(columns) for row in rows):
+        raise SheetError(
+            f"table {name}: each row needs one cell for each of {len(columns)} columns"
+        )
+    body = [[row[k] for row in rows] for k in range(len(columns))]
+    ways = align or ["number" if _numerals(cells) else "centre" for cells in body]
+    heads = [column.split("\n") for column in columns]
+    places = [_places(cells, way, size) for cells, way in zip(body, ways, strict=True)]
+    pad = _pad(size, head_size)
+    widths = [
+        2 * pad + max(width, *(sum(_reach(text, head_size)) for text in lines))
+        for (width, _), lines in zip(places, heads, strict=True)
+    ]
+    last, rise = _row([text for lines in heads for text in lines], head_size)
+    crown = last + PITCH * head_size * (max(map(len, heads)) - 1)
+    row = _row([cell for row in rows for cell in row], size)
+    return Grid(heads, body, ways, places, widths, row, (crown, last, rise))
+
+
+def _pad(size: float, head_size: float) -> float:
+    """Return what is kept free on both sides of a column's text, mm."""
+    return max(PADDING, size / 2, head_size / 2)
+
+
 def table(
     name: str,
     title: str,
@@ -210,24 +267,11 @@ def table(
     high, the head ``head_size``, the title one size larger than the cells. Raises SheetError where
     a row has not one cell for each column.
     """
-    if not columns or any(len(row) != len(columns) for row in rows):
-        raise SheetError(
-            f"table {name}: each row needs one cell for each of {len(columns)} columns"
-        )
     head = size if head_size is None else head_size
-    body = [[row[k] for row in rows] for k in range(len(columns))]
-    ways = align or ["number" if _numerals(cells) else "centre" for cells in body]
-    heads = [column.split("\n") for column in columns]
-    places = [_places(cells, way, size) for cells, way in zip(body, ways, strict=True)]
-    pad = max(PADDING, size / 2, head / 2)
-    widths = [
-        2 * pad + max(width, *(sum(_reach(text, head)) for text in lines))
-        for (width, _), lines in zip(places, heads, strict=True)
-    ]
-    edges = [0.0, *accumulate(widths)]
-    step, foot = _row([cell for row in rows for cell in row], size)
-    pitch, (last, rise) = PITCH * head, _row([text for lines in heads for text in lines], head)
-    top, crown = step * len(rows), last + pitch * (max(map(len, heads)) - 1)
+    grid = measured(name, columns, rows, size=size, head_size=head, align=align)
+    heads, body, ways, places, widths, (step, foot), (crown, last, rise) = grid
+    edges, pitch, top = [0.0, *accumulate(widths)], PITCH * head, step * len(rows)
+    pad = _pad(size, head)
     labels: list[Label] = []
     for k, lines in enumerate(heads):
         low = top + rise + (crown - last - pitch * (len(lines) - 1)) / 2

@@ -1,25 +1,27 @@
 """A sheet as SVG in true millimetres: only here is y turned over, only here is svgwrite used.
 
-A drawing becomes a group with its title; in it every pen has a group that carries the style, and
-the strokes of one pen are one path, except those that a page must find (a title, data). Lettering
-is drawn as strokes; the words themselves lie as white text under everything, where a search finds
-them.
+A drawing becomes a group with its title, a layer to Inkscape; in it every pen has a group that carries the
+style, and the strokes of one pen are one path, except those that a page must find (a title, data). Lettering
+is drawn as strokes, each label a group that bears its words as a title; live text there is none, for a CAD
+program would take it for ink. Where a search needs it (in a PDF) it lies white under everything.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
+import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+from urllib.parse import quote
 from xml.etree import ElementTree
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import letters
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, Vertex
-from graphic_tmm.paper.pens import Pen, fitted, pens
+from graphic_tmm.paper.pens import Pen, fitted, pens, tracing
 
 if TYPE_CHECKING:
     import svgwrite
@@ -51,8 +53,18 @@ def clean(text: str) -> str:
     return " ".join(FORBIDDEN.sub("", text).split())
 
 
-def svg(sheet: Sheet) -> str:
+class Under(NamedTuple):
+    """A picture that lies under a sheet, as large: its file, beside the SVG; the colour of the ink over it."""
+
+    file: str
+    colour: str = "#d0006f"
+
+
+def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -> str:
     """Return the sheet as SVG text: millimetres, one element a line, no outside references.
+
+    ``under``: a picture instead of the paper; all ink upon it is thin, of one colour, and hides nothing.
+    ``searchable``: with live text, white under the ink.
 
     Raises SheetError for a coordinate that is not finite, an unknown pen, or an unfit data name.
     """
@@ -66,12 +78,23 @@ def svg(sheet: Sheet) -> str:
         debug=False,
     )
     page.elements.clear()  # an empty <defs>
-    page.set_desc(title=clean(sheet.title))
-    page.add(page.rect(size=(width, height), fill="white", class_="paper"))
+    page["xmlns:inkscape"] = "http://www.inkscape.org/namespaces/inkscape"
+    if sheet.language:
+        page["lang"] = page["xml:lang"] = sheet.language
+    titles = "; ".join(clean(drawing.title or drawing.name) for drawing in sheet.drawings)
+    page.set_desc(title=clean(sheet.title), desc=titles)
     writer = _Writer(page, sheet.height)
-    page.add(writer.words(label for drawing in sheet.drawings for label in drawing.labels))
+    if under is None:
+        page.add(page.rect(size=(width, height), fill="white", class_="paper"))
+    else:
+        page.add(writer.picture(under.file, width, height))
+    if searchable:
+        page.add(writer.words(label for drawing in sheet.drawings for label in drawing.labels))
     names = _ids([f"{sheet.name}-{drawing.name}" for drawing in sheet.drawings])
     box = pens(sheet.format)
+    if under is not None:
+        box = tracing(box, under.colour)
+        writer.trace = box["thin"]
     for name, drawing in zip(names, sheet.drawings, strict=True):
         page.add(writer.drawing(name, drawing, box))
     tree = page.get_xml()
@@ -85,11 +108,13 @@ class _Writer:
     def __init__(self, page: svgwrite.Drawing, height: float) -> None:
         self.page = page
         self.height = height
+        self.trace: Pen | None = None
+        """The one pen of all lettering; None: black, as wide as its size asks for."""
 
     def drawing(self, name: str, drawing: Drawing, box: Mapping[str, Pen]) -> Any:
         """Return the group of a drawing: its pens in their order, then its lettering."""
-        group = self.page.g(id=name, class_=f"drawing {_slug(drawing.name)}")
-        group.set_desc(title=clean(drawing.title or drawing.name))
+        group = self.layer(clean(drawing.title or drawing.name))
+        group.update({"id": name, "class_": f"drawing {_slug(drawing.name)}"})
         unknown = {stroke.pen for stroke in drawing.strokes} - set(box)
         if unknown:
             raise SheetError(f"{drawing.name}: no such pen: {', '.join(sorted(unknown))}")
@@ -99,6 +124,22 @@ class _Writer:
                 group.add(self.pen(key, pen, strokes))
         for width, labels in _by_width(drawing.labels).items():
             group.add(self.lettering(width, labels))
+        return group
+
+    def layer(self, title: str) -> Any:
+        """Return an empty group that Inkscape takes for a layer."""
+        group = self.page.g()
+        group["inkscape:groupmode"] = "layer"
+        group["inkscape:label"] = title
+        group.set_desc(title=title)
+        return group
+
+    def picture(self, file: str, width: str, height: str) -> Any:
+        """Return a layer with a picture of the size of the sheet."""
+        group = self.layer(clean(file))
+        placed = self.page.image(_address(file), insert=(0, 0), size=(width, height))
+        placed.stretch()
+        group.add(placed)
         return group
 
     def pen(self, key: str, pen: Pen, strokes: Sequence[Ink]) -> Any:
@@ -139,11 +180,12 @@ class _Writer:
 
     def lettering(self, width: float, labels: Sequence[Label]) -> Any:
         """Return the labels written with a pen of one width (mm)."""
+        ink = self.trace or Pen(width)
         group = self.page.g(
             class_="lettering",
             fill="none",
-            stroke="black",
-            stroke_width=number(width),
+            stroke=ink.colour,
+            stroke_width=number(ink.width),
             stroke_linecap="round",
             stroke_linejoin="round",
         )
@@ -158,7 +200,7 @@ class _Writer:
             element.set_desc(title=words)
             for pen in written.pens:
                 d = letters.svg_path(written, x, y, angle=label.turn, pen=pen)
-                own = {} if pen == width else {"stroke_width": number(pen)}
+                own = {} if pen == width or self.trace else {"stroke_width": number(pen)}
                 element.add(self.page.path(d=d, **own))
         return group
 
@@ -287,6 +329,11 @@ def _attribute(name: str) -> str:
     if not re.fullmatch("[a-z][a-z0-9-]*", name):
         raise SheetError(f"{name!r} is no name of data: use small letters, digits and '-'")
     return f"data-{name}"
+
+
+def _address(file: str) -> str:
+    """Return the name of a file in this folder as an address: only what would mean something else is coded."""
+    return re.sub("[%#?:\\\\\x00-\x1f\x7f\ud800-\udfff]", lambda c: quote(os.fsencode(c[0])), file)
 
 
 def _slug(text: str) -> str:

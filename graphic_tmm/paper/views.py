@@ -39,6 +39,7 @@ def _positions(drawn: Work, lettered: bool) -> list[Drawing]:
     view = draw_positions_ink(
         project.construction,
         drawn.reading,
+        drawn.reaches,
         main=candidates[0],
         names=project.names,
         skipped=drawn.undrawn,
@@ -133,11 +134,11 @@ def _diagrams(drawn: Work, lettered: bool) -> list[Drawing]:
         )
         scales = [mu_text(drawn.scales[key], language) for key in (chart.view, "base")]
         views.append(captioned(view, title, ", ".join([*scales, *pole_texts(drawn, chart.view)])))
-    narrow = all(o.format == "A4" for o in drawn.scene.sheets if "diagrams" in o.place)
-    if not narrow:
-        views = [stacked("diagrams", views)]
     rows = chart_columns(project, drawn.reading, drawn.accelerated)
-    return [*views, result_table("diagrams", rows, project.names, language, upright=narrow)]
+    return [
+        stacked("diagrams", views),
+        result_table("diagrams", rows, project.names, language),
+    ]
 
 
 def _structure(drawn: Work, lettered: bool) -> list[Drawing]:
@@ -194,16 +195,15 @@ VIEWS: Mapping[str, Callable[[Work, bool], list[Drawing]]] = {
 """What can be placed on a sheet of a mechanism: work, lettered? -> its drawings."""
 
 FOLLOWS: Mapping[str, tuple[str, ...]] = {
-    "positions": (),
-    "equations": (),
-    "structure": (),
-    "forces": (),
-    "flywheel": (),
-    "engine": (),
     "velocities": ("velocities",),
+    "velocity table": ("velocities",),
+    "lever": ("velocities",),
     "accelerations": ("accelerations",),
+    "acceleration table": ("accelerations",),
 }
-"""The plans whose μ the room of a view depends on; both of them for a view that is not named here."""
+"""The plans, besides that of positions, whose μ the room of a view depends on."""
+SEVERAL: Mapping[str, tuple[str, ...]] = {"results": ("velocity table", "acceleration table")}
+"""Places that are others together."""
 
 PART_VIEWS: Mapping[str, Callable[[Part, bool], list[Drawing]]] = {
     "cam": cam_views,

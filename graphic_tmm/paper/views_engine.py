@@ -7,14 +7,21 @@ from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ink_engine import draw_rotating, draw_triangles
 from graphic_tmm.paper.ink_graphs import Names, draw_graph
+from graphic_tmm.paper.ink_polygons import bar
 from graphic_tmm.paper.ink_tables import SIZE, result_table
 from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views_flywheel import cylinder_view
-from graphic_tmm.plans.engine import VIEW, Engine
+from graphic_tmm.plans.engine import VIEW, Engine, ordinate
 from graphic_tmm.tables.engine import engine_columns, engine_results
 from graphic_tmm.words import number, unit
 from graphic_tmm.work import Work
+
+SUMS = ", ".join(
+    f"{bar(whole)} = {bar(one)} + {bar(other)}"
+    for whole, one, other in (("P′", "Q", "N"), ("Q", "K", "T"))
+)
+"""What the force triangles say: P′ of the rod's Q and the pressure N on the guide, Q of K and T."""
 
 
 def engine_views(drawn: Work, lettered: bool) -> list[Drawing]:
@@ -62,9 +69,9 @@ def _triangles(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
         for place in _shown(drawn)
     ]
     titles = [view.title for view in views]
-    mu = mu_text(scale, language)
+    told = f"{mu_text(scale, language)}; {SUMS}"
     return [
-        captioned(view, escape(title), mu)
+        captioned(view, escape(title), told)
         for view, title in zip(in_cells(views), titles, strict=True)
     ]
 
@@ -90,7 +97,9 @@ def _diagrams(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
     for view in made.curves:
         symbol = view.removeprefix("engine ")
         letters = [words[f"engine {k}"] for k in made.curves[view]]
-        curves = {f"y_{k}": letter for k, letter in zip(made.curves[view], letters, strict=True)}
+        curves = {
+            ordinate("y", k): letter for k, letter in zip(made.curves[view], letters, strict=True)
+        }
         title = words[f"diagram engine {symbol}"]
         graph = draw_graph(
             project.construction,

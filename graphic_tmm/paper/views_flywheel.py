@@ -7,7 +7,7 @@ import math
 from graphic_tmm.board.operations import lay_off
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
-from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.captions import CAPTIONS, symbols
 from graphic_tmm.paper.arranging import captioned, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ink_energy import draw_energy_mass_ink, draw_indicator_ink
@@ -18,8 +18,8 @@ from graphic_tmm.paper.letters import escape
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.plans.flywheel import VIEWS, Flywheel
 from graphic_tmm.plans.indicator import Indicator
-from graphic_tmm.tables.charts import flywheel_columns, flywheel_results
-from graphic_tmm.words import number, unit
+from graphic_tmm.tables.charts import flywheel_columns, flywheel_results, rim_too_wide
+from graphic_tmm.words import flywheel_title, number, unit
 from graphic_tmm.work import Work
 
 SKETCH = 110.0
@@ -48,6 +48,7 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
             names,
             words["energy-mass"],
             segment,
+            along=symbols.symbol("J_r", language),
             lettered=lettered,
         )
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
@@ -86,11 +87,11 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
     sides = (words["A driving"], words["A resisting"])
     found, straight = sides if made.order.constant == "resisting" else reversed(sides)
     works = {"(A–A)": found, "(A′)": straight}
-    curves = {key: words.get(key, key) for key in ("ΔT", "T_L", "T_F")}
+    curves = {key: symbols.symbol(key, language) for key in ("ΔT", "T_L", "T_F")}
     views = []
     for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
         view = VIEWS[key]
-        named = "moment driving" if key == "moment" and made.order.constant == "driving" else key
+        title = flywheel_title(key, made.order.constant, language)
         letters = Names(
             [escape(name) for name in project.names],
             symbol,
@@ -104,16 +105,16 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             view,
             project.count,
             letters,
-            words[named],
+            title,
             lettered=lettered,
         )
         phi = made.base.mu
         scales = [
             mu_text(drawn.scales[view], language),
-            f"{phi.letter} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
+            f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
             *pole_texts(drawn, view),
         ]
-        views.append(captioned(graph, words[named], ", ".join(scales)))
+        views.append(captioned(graph, title, ", ".join(scales)))
     return views
 
 
@@ -121,10 +122,10 @@ def pole_texts(drawn: Work, view: str) -> list[str]:
     """Return the pole distances of a view as they are written: H_V = 20 mm."""
     language, found = drawn.scene.language, []
     for step in drawn.project.construction.steps:
-        if step.it.view == view and step.op is lay_off and step.it.letter == "P":
+        if step.it.view == view and step.op is lay_off and step.it.name == "P":
             distance = step.uses[1]
             value = number(_value(drawn, distance), language)
-            found.append(f"{distance.letter} = {value} {unit('mm', language)}")
+            found.append(f"{distance.name} = {value} {unit('mm', language)}")
     return found
 
 
@@ -147,12 +148,13 @@ def _sketch(drawn: Work, made: Flywheel) -> Drawing:
     # made in whole millimetres: the thinnest rim is one
     width = max(round(width, 3), 0.001)
     sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
-    large = 1000 * max(outer, width)
-    reduction = next((r for r in (1, *REDUCTIONS) if large / r <= SKETCH), REDUCTIONS[-1])
+    large, room = 1000 * max(outer, width), SKETCH * drawn.sizes.sketch
+    reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
     title = CAPTIONS[language]["sketch"]
-    return captioned(
-        draw_flywheel(sizes, reduction, title, language), title, f"1:{number(reduction, language)}"
-    )
+    drawing = draw_flywheel(sizes, reduction, title, language)
+    told = rim_too_wide(drawn.project, drawn.reading, language)
+    scale = f"1:{number(reduction, language)}"
+    return captioned(drawing, title, scale, *(told.split(": ") if told else ()))
 
 
 def _results(drawn: Work) -> Drawing:

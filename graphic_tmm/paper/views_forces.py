@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard
 from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.captions.symbols import symbol
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ink_groups import Detached, Reactive, draw_group
@@ -33,7 +35,7 @@ def force_views(drawn: Work, lettered: bool) -> list[Drawing]:
     for place in _places(drawn):
         for solved in made.groups:
             name = solved.closing.group.name
-            shown = _group(made, solved)
+            shown = _group(drawn, made, solved)
             views += _pair(drawn, shown, solved.polygon, solved.reactions, name, place, lettered)
         crank = str(drawn.project.structure.driver)
         reactions = (made.driven.reaction,)
@@ -64,19 +66,24 @@ def _pair(
     at = f"{words['position']} {escape(project.names[place])}"
     key = "group of forces" if "-" in name else "link of forces"
     title = f"{words[key].format(name=name)}, {at}"
-    scale = drawn.scales[polygon.view]
-    scales = ", ".join(mu_text(s, language) for s in (drawn.scales["positions"], scale))
+    scale = drawn.scales.get(polygon.view)
+    arrows = scale._replace(value=shown.mu) if scale is not None else None
+    both = (drawn.scales["positions"], arrows)
+    scales = ", ".join(mu_text(s, language) for s in both if s is not None)
     figure = draw_group(
         project.construction,
         drawn.reading,
+        drawn.reaches,
         shown,
         place,
         f"group-{name}-{project.names[place]}",
         title,
         project.mu_l,
-        words,
+        language,
         lettered=lettered,
     )
+    if scale is None:
+        return [captioned(figure, title, scales, words["no forces"])]
     key = "polygon of group" if "-" in name else "polygon of link"
     caption = f"{words[key].format(name=name)}, {at}"
     plan = draw_polygon(
@@ -87,18 +94,18 @@ def _pair(
         f"forces-{name}-{project.names[place]}",
         caption,
         scale.value,
-        words,
+        language,
         lettered=lettered,
     )
     return [
         captioned(figure, title, scales),
-        captioned(plan, caption, mu_text(scale, language), _equation(polygon, words)),
+        captioned(plan, caption, mu_text(scale, language), _equation(polygon, language)),
     ]
 
 
-def _equation(polygon: Polygon, words: Mapping[str, str]) -> str:
+def _equation(polygon: Polygon, language: str) -> str:
     """Return the vector equation of a polygon: two lines under what was known, one under a direction."""
-    letters = [words.get(letter, letter) for letter, _, _ in polygon.sides]
+    letters = [symbol(letter, language) for letter, _, _ in polygon.sides]
     known = len(letters) - (2 if "-" in polygon.view else 1)
     terms = [
         f"\\{'uu' if k < known else 'u'}{{{bar(letter)}}}"
@@ -109,7 +116,7 @@ def _equation(polygon: Polygon, words: Mapping[str, str]) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(made: Forces, solved: Solved) -> Detached:
+def _group(drawn: Work, made: Forces, solved: Solved) -> Detached:
     closing = solved.closing
     links = closing.group.links
     unknown = []
@@ -126,11 +133,17 @@ def _group(made: Forces, solved: Solved) -> Detached:
         [f for k in links for f in made.acting.forces.get(k, [])],
         [c for k in links for c in made.acting.couples.get(k, [])],
         unknown,
-        solved.polygon.mu,
+        _arrows(drawn, solved.polygon),
         _circles(
             made, [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
         ),
     )
+
+
+def _arrows(drawn: Work, polygon: Polygon) -> float:
+    """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them."""
+    mu, size = drawn.scales[polygon.view].value, drawn.sizes.groups
+    return standard(mu / size, 1.0) if size < 1.0 else mu
 
 
 def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
@@ -148,7 +161,7 @@ def _driver(drawn: Work, made: Forces) -> Detached:
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
     circles = _circles(made, [pivot, body.marks[drawn.project.structure.pin]])
-    return Detached((crank,), forces, couples, [found], driven.polygon.mu, circles)
+    return Detached((crank,), forces, couples, [found], _arrows(drawn, driven.polygon), circles)
 
 
 def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
@@ -163,7 +176,11 @@ def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
         if force is not None:
             along = drawn.reading[force.line].along[0]
             way = complex(along[place if along.size > 1 else 0])
-            balance = (words[force.letter], float(drawn.reading[made.lever.balance][0, place]), way)
+            balance = (
+                symbol(force.letter, language),
+                float(drawn.reading[made.lever.balance][0, place]),
+                way,
+            )
         view = draw_lever_ink(
             project.construction,
             drawn.reading,
@@ -172,6 +189,7 @@ def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
             place,
             f"lever-{project.names[place]}",
             title,
+            language,
             lettered=lettered,
         )
         scale = mu_text(drawn.scales["lever"], language)
@@ -185,7 +203,7 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
     words = CAPTIONS[language]
 
     def at(mark: Mark) -> float:
-        row = drawn.reading[mark][0]
+        row = drawn.reading.figure(mark)[0]
         return float(row[place if row.size > 1 else 0])
 
     of = unit("N" if made.order.balance == "force" else "N·m", language)
@@ -195,14 +213,17 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
         for way, mark in (("forces", made.balance), ("lever", made.lever.balance))
     ]
     apart, limit = at(made.difference), made.order.limit
-    sign = "≤" if apart <= limit else "&gt;"
+    if not math.isfinite(apart):
+        return [", ".join(both), words["nothing to compare"]]
+    sign = "≤" if apart <= limit else ">"
     judged = f"Δ = {number(apart, language, 2)} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]
 
 
 def force_table(drawn: Work, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
-    rows = force_columns(drawn.project, drawn.reading)
+    columns = force_columns(drawn.project, drawn.reading)
+    rows = [column.without(drawn.undrawn) for column in columns]
     if not rows:
         return []
     return [result_table("forces", rows, drawn.project.names, drawn.scene.language)]

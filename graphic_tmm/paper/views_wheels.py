@@ -8,6 +8,7 @@ from dataclasses import replace
 from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.mechanism.tooth_search import search
 from graphic_tmm.paper.arranging import captioned, mu_text
+from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.gear_tables import dimension_table, sliding_table
 from graphic_tmm.paper.ink_gear import draw_gear_ink
@@ -16,7 +17,6 @@ from graphic_tmm.paper.ink_rolling import draw_rolling_ink
 from graphic_tmm.paper.ink_sliding import draw_sliding_ink
 from graphic_tmm.paper.ink_tables import SIZE
 from graphic_tmm.paper.ink_train_tables import condition_table, rate_table, ratio_lines, train_table
-from graphic_tmm.paper.ruled import table
 from graphic_tmm.parts import Part
 from graphic_tmm.plans.gear import Gear
 from graphic_tmm.plans.gear_checks import verdicts
@@ -67,13 +67,21 @@ def _checks(part: Part, made: Gear) -> Drawing:
         factor, places = (1000.0, 2) if in_mm else (1.0, 3)
         cells = [fixed(factor * x, places, language) for x in (found.value, found.least)]
         wheel = str(found.wheel) if found.wheel else ""
-        sign = "≥" if found.holds else "&lt;"
+        sign = "≥" if found.holds else "<"
         of = unit("mm", language) if in_mm else ""
         verdict = words["holds" if found.holds else "fails"]
         rows.append([words[found.name], wheel, f"{cells[0]} {sign} {cells[1]}", of, verdict])
     heads = [words[k] for k in ("checked", "wheel", "value", "unit", "verdict")]
     align = ["left", "centre", "centre", "left", "left"]
-    return table("table-gear-checks", words["gear checks"], heads, rows, size=SIZE, align=align)
+    return breakable(
+        "table-gear-checks",
+        words["gear checks"],
+        heads,
+        rows,
+        again=words["continued"],
+        size=SIZE,
+        align=align,
+    )
 
 
 def planetary_views(part: Part, lettered: bool) -> list[Drawing]:

@@ -40,6 +40,14 @@ class Assembly(NamedTuple):
     ranges: tuple[tuple[float, float], ...]
     groups: tuple[str, ...]
 
+    @property
+    def said(self) -> str:
+        """The ranges as a sentence; "" if it is all of the turn."""
+        if not self.ranges:
+            return ""
+        ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in self.ranges)
+        return f"group {', '.join(self.groups)} assembles for crank angles {ranges} only"
+
 
 def closures(survey: Survey) -> tuple[Closure, ...]:
     """Return the steps that close the groups, with their gaps."""

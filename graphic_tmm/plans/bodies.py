@@ -122,13 +122,19 @@ def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: flo
 
 def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float) -> Mark:
     """Draw a line through a point at an angle to another line: parallel, square or by the protractor."""
-    rest, bare = degrees % 360.0, name
+    rest = degrees % 360.0
     name = draft.board.free(f"({name})")
     if rest in (0.0, 180.0):
         return draft.board.draw(parallel, name, through, to, sense=1 if rest == 0.0 else -1)
     if rest in (90.0, 270.0):
         return draft.board.draw(square, name, through, to, sense=1 if rest == 90.0 else -1)
-    return draft.board.draw(incline, name, through, to, draft.angle(f"∠{bare}", degrees))
+    return draft.board.draw(incline, name, through, to, draft.direction(degrees))
+
+
+def nearest(body: Body, pair: Pair, levelled: float) -> str:
+    """Return the letter of the body's point that lies nearest to a level (m) of a guide."""
+    number = body.link.number
+    return min(body.own, key=lambda k: abs(levelled - level(pair, number, body.own[k])))
 
 
 def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str) -> Mark:
@@ -137,7 +143,7 @@ def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str)
     The line starts from the point of the body that is nearest to it.
     """
     number = body.link.number
-    letter = min(body.own, key=lambda k: abs(levelled - level(pair, number, body.own[k])))
+    letter = nearest(body, pair, levelled)
     own = body.own[letter]
     size = max(abs(own), abs(body.at), abs(levelled))
     by = levelled - level(pair, number, own)

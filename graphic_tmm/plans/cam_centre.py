@@ -125,7 +125,7 @@ def draw_centre(
     motion = scaled_motion(draft, diagrams, mu)
     board.lay_out(None, mu)
     lowest = draft.take(Point, "B_0", 0j)
-    up = board.draw(ray, "(y)", lowest, draft.angle("90°", 90.0))
+    up = board.draw(ray, "(y)", lowest, draft.direction(90.0))
     roller = board.draw(lay_off, "B", up, motion.S)
     outward = board.draw(square, "(B)", roller, up, sense=sense)
     points = board.draw(lay_off, "Q", outward, motion.V)
@@ -143,13 +143,13 @@ def draw_centre(
     apex = board.draw(meet, "O*", *limits)
     small = board.draw(in_si, "r*", board.draw(measure, "O*B", apex, lowest), mu, unit="m")
     r0, radius = choose_radius(draft, order, least, mu)
-    circle = board.draw(strike, "(r_0)", lowest, radius)
+    circle = board.draw(strike, "(R_0)", lowest, radius)
     centre = board.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0))
     s0 = board.draw(measure_along, "s_0", centre, lowest, up)
     pressure = board.draw(slant, "α", centre, points, up, sense=sense, unit="°")
     pace = board.draw(measure, "OQ", centre, points)
     p = board.draw(measure_along, "p", centre, points, up)
-    out = board.draw(square, "(out)", lowest, up, sense=sense)
+    out = board.draw(square, "(B_0)", lowest, up, sense=sense)
     q = board.draw(measure_along, "q", centre, points, out)
     turning = [
         board.draw(f.turning_of_normal, board.free("τ"), p, q, motion.V, a) for a in motion.A
@@ -167,7 +167,7 @@ def choose_radius(draft: Draft, order: CamOrder, least: Mark, mu: Mark) -> tuple
         r0 = draft.take(Number, "r_0", order.r0, "m")
     else:
         r0 = draft.board.draw(f.whole_mm_above, "r_0", least, unit="m")
-    return r0, draft.board.draw(to_board, "r_0", r0, mu)
+    return r0, draft.board.draw(to_board, "R_0", r0, mu)
 
 
 def limit_angles(draft: Draft, order: CamOrder) -> tuple[Mark, Mark]:
@@ -188,16 +188,17 @@ def _limits(
 ) -> tuple[Mark, Mark]:
     """Draw the tangents at the allowed pressure angles, to the curve of the rise and to that of the return."""
     board, found = draft.board, []
-    for phase, angle in zip(diagrams.turn.phases, limit_angles(draft, order), strict=True):
+    angles = limit_angles(draft, order)
+    for k, (phase, angle) in enumerate(zip(diagrams.turn.phases, angles, strict=True), 1):
         left = sense * phase.sign
         own = [
-            board.draw(touch_curve, "(τ)", curve, up, angle, sense=left, left=left)
+            board.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
             for curve, (of, _, _) in zip(curves, diagrams.stretches, strict=True)
             if of == phase
         ]
         line = own[0]
         for other in own[1:]:
-            line = board.draw(outer_parallel, "(τ)", line, other, left=left)
+            line = board.draw(outer_parallel, f"(τ_{k})", line, other, left=left)
         found.append(line)
     return found[0], found[1]
 

@@ -97,7 +97,7 @@ def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
     mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
     x = board.draw(f.along_turn, "x_φ", angle, length)
-    base = Base(turn.positions, length, x, mu_phi, draft.angle("0°", 0.0))
+    base = Base(turn.positions, length, x, mu_phi, draft.direction(0.0))
     unit = "rad" if isinstance(order.follower, RockerFollower) else "m"
     stroke = draft.take(Number, "h", order.stroke, unit)
     mu_S, height = _scale_of_S(draft, order, stroke, unit)
@@ -201,7 +201,8 @@ def merge(draft: Draft, turn: Turn, readings: Sequence[Mark], letter: str) -> Ma
     found = readings[-1]
     for k in range(len(readings) - 2, -1, -1):
         at = draft.take(Number, board.free("σ"), turn.inside(*stretches[k]))
-        name = letter if k == 0 else board.free(f"{letter}_{{>{k}}}")
+        rest = ",".join(str(n) for n in range(k + 1, len(readings) + 1))
+        name = letter if k == 0 else board.free(f"{letter}_{{{rest}}}")
         found = board.draw(in_turn, name, readings[k], found, at)
     return found
 
@@ -210,6 +211,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
     """Mark on the base where a phase begins and ends, and its divisions."""
     board, phase, length = draft.board, common.turn.phases[k], common.base.length
     ends = (phase.start, phase.start + phase.extent)
+    board.say(phase.name)
     feet = []
     for angle, name in zip(ends if phase.sign > 0 else ends[::-1], ("o", "e"), strict=True):
         at = draft.take(Angle, board.free(f"φ_{name}"), angle, "°")

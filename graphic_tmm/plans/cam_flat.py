@@ -14,7 +14,7 @@ from graphic_tmm.board.calculations import in_si, to_board, total
 from graphic_tmm.board.cams import outer_parallel, phase_end, smooth_stretch, touch_curve
 from graphic_tmm.board.operations import lay_off, measure_along, meet, parallel, ray, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Number, Point
+from graphic_tmm.board.values import Number, Point
 from graphic_tmm.mechanism.cam_orders import CamOrder, FlatFollower
 from graphic_tmm.plans.cam_centre import (
     VIEW,
@@ -61,7 +61,7 @@ def draw_convexity(
     motion = scaled_motion(draft, diagrams, mu)
     board.lay_out(None, mu)
     origin = draft.take(Point, "O", 0j)
-    up = board.draw(ray, "(S)", origin, draft.angle("90°", 90.0))
+    up = board.draw(ray, "(S)", origin, draft.direction(90.0))
     across = board.draw(square, "(S″)", origin, up, sense=-1)
     spots = board.draw(lay_off, "B", up, motion.S)
     lines = board.draw(parallel, "(B)", spots, across)
@@ -70,7 +70,7 @@ def draw_convexity(
         own = board.draw(lay_off, board.free("E"), lines, second)
         points.append(own)
         curves.append(board.draw(smooth_stretch, "(E–E)", own, first=first, last=last))
-    half = draft.take(Angle, "45°", 45.0, "°")
+    half = draft.direction(45.0)
     limit = None
     for curve in curves:
         line = board.draw(touch_curve, "(τ)", curve, across, half, sense=-1, left=-1)

@@ -88,7 +88,7 @@ def draw_profile(
     )
     paces = [centre.pace] * len(diagrams.stretches)
     theoretical = _contour(draft, diagrams, origin, placed.points, normals, paces, sense)
-    radius = board.draw(to_board, "r", roller, centre.mu)
+    radius = board.draw(to_board, "R", roller, centre.mu)
     contacts = board.draw(lay_off, "K", normals, radius)
     paces = [
         board.draw(f.equidistant_pace, board.free("p"), centre.pace, radius, turning)
@@ -103,7 +103,7 @@ def draw_profile(
 def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: int) -> Profile:
     """Draw the profile of a cam with a flat face."""
     board, origin = draft.board, _begin(draft, of.mu)
-    along = board.draw(ray, "(y)", origin, draft.angle("90°", 90.0))
+    along = board.draw(ray, "(y)", origin, draft.direction(90.0))
     paths = board.draw(slew, "(B)", origin, along, diagrams.angle, sense=-sense)
     reach = board.draw(total, "r_0+S", of.radius, of.motion.S)
     middles = board.draw(lay_off, "B", paths, reach)
@@ -129,10 +129,10 @@ def _translating(
     board = draft.board
     reach = board.draw(total, "s_0+S", path.s0, centre.displacement)
     if path.offset is None:
-        up = board.draw(ray, "(y)", origin, draft.angle("90°", 90.0))
+        up = board.draw(ray, "(y)", origin, draft.direction(90.0))
         guides = board.draw(slew, "(B)", origin, up, diagrams.angle, sense=-sense)
         return _Inverted(None, guides, guides, board.draw(lay_off, "B", guides, reach))
-    side = board.draw(ray, "(x)", origin, draft.angle("0°", 0.0 if sense > 0 else 180.0))
+    side = board.draw(ray, "(x)", origin, draft.direction(0.0 if sense > 0 else 180.0))
     arms = board.draw(slew, "(E)", origin, side, diagrams.angle, sense=-sense)
     feet = board.draw(lay_off, "E", arms, path.offset)
     guides = board.draw(square, "(B)", feet, arms, sense=sense)
@@ -175,5 +175,6 @@ def _contour(
     circles = []
     for at in (turn.rise.last, turn.fall.last):
         end = board.draw(phase_end, board.free(f"{points.letter}_e"), points, at=at)
-        circles.append(board.draw(strike, "(O)", origin, board.draw(measure, "O", origin, end)))
+        far = board.draw(measure, f"O{end.name}", origin, end)
+        circles.append(board.draw(strike, f"(O{end.name})", origin, far))
     return Contour(points, tuple(curves), circles[0], circles[1], -sense)

@@ -85,7 +85,7 @@ def draw_rocker_centre(
     lever = board.draw(to_board, "l", draft.take(Number, "l", of.lever, "m"), mu)
     centres = board.draw(to_board, "a", draft.take(Number, "a", of.centres, "m"), mu)
     pivot = draft.take(Point, "O_1", 0j)
-    begin = board.draw(ray, "(l_0)", pivot, draft.angle("l_0", 0.0 if rocks > 0 else 180.0))
+    begin = board.draw(ray, "(l_0)", pivot, draft.direction(0.0 if rocks > 0 else 180.0))
     lowest = board.draw(lay_off, "B_0", begin, lever)
     swing = board.draw(f.swing_of, "ψ", diagrams.S.reading, diagrams.S.chart.mu, unit="°")
     levers = board.draw(slew, "(l)", pivot, begin, swing, sense=rocks)
@@ -108,7 +108,7 @@ def draw_rocker_centre(
         in_si, "r_{min}", board.draw(measure, "OB", least_centre, lowest), mu, unit="m"
     )
     r0, radius = choose_radius(draft, order, least, mu)
-    small = board.draw(strike, "(r_0)", lowest, radius)
+    small = board.draw(strike, "(R_0)", lowest, radius)
     below = draft.take(Side, "±", float(-rocks))
     centre = board.draw(cross, "O", circle, small, below)
     start = board.draw(slant, "ψ_0", pivot, centre, begin, sense=-rocks, unit="°")

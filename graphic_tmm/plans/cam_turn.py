@@ -164,7 +164,7 @@ def _outline(
         board.figure("outline", "between", end(spots, last), *dwell, end(after, first))
     low = end(level, turn.fall.last)
     across = board.draw(parallel, "(d)", low, axes.along)
-    over = board.draw(square, "(d)", axes.end, axes.along, sense=1)
+    over = board.draw(square, f"({axes.end.name})", axes.end, axes.along, sense=1)
     far = board.draw(meet, board.free("d_N"), over, across)
     board.figure("outline", "lower dwell", end(points[-1], turn.fall.last), low, far)
     board.figure("outline", "start", end(level, 0), end(points[0], 0))
@@ -184,7 +184,11 @@ def _extreme(
 ) -> tuple[Mark, Mark, Mark]:
     """Return the extreme point of some curves, its ordinate (Length) and the angle of the cam (Angle)."""
     board = draft.board
-    tops = [board.draw(crest_of_curve, board.free("k"), curve, above=above) for curve in curves]
+    letters = [f"k_{k}" for k in range(1, len(curves) + 1)] if len(curves) > 1 else ["k"]
+    tops = [
+        board.draw(crest_of_curve, board.free(letter), curve, above=above)
+        for letter, curve in zip(letters, curves, strict=True)
+    ]
     point = tops[0]
     for other in tops[1:]:
         point = board.draw(extreme_of_two, board.free("k"), point, other, above=above)

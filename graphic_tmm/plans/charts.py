@@ -40,6 +40,10 @@ class Chart(NamedTuple):
     end: Mark | None = None
     figure: tuple[Mark, ...] = ()
 
+    def shrunk(self, share: float) -> Chart:
+        """Return the graph with a share of its room."""
+        return self if self.room is None else self._replace(room=self.room * share)
+
 
 class Scaled(NamedTuple):
     """A scale, whether it is a given mark, and the distance of the pole that belongs to it (Length)."""

@@ -20,6 +20,8 @@ class Draft:
         self.board = Board()
         self.given: dict[Mark, object] = {}
         self.mu_l: Mark | None = None
+        self._constants: dict[tuple[str, str, float], Mark] = {}
+        self._lengths: dict[tuple[str, str, float], Mark] = {}
 
     def take(self, kind: Kind, letter: str, value: object, unit: str = "") -> Mark:
         """Take a given mark and keep its value."""
@@ -31,14 +33,28 @@ class Draft:
         """Take a given angle, degrees."""
         return self.take(Angle, self.board.free(letter), degrees, "°")
 
+    def direction(self, degrees: float) -> Mark:
+        """Take a given angle that has no letter: it is told by its value."""
+        return self.take(Angle, self.board.free(""), degrees, "°")
+
+    def constant(self, letter: str, value: float, unit: str) -> Mark:
+        """Take a given number, once in a view however often it is asked for."""
+        known = self._constants.get((self.board.view, letter, value))
+        if known is None:
+            known = self.take(Number, self.board.free(letter), value, unit)
+            self._constants[self.board.view, letter, value] = known
+        return known
+
     def length(self, letter: str, metres: float) -> Mark:
-        """Take a real length l (m) and calculate the length on the board: AB = l_AB/μ_l."""
+        """Take a real length l (m) and calculate the length on the board: AB = l_AB/μ_l; once in a view."""
         assert self.mu_l is not None, "the scale factor of lengths is taken first"
-        letter = self.board.free(letter)
-        real = self.take(Number, _real(letter), metres, "m")
-        mark = self.board.draw(to_board, letter, real, self.mu_l)
-        assert mark.kind is Length
-        return mark
+        known = self._lengths.get((self.board.view, letter, metres))
+        if known is None:
+            real = self.take(Number, self.board.free(_real(letter)), metres, "m")
+            known = self.board.draw(to_board, letter, real, self.mu_l)
+            assert known.kind is Length
+            self._lengths[self.board.view, letter, metres] = known
+        return known
 
 
 def _real(letter: str) -> str:

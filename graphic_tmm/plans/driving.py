@@ -45,8 +45,12 @@ def solve_driver(
     views: tuple[str, str],
     frame: int,
     kind: str,
+    tried: str = "",
 ) -> Driven:
-    """Balance the driving link; ``views``: of its figure and of its polygon; ``kind``: "force" or "moment"."""
+    """Balance the driving link; ``views``: of its figure and of its polygon; ``kind``: "force" or "moment".
+
+    ``tried``: the number of a pass that others follow.
+    """
     board, number = draft.board, driver.body.link.number
     figure, polygon = views
     board.open(figure)
@@ -57,15 +61,16 @@ def solve_driver(
     if total is None:
         total = draft.take(Number, f"ΣM_{number}", 0.0, "N·m")
     sides = [(force.letter, force.line, force.value) for force in forces]
-    force = None
+    force, raised = None, f"^{{({tried})}}" if tried else ""
     if kind == "force":
         assert draft.mu_l is not None
-        balance = board.draw(balancing, "P_b", total, driver.arm, draft.mu_l, unit="N")
-        line = board.draw(square, "(P_b)", driver.pin, driver.body.axis, sense=1)
-        force = Force("P_b", number, driver.pin, line, balance)
-        sides.append(("P_b", line, balance))
+        letter = f"P_b{raised}"
+        balance = board.draw(balancing, letter, total, driver.arm, draft.mu_l, unit="N")
+        line = board.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
+        force = Force(letter, number, driver.pin, line, balance)
+        sides.append((letter, line, balance))
     else:
-        balance = board.draw(reversed_, "M_b", total, unit="N·m")
+        balance = board.draw(reversed_, f"M_b{raised}", total, unit="N·m")
     board.open(polygon)
     mu = board.take(Number, "μ_F", "N/mm")
     start = draft.take(Point, "1", 0j)

@@ -39,13 +39,17 @@ from graphic_tmm.plans.draft import ROUNDING, Draft
 
 
 class Site(NamedTuple):
-    """Where a group is attached: the board, the bodies that stand there, the group, its links, its side."""
+    """Where a group is attached: the board, the bodies that stand there, the group, its links, its side.
+
+    ``letters``: those of the scene, which no point that the plan needs besides may bear.
+    """
 
     draft: Draft
     bodies: dict[int, Body]
     group: Group
     links: tuple[Link, Link]
     side: Mark | None
+    letters: frozenset[str]
 
     def pivot(self, leg: Leg) -> Mark:
         """Return the mark of a leg's outer pivot."""
@@ -173,7 +177,8 @@ def _rpp(site: Site) -> Closing:
     stone_leg, yoke_leg = site.group.legs
     stone, yoke = site.links
     pin, inner, a = stone_leg.pair.name, site.group.inner, site.pivot(stone_leg)
-    letter, own = _on_inner_guide(yoke, inner, level(inner, stone.number, stone.points[pin]))
+    height = level(inner, stone.number, stone.points[pin])
+    letter, own = _on_inner_guide(yoke, inner, height, site.letters)
     path = site.path(yoke_leg, own, yoke_leg.pair.name)
     bend = direction(inner, yoke.number) - direction(yoke_leg.pair, yoke.number)
     guide = incline_by(site.draft, inner.name, a, path, bend)
@@ -185,7 +190,9 @@ def _rpp(site: Site) -> Closing:
     return Closing(site.group, pin, a, mark, (slid, held))
 
 
-def _on_inner_guide(yoke: Link, inner: Pair, wanted: float) -> tuple[str, complex]:
+def _on_inner_guide(
+    yoke: Link, inner: Pair, wanted: float, taken: frozenset[str]
+) -> tuple[str, complex]:
     """Return a point of the yoke that the stone's pivot slides over: one of its letters, or a new one."""
     size = max([abs(wanted), *map(abs, yoke.points.values())])
     levels = {k: level(inner, yoke.number, own) for k, own in yoke.points.items()}
@@ -196,7 +203,10 @@ def _on_inner_guide(yoke: Link, inner: Pair, wanted: float) -> tuple[str, comple
     lifted = own + 1j * turn(direction(inner, yoke.number)) * (
         wanted - level(inner, yoke.number, own)
     )
-    return f"{letter}′", lifted
+    letter += "′"
+    while letter in taken:
+        letter += "′"
+    return letter, lifted
 
 
 DYADS = {1: _rrr, 2: _rrp, 3: _rpr, 4: _prp, 5: _rpp}

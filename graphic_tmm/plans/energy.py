@@ -9,6 +9,7 @@ from graphic_tmm.board.energetics import added, rotation, translation
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.motion import Motion, reading_of
@@ -31,22 +32,22 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
     """
     parts: dict[str, Mark] = {}
     for link in sorted(mechanism.links, key=attrgetter("number")):
-        parts |= _of_link(draft, link, velocities)
+        parts |= _of_link(draft, mechanism, link, velocities)
     if not parts:
         raise StructureError(
             "flywheel: no link has a mass or J: write mass and J of the links that have them"
         )
     total: Mark | None = None
     for part in parts.values():
-        total = part if total is None else draft.board.draw(added, "T", total, part, unit="J")
+        total = part if total is None else draft.board.draw(added, "T_{L}", total, part, unit="J")
     assert total is not None
     return Energies(parts, total)
 
 
-def _of_link(draft: Draft, link: Link, velocities: Motion) -> dict[str, Mark]:
+def _of_link(draft: Draft, mechanism: Mechanism, link: Link, velocities: Motion) -> dict[str, Mark]:
     board, n, found = draft.board, link.number, {}
     if link.mass:
-        segment = _speed(draft, link, velocities)
+        segment = _speed(draft, mechanism, link, velocities)
         if segment is not None:
             mass = draft.take(Number, f"m_{n}", link.mass, "kg")
             found[f"T_{{{n}t}}"] = board.draw(
@@ -59,13 +60,8 @@ def _of_link(draft: Draft, link: Link, velocities: Motion) -> dict[str, Mark]:
     return found
 
 
-def _speed(draft: Draft, link: Link, velocities: Motion) -> Mark | None:
+def _speed(draft: Draft, mechanism: Mechanism, link: Link, velocities: Motion) -> Mark | None:
     """Return the reading of the velocity of a link's mass centre; None where the centre stands still."""
     images = velocities.images.by_letter.get(link.number, {})
-    if link.centre is None or link.centre not in link.points:
-        raise StructureError(
-            f"link {link.number} has a mass but no mass centre: give it a point S{link.number}, or centre = "
-            f'"{next(iter(link.points), "A")}"'
-        )
-    image = images.get(link.centre)
+    image = images.get(mass_centre(mechanism, link))
     return None if image is None else reading_of(draft, velocities, image)

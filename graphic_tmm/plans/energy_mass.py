@@ -61,7 +61,7 @@ def draw_energy_mass(
     inertia = board.draw(reduced_inertia, "J_{red}", energies.total, omega, unit="kg·m²")
     x = board.draw(to_board, "x_J", inertia, mu_J)
     origin = draft.take(Point, "O", 0j)
-    along = board.draw(ray, "(Ox)", origin, draft.angle("0°", 0.0))
+    along = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = board.draw(square, "(Oy)", origin, along, sense=1)
     feet = board.draw(lay_off, "j", along, x)
     lines = board.draw(square, "(j)", feet, along, sense=1)

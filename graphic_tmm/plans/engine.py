@@ -1,8 +1,8 @@
 """The forces of an engine's crank mechanism: P, P_in, P', N, Q, T, K, M as force triangles in every position.
 
 The mass of the rod is shared between the crank pin and the crosshead, so that the rod carries its load along
-itself: P' at B with the guide's N gives Q along the rod; Q carried to A is the sum of T along the tangent of
-the crank circle and K along the crank. Forces are positive towards the crank.
+itself: P' at B is the sum of Q along the rod and of N, the pressure on the guide; Q carried to A is the sum of
+T along the tangent of the crank circle and K along the crank. Forces are positive towards the crank.
 """
 
 from __future__ import annotations
@@ -38,6 +38,8 @@ VIEW = "engine"
 ROOM = 55.0
 """Room for the highest ordinate of a diagram, mm."""
 DIAGRAMS = ("P", "N", "Q", "T", "K", "M")
+POINTS = {"P_in": "f", "M": "z"}
+"""The points of a quantity on its diagram, where its small letter stands for something else."""
 
 
 class Triangles(NamedTuple):
@@ -55,7 +57,8 @@ class Triangles(NamedTuple):
 class Engine:
     """The forces as drawn; ``values``: the marks of P, P_in, P′, N, Q, T, K (force unit), M, NOB (times metre).
 
-    ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram.
+    ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram;
+    ``guide``: the line that B slides along.
     """
 
     order: EngineOrder
@@ -67,6 +70,7 @@ class Engine:
     mu: Mark
     charts: tuple[Chart, ...]
     curves: dict[str, tuple[str, ...]]
+    guide: Mark
 
 
 class _Legs(NamedTuple):
@@ -94,18 +98,18 @@ def draw_engine(
     lumped = lump(draft, machine.mechanism.by_number[legs.rod.link], legs, machine, order)
     unit = None
     if order.unit == "kgf":
-        unit = draft.take(Number, "1 kgf", KGF, "N/kgf")
+        unit = draft.take(Number, board.free(""), KGF, "N/kgf")
 
     def told(letter: str, force: Mark) -> Mark:
         """Return a force in the unit of the task."""
         if unit is None:
             return force
-        return board.draw(in_kgf, letter, force, unit, unit="kgf")
+        return board.draw(in_kgf, board.free(letter), force, unit, unit="kgf")
 
     sign = draft.take(Number, "σ", cylinder.outward)
     reading = accelerations.readings[legs.slider.link]
     acceleration = board.draw(towards_crank, "a_B", sign, reading, accelerations.mu, unit="m/s²")
-    exact = board.draw(against_acceleration, "P_{in} (N)", lumped.mass, acceleration, unit="N")
+    exact = board.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
     harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, told)
     board.open(VIEW)
     values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
@@ -113,7 +117,7 @@ def draw_engine(
     values["P′"] = board.draw(added, "P′", values["P"], used, unit=order.unit)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
     charts, curves = _diagrams(draft, machine, values, order)
-    found = (acceleration, values, triangles, mu, charts, curves)
+    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line)
     return Engine(order, lumped, harmonics, *found)
 
 
@@ -150,10 +154,10 @@ def _triangles(
     inward = board.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
     end_p = board.draw(lay_off, "1", inward, board.draw(to_board, "y_P′", values["P′"], mu))
     sense = 1 if machine.mechanism.drive.speed > 0 else -1
-    across = board.draw(square, "(N)", end_p, inward, sense=-sense)
+    across = board.draw(square, "(N)", end_p, inward, sense=sense)
     rod = board.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
     end_q = board.draw(meet, "2", across, rod)
-    length_n = board.draw(measure_along, "y_N", end_p, end_q, across)
+    length_n = board.draw(measure_along, "y_N", end_q, end_p, across)
     length_q = board.draw(measure_along, "y_Q", at_b, end_q, rod)
     carried = board.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
     end_qa = board.draw(lay_off, "3", carried, length_q)
@@ -175,6 +179,11 @@ def _pin(machine: Machine, legs: _Legs) -> str:
     return next(c.letter for c in machine.positions.closings if legs.rod in c.legs)
 
 
+def ordinate(symbol: str, letter: str) -> str:
+    """Return the letter of an ordinate that stands for a quantity: y_{Pin} of P_in."""
+    return f"{symbol}_{{{letter.replace('_', '')}}}"
+
+
 def _diagrams(
     draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineOrder
 ) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
@@ -194,11 +203,11 @@ def _diagrams(
         axes = graphs.draw_axes(draft, view, base, mu)
         found = []
         for letter in letters:
-            heights = board.draw(to_board, f"h_{letter}", values[letter], mu)
-            at = graphs.lay_ordinates(draft, axes, heights, board.free(letter[0].lower()))
+            heights = board.draw(to_board, ordinate("h", letter), values[letter], mu)
+            at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
             # the links' own inertia is smooth, what the gas has a part in is not
             (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)
-            found.append(graphs.read(draft, axes, at.points, f"y_{letter}"))
+            found.append(graphs.read(draft, axes, at.points, ordinate("y", letter)))
         charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
         curves[view] = letters
     return tuple(charts), curves

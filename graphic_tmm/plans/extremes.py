@@ -21,6 +21,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import Group
+from graphic_tmm.plans.assembly import check_assembly
 from graphic_tmm.plans.bodies import Body, draw_guide
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.dyads import rocker_offset
@@ -97,6 +98,11 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     low, high = _bracket(survey, axis, float(angles[0, best]))
     tried = refinement(_velocity(survey, axis), "", "").run(np.array([[low]]), np.array([[high]]))
     angle = float(tried[0, 0])
+    if not np.isfinite(angle) and not np.isfinite(place).all():
+        raise StructureError(
+            f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does "
+            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle there"
+        )
     if not np.isfinite(angle):
         raise StructureError(
             f"zero: {extreme.point} has no extreme position at {extreme.at} "
@@ -135,7 +141,7 @@ def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag:
         "Пробовать углы кривошипа между {low} и {high}, сужая до того, где изображение точки "
         f"{extreme.point} проходит через полюс; это {{it}}.",
     )
-    low, high = draft.angle(f"φ_{{{tag}}}′", tried.low), draft.angle(f"φ_{{{tag}}}″", tried.high)
+    low, high = draft.direction(tried.low), draft.direction(tried.high)
     return draft.board.draw(step, f"φ_{{{tag}}}", low, high, unit="°")
 
 

@@ -24,6 +24,7 @@ from graphic_tmm.board.operations import join, lay_off, measure_along, meet, par
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.bounds import DELTA
 from graphic_tmm.mechanism.orders import FlywheelOrder
 from graphic_tmm.plans import graphs
 from graphic_tmm.plans.charts import Chart, integrated_scale
@@ -117,8 +118,7 @@ def draw_flywheel(
 
 
 def _refuse(order: FlywheelOrder) -> None:
-    if not order.delta > 0.0:
-        raise StructureError(f"flywheel: δ = {order.delta:g} is not greater than 0")
+    DELTA.refuse("flywheel", "delta", order.delta)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")

@@ -161,7 +161,9 @@ def _solve(
         hand_on(draft, solved, acting, frame, figures.__getitem__)
         groups.append(solved)
     views = (f"group {crank}", f"{VIEW} {crank}{suffix}")
-    driven = solve_driver(draft, driver, acting, moments, views, frame, order.balance)
+    driven = solve_driver(
+        draft, driver, acting, moments, views, frame, order.balance, suffix.strip()
+    )
     return _Pass(tuple(groups), driven, acting, rubbing)
 
 

@@ -66,7 +66,7 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     mu = board.take(Number, "μ_l", "m/mm")
     board.lay_out(None, mu)
     first = draft.take(Point, "O_{1}", 0j)
-    centres = board.draw(ray, "(O_{1}O_{2})", first, draft.angle("90°", 90.0))
+    centres = board.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0))
     distance = board.draw(to_board, "[a_{w}]", sizes.a_w, mu)
     second = board.draw(lay_off, "O_{2}", centres, distance)
     own, other = sizes.wheels

@@ -93,7 +93,7 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
     mu = board.take(Number, "μ_{ϑ}", "1/mm")
     board.lay_out(None, mu)
     origin = draft.take(Point, "N_{1}", 0j)
-    base = board.draw(ray, "(N_{1}N_{2})", origin, draft.angle("0°", 0.0))
+    base = board.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0))
     end = board.draw(lay_off, "N_{2}", base, line.length)
     ground = _Ground(base, mu, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
     ends = tuple(

@@ -109,7 +109,7 @@ def draw_wheel(
     start = _start(draft, wheel, (curve, fillet, origin), value, sizes.order.m)
     corner = board.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
-    left = _Spots(*(board.draw(reflect, board.free(mark.letter), mark, axis) for mark in right))
+    left = _Spots(*(board.draw(reflect, board.free(f"{mark.name}′"), mark, axis) for mark in right))
     mirrored = _curves(draft, left, i, (roll.count, rows.fillet))
     if value(wheel.s_a) < 0.0:
         apex = board.draw(curves_cross, f"V_{{{i}}}", curve, mirrored[0])

@@ -40,10 +40,8 @@ from graphic_tmm.board.operations import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.errors import ConstructionError
+from graphic_tmm.mechanism.bounds import INTERVALS
 from graphic_tmm.plans.draft import Draft
-
-LEAST = 4
-"""Fewer intervals than these show no curve."""
 
 
 class Base(NamedTuple):
@@ -106,14 +104,14 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
     ConstructionError
         With fewer than four intervals.
     """
-    if count < LEAST:
+    if not INTERVALS.holds(count):
         raise ConstructionError(
-            f"{mu.view}: a graph needs {LEAST} intervals at least, not {count}: take more positions"
+            f"{mu.view}: a graph needs {INTERVALS.least} intervals at least, not {count}: take more positions"
         )
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers)
     x = draft.board.draw(abscissa, "x_{n}", n, length, intervals)
-    return Base(count, length, x, mu, draft.angle("0°", 0.0))
+    return Base(count, length, x, mu, draft.direction(0.0))
 
 
 def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:

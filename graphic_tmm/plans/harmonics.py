@@ -69,11 +69,11 @@ def draw_harmonics(
     once = board.draw(parallel, "(I)", origin, crank, sense=1)
     twice = board.draw(doubled, "(II)", origin, axis, once)
     ends, forces = [], []
-    for name, line, force in (("I", once, size), ("II", twice, half)):
+    for k, (name, line, force) in enumerate((("I", once, size), ("II", twice, half)), 1):
         length = board.draw(to_board, f"y_{name}", force, mu)
         end = board.draw(lay_off, name, line, length)
         segment = board.draw(measure_along, f"x_{name}", origin, end, axis)
-        forces.append(board.draw(projected, f"P_{{in{name}}}", segment, mu, unit="N"))
+        forces.append(board.draw(projected, f"P_{{in{k}}}", segment, mu, unit="N"))
         ends.append(end)
     total = board.draw(added, "P_{inΣ}", *forces, unit="N")
     acceleration = board.draw(per_mass, "a_{Σ}", total, mass, unit="m/s²")

@@ -78,7 +78,7 @@ def draw_indicator(
     mu = board.take(Number, "μ_p", "Pa/mm")
     board.lay_out(None, mu)
     origin = draft.take(Point, "O", 0j)
-    base = board.draw(ray, "(Ox)", origin, draft.angle("0°", 0.0))
+    base = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = board.draw(square, "(Oy)", origin, base, sense=1)
     length = draft.take(Length, "L", order.base, "mm")
     end = board.draw(lay_off, "E", base, length)

@@ -7,6 +7,7 @@ along it. Nothing is drawn of an effect that is not called for.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import count
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -26,7 +27,8 @@ from graphic_tmm.board.statics import (
 )
 from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Load
+from graphic_tmm.mechanism.loads import AGAINST, ForcesOrder, Load
+from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.plans.cylinder import Cylinder
 from graphic_tmm.plans.draft import Draft
@@ -120,7 +122,7 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
     loads = Loads()
     for link in sorted(ground.mechanism.links, key=attrgetter("number")):
         if order.gravity and link.mass:
-            loads.add(_weight(ground, link))
+            loads.add(_weight(ground, link, order.g))
         if order.inertia:
             _inertia(ground, link, loads, single=link.number in order.single)
     for load in order.loads:
@@ -130,28 +132,19 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
     return loads
 
 
-def _centre(ground: Ground, link: Link) -> str:
-    if link.centre is None or link.centre not in link.points:
-        raise StructureError(
-            f"link {link.number} has a mass but no mass centre: give it a point S{link.number}, or centre = "
-            f'"{next(iter(link.points), "A")}"'
-        )
-    return link.centre
-
-
 def _at(ground: Ground, link: int, letter: str) -> tuple[Mark, Mark]:
     """Return a link's point on the plan of positions, and its image on that of velocities."""
     body = ground.positions.bodies[link]
     return body.marks[letter], ground.velocities.images.by_letter[link][letter]
 
 
-def _weight(ground: Ground, link: Link) -> Force:
+def _weight(ground: Ground, link: Link, gravity: float) -> Force:
     draft, n = ground.draft, link.number
-    point, image = _at(ground, n, _centre(ground, link))
-    mass = draft.take(Number, f"m_{n}", link.mass, "kg")
-    g = draft.take(Number, draft.board.free("g"), GRAVITY, "m/s²")
+    point, image = _at(ground, n, mass_centre(ground.mechanism, link))
+    assert link.mass is not None
+    mass, g = draft.constant(f"m_{n}", link.mass, "kg"), draft.constant("g", gravity, "m/s²")
     value = draft.board.draw(weight, f"G_{n}", mass, g, unit="N")
-    line = draft.board.draw(ray, f"(G_{n})", point, draft.angle("∠G", -90.0))
+    line = draft.board.draw(ray, f"(G_{n})", point, draft.direction(-90.0))
     return Force(f"G_{n}", n, point, line, value, image)
 
 
@@ -183,13 +176,14 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
 
 def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     draft, n = ground.draft, link.number
-    centre = _centre(ground, link)
+    centre = mass_centre(ground.mechanism, link)
     point, image = _at(ground, n, centre)
     end = plan.images.by_letter[n][centre]
     segment = reading_of(draft, plan, end)
     if segment is None:
         return None
-    mass = draft.take(Number, draft.board.free(f"m_{n}"), link.mass, "kg")
+    assert link.mass is not None
+    mass = draft.constant(f"m_{n}", link.mass, "kg")
     formula = inertia_force_along if is_signed(draft, segment) else inertia_force
     letter = f"P_{{i{n}}}"
     value = draft.board.draw(formula, letter, mass, segment, plan.mu, unit="N")
@@ -219,20 +213,30 @@ def _given(ground: Ground, load: Load) -> Force | Couple:
         )
     draft, board = ground.draft, ground.draft.board
     point, image = _at(ground, load.link, load.point)
-    letter = board.free(f"F_{load.link}")
+    letter = _letter(ground, "F", load.link)
     if load.direction != AGAINST:
         size = _size(ground, load, letter, "N")
-        line = board.draw(ray, f"({letter})", point, draft.angle("∠F", float(load.direction)))
+        line = board.draw(ray, f"({letter})", point, draft.direction(float(load.direction)))
         return Force(letter, load.link, point, line, size, image)
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
         raise StructureError(
             f"load on link {load.link}: {load.point} does not move: give the direction as an angle"
         )
-    size = _size(ground, load, f"{letter}0", "N")
+    size = _size(ground, load, f"|{letter}|", "N")
     line = _against(ground, letter, point, image, reading)
     value = board.draw(with_motion, letter, size, reading, ground.pin_speed, unit="N")
     return Force(letter, load.link, point, line, value, image)
+
+
+def _letter(ground: Ground, symbol: str, link: int) -> str:
+    """Return the letter of a given load: F_5; a second one on its link is F_{5(2)}."""
+    board, letter = ground.draft.board, f"{symbol}_{link}"
+    for k in count(2):
+        if board.free(letter) == letter:
+            break
+        letter = f"{symbol}_{{{link}({k})}}"
+    return letter
 
 
 def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mark) -> Mark:
@@ -249,7 +253,7 @@ def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mar
 
 def _moment(ground: Ground, load: Load) -> Couple:
     board, plan = ground.draft.board, ground.velocities
-    letter = board.free(f"M_{load.link}")
+    letter = _letter(ground, "M", load.link)
     if load.direction != AGAINST:
         return Couple(letter, load.link, _size(ground, load, letter, "N·m"))
     rate = plan.rates.get(load.link)
@@ -257,7 +261,7 @@ def _moment(ground: Ground, load: Load) -> Couple:
         raise StructureError(
             f"load on link {load.link}: it does not turn: leave the moment's direction out"
         )
-    size = _size(ground, load, f"{letter}0", "N·m")
+    size = _size(ground, load, f"|{letter}|", "N·m")
     fastest = plan.rates[ground.mechanism.drive.link]
     value = board.draw(against_turning, letter, size, rate, fastest, unit="N·m")
     return Couple(letter, load.link, value)
@@ -265,7 +269,7 @@ def _moment(ground: Ground, load: Load) -> Couple:
 
 def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     """Take the size of a load: constant, by position, by angle; or find it by a travel."""
-    draft, count = ground.draft, ground.intervals
+    draft, intervals = ground.draft, ground.intervals
     letter = draft.board.free(letter)
     if load.travel is not None:
         return by_travel(
@@ -273,13 +277,13 @@ def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
         )
     value: object = load.size
     if load.by_angle:
-        turned = ground.numbers * (360.0 / count)
+        turned = ground.numbers * (360.0 / intervals)
         at, sizes = zip(*load.by_angle, strict=True)
         value = np.interp(turned, at, sizes, period=360.0)[None, :]
     elif isinstance(load.size, tuple):
-        if len(load.size) != count:
+        if len(load.size) != intervals:
             raise StructureError(
-                f"load on link {load.link}: {len(load.size)} sizes for {count} positions: give one for each"
+                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: give one for each"
             )
-        value = np.array([*load.size, *[np.nan] * (ground.numbers.size - count)])[None, :]
+        value = np.array([*load.size, *[np.nan] * (ground.numbers.size - intervals)])[None, :]
     return draft.take(Number, letter, value, unit)

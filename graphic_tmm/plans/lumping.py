@@ -66,7 +66,7 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrd
     if parts is None:
         return Lumped(whole)
     inertia = lost = None
-    arms = _arms(draft, rod, legs)
+    arms = _arms(draft, rod, legs.rod.letter, order.point)
     if arms is not None and rod.inertia is not None:
         first, second = arms
         inertia = board.draw(lumped_inertia, "J′", parts[0], first, parts[1], second, unit="kg·m²")
@@ -85,7 +85,7 @@ def _parts(draft: Draft, rod: Link, legs: Legs, order: EngineOrder) -> tuple[Mar
         share = draft.take(Number, "k", order.share)
         at_slider = board.draw(mass_of_share, f"m_{{{rod.number}B}}", mass, share, unit="kg")
     else:
-        arms = _arms(draft, rod, legs)
+        arms = _arms(draft, rod, legs.rod.letter, order.point)
         if arms is None:
             return None
         length = draft.board.uses(legs.rod.length)[0]
@@ -96,18 +96,13 @@ def _parts(draft: Draft, rod: Link, legs: Legs, order: EngineOrder) -> tuple[Mar
     return at_crank, at_slider
 
 
-def _arms(draft: Draft, rod: Link, legs: Legs) -> tuple[Mark, Mark] | None:
+def _arms(draft: Draft, rod: Link, pin: str, crosshead: str) -> tuple[Mark, Mark] | None:
     """Return how far the crank pin and the crosshead are from the rod's mass centre, m."""
     if rod.centre is None or rod.centre not in rod.points:
         return None
     centre = rod.points[rod.centre]
-    ends = [rod.points[legs.rod.letter]]
-    ends += [p for letter, p in rod.points.items() if letter not in (legs.rod.letter, rod.centre)]
-    if len(ends) < 2:
-        return None
-    letters = (f"l_{{A{rod.centre}}}", f"l_{{{rod.centre}B}}")
     first, second = (
-        draft.take(Number, draft.board.free(letter), abs(end - centre), "m")
-        for letter, end in zip(letters, ends[:2], strict=True)
+        draft.take(Number, draft.board.free(letter), abs(rod.points[end] - centre), "m")
+        for letter, end in ((f"l_{{A{rod.centre}}}", pin), (f"l_{{{rod.centre}B}}", crosshead))
     )
     return first, second

@@ -68,15 +68,27 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
 
 
 def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
-    """Measure the vector from the pole to the image of every moving point that has no reading yet."""
+    """Measure the vector from the pole to the image of every moving point that has no reading yet.
+
+    The point of a moving link that lies under a stone on its guide is one of them.
+    """
     pole = plan.images.pole
-    for number, body in positions.bodies.items():
-        for letter in body.link.points:
-            image = plan.images.by_letter[number][letter]
-            if image == pole or image in plan.measured:
-                continue
-            plan.measured.add(image)
-            draft.board.draw(measure, f"{pole.letter}{image.letter}", pole, image)
+    images = [
+        plan.images.by_letter[number][letter]
+        for number, body in positions.bodies.items()
+        for letter in body.link.points
+    ]
+    images += [
+        known_image(plan, closing, leg)
+        for closing in positions.closings
+        for leg in closing.legs
+        if isinstance(leg, GuideLeg) and not leg.inner
+    ]
+    for image in images:
+        if image == pole or image in plan.measured:
+            continue
+        plan.measured.add(image)
+        draft.board.draw(measure, f"{pole.letter}{image.letter}", pole, image)
 
 
 def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:

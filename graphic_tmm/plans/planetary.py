@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.trains import overall_ratio
 from graphic_tmm.board.values import Number
-from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.bounds import PLANETARY
 from graphic_tmm.mechanism.tooth_search import choose
-from graphic_tmm.mechanism.trains import PlanetaryOrder, Train, whole
+from graphic_tmm.mechanism.trains import PlanetaryOrder, Train
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.train_dimensions import Dimensions, calculate_train
 from graphic_tmm.plans.train_rates import Picture, Rates, draw_picture, draw_rates
@@ -43,11 +43,12 @@ class Planetary:
     results: Mapping[str, Mark]
 
 
-def draw_planetary(draft: Draft, order: PlanetaryOrder) -> Planetary:
+def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Planetary:
     """Draw the smallest train that fulfils an order, or the one whose tooth numbers it gives.
 
     The draft is the train's own: its positions are the satellites. The scale factors, the pole distance and the
-    places of the views are chosen and kept in ``draft.given``; they may be replaced there.
+    places of the views are chosen and kept in ``draft.given``; they may be replaced there. ``size``: what share
+    of the usual room the views take.
 
     Raises
     ------
@@ -72,7 +73,7 @@ def draw_planetary(draft: Draft, order: PlanetaryOrder) -> Planetary:
         "planetary_ratio_drawn": rates.ratio,
         "planetary_difference": rates.difference,
     }
-    choose_scales(draft, Drawn(order, train, end, axial, picture, rates))
+    choose_scales(draft, Drawn(order, train, end, axial, picture, rates, size))
     return Planetary(order, train, mu, sizes, end, axial, picture, rates, results)
 
 
@@ -87,7 +88,6 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
     board, letters = draft.board, []
     board.open(VIEW)
     for letter, z in (("z_a", driving), ("z_b", driven)):
-        if not whole(z) or z < 1:
-            raise StructureError(f"planetary: {z} is not a whole number of teeth")
+        PLANETARY["behind"].refuse("planetary", "behind", z)
         letters.append(draft.take(Number, letter, float(z)))
     return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

@@ -16,9 +16,10 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point, Side
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.structure import Group, Structure
-from graphic_tmm.plans.bodies import Body, Closing, GuideLeg, PinLeg, draw_points, stand
+from graphic_tmm.plans.bodies import Body, Closing, draw_points, stand
 from graphic_tmm.plans.draft import Draft
 from graphic_tmm.plans.dyads import DYADS, Site
+from graphic_tmm.plans.figures import tell_group, tell_link
 
 VIEW = "positions"
 
@@ -46,7 +47,7 @@ def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure)
     draft.board.lay_out(origin, draft.mu_l)
 
     def axis() -> Mark:
-        return draft.board.draw(ray, "(x)", origin, draft.angle("0°", 0.0))
+        return draft.board.draw(ray, "(x)", origin, draft.direction(0.0))
 
     body = Body(frame, frame.points[pivot], 0.0, axis)
     stand(body, pivot, origin, frame.points[pivot])
@@ -62,36 +63,21 @@ def draw_positions(
     draft.board.open(VIEW)
     bodies = {frame.link.number: frame}
     bodies[structure.driver] = _crank(draft, mechanism, structure, frame, phi)
+    letters = frozenset(letter for link in mechanism.by_number.values() for letter in link.points)
     sides: dict[str, Mark] = {}
     closings = []
     for group in structure.groups:
         draft.board.say(f"II({group.name})")
         sides |= _take_side(draft, mechanism, group)
         first, second = (mechanism.by_number[leg.link] for leg in group.legs)
-        site = Site(draft, bodies, group, (first, second), sides.get(group.name))
+        site = Site(draft, bodies, group, (first, second), sides.get(group.name), letters)
         closing = DYADS[group.kind](site)
         closings.append(closing)
         for leg in group.legs:
             body = bodies[leg.link]
             draw_points(draft, body, _anchor(body))
-        _tell_figures(draft, bodies, closing, frame.link.number)
+        tell_group(draft, mechanism, bodies, closing, site.side)
     return Positions(bodies, tuple(closings), sides, phi)
-
-
-def _tell_figures(draft: Draft, bodies: dict[int, Body], closing: Closing, frame: int) -> None:
-    """Tell which marks make the bodies of a group: links, sliders, stones."""
-    for leg in closing.legs:
-        marks = dict.fromkeys(bodies[leg.link].marks.values())
-        if isinstance(leg, PinLeg):
-            marks[closing.point] = None
-        draft.board.figure("link", str(leg.link), *marks)
-        if isinstance(leg, GuideLeg):
-            on = "slider" if leg.body == frame and not leg.inner else "stone"
-            at = closing.point if leg.inner else closing.root
-            draft.board.figure(on, str(leg.link), at, leg.line)
-    if closing.group.kind == 5:
-        stone, yoke = closing.legs
-        draft.board.figure("slot", str(yoke.link), closing.root, closing.point, stone.line)
 
 
 def _anchor(body: Body) -> str:
@@ -109,7 +95,7 @@ def _crank(
     length = draft.length(f"{pivot}{pin}", abs(arm))
     stand(body, pin, draft.board.draw(lay_off, pin, line, length), link.points[pin])
     draw_points(draft, body, pivot)
-    draft.board.figure("link", str(link.number), *body.marks.values())
+    tell_link(draft, mechanism, body)
     return body
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from graphic_tmm.board.curve import french_curve
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
@@ -33,9 +34,13 @@ from graphic_tmm.plans.positions import (
     side_record,
     side_values,
 )
+from graphic_tmm.plans.reaches import Reach, guides, reaches
 from graphic_tmm.plans.row import draw_row
-from graphic_tmm.plans.survey import survey
+from graphic_tmm.plans.survey import Survey, survey
 from graphic_tmm.plans.velocities import crank_arm, draw_velocities
+
+LAST = 12
+"""Decimals of an angle in degrees that are not rounding."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,7 @@ class Project:
     mechanism: Mechanism
     structure: Structure
     assembly: Assembly
+    tried: Survey
     construction: Construction
     given: dict[Mark, object]
     mu_l: Mark
@@ -65,6 +71,11 @@ class Project:
     forced: tuple[int, ...] = ()
     engine: Engine | None = None
     cylinder: Cylinder | None = None
+
+    @cached_property
+    def reaches(self) -> dict[Figure, Reach]:
+        """How far every guide is used over the whole turn of the crank, m."""
+        return dict(zip(guides(self.construction), reaches(self.tried), strict=True))
 
     @property
     def charts(self) -> tuple[Chart, ...]:
@@ -167,6 +178,7 @@ def draw_project(
         mechanism,
         structure,
         assembly,
+        tried,
         draft.board.construction(),
         given,
         draft.mu_l,
@@ -189,14 +201,14 @@ def draw_project(
 def _numbers(angles: np.ndarray, count: int, drive: Drive) -> np.ndarray:
     """Return where each position stands in the row, in intervals of it; extras stand between."""
     travelled = (angles[0] - angles[0, 0]) * (1.0 if drive.speed > 0 else -1.0)
-    numbers = (np.round(travelled, 9) % 360.0) * count / 360.0
+    numbers = (np.round(travelled, LAST) % 360.0) * count / 360.0
     numbers[:count] = np.arange(count)
     return np.asarray(numbers)
 
 
 def _angle(degrees: float) -> float:
     """Return an angle in [0, 360), free of the last bits."""
-    return round(float(degrees), 9) % 360.0 + 0.0
+    return round(float(degrees), LAST) % 360.0 + 0.0
 
 
 def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
@@ -209,8 +221,8 @@ def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
         return side_values(side, angles)
     sense = 1.0 if drive.speed > 0 else -1.0
     start = angles[0, 0]
-    travelled = np.round((angles - start) * sense, 9) % 360.0
-    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, 9) % 360.0
+    travelled = np.round((angles - start) * sense, LAST) % 360.0
+    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, LAST) % 360.0
     passed = (flips[:, None, None] <= travelled[None]) & (travelled[None] > 0.0)
     if sense > 0:
         passed &= flips[:, None, None] > 0.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from graphic_tmm.board.energetics import largest_rim, mean, rim_mass, rim_width, share
@@ -10,6 +11,11 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.orders import Rim
 from graphic_tmm.plans.draft import Draft
+
+WIDEST = 0.5
+"""A rim wider than this share of its outer diameter is a drum."""
+STEP = 0.05
+"""Diameters are advised in such steps, m."""
 
 
 @dataclass(frozen=True)
@@ -54,3 +60,14 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
     density = draft.take(Number, "ρ", order.density, "kg/m³")
     width = board.draw(rim_width, "b", inertia, density, outer, inner, middle, unit="m")
     return DrawnRim(order, largest, outer, inner, middle, mass, width)
+
+
+def wanted_outer(outer: float, width: float) -> float | None:
+    """Return the outer diameter (m) at which a rim is not too wide; None where it is not as it stands.
+
+    The same moment of inertia at the same D_i/D_e makes the width fall with the fourth power of the diameter.
+    """
+    if not width > WIDEST * outer:
+        return None
+    least: float = (width * outer**4 / WIDEST) ** 0.2
+    return STEP * math.ceil(least / STEP - 1e-9)

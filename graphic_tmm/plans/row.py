@@ -20,6 +20,8 @@ from graphic_tmm.plans.extremes import OPPOSITE, VIEW, draw_extreme
 from graphic_tmm.plans.survey import Survey
 
 OTHER = "other extreme"
+ROUNDING = 1e-15
+"""An angle that is off a rounder one by no more than this share of it is that one, rounded."""
 
 
 class Numbered(NamedTuple):
@@ -49,8 +51,8 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
         there[0, row.count + place] = 1.0
-        at = draft.take(Number, draft.board.free("∃"), there)
-        phi = draft.board.draw(stand, draft.board.free("φ_{n}"), phi, mark, at, unit="°")
+        at = draft.take(Number, draft.board.free(""), there)
+        phi = draft.board.draw(stand, draft.board.free("φ"), phi, mark, at, unit="°")
     assert draft.mu_l is not None
     values = execute(
         draft.board.construction(), draft.given | {draft.mu_l: 1.0}, [phi, zero, *extras]
@@ -71,7 +73,7 @@ def _refuse_repeated(row: Row) -> None:
 
 def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | str) -> Mark:
     if not isinstance(extra, str):
-        return draft.angle(f"φ_{{{extra:g}}}", extra)
+        return draft.angle(f"φ_{{{_degrees(row, extra)}}}", extra)
     if not isinstance(row.zero, Extreme):
         raise StructureError(
             'extra: "other extreme" needs a zero position that is an extreme itself: '
@@ -86,9 +88,20 @@ def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | s
     return draw_extreme(draft, survey, frame, other, "*")
 
 
+def _degrees(row: Row, angle: float) -> str:
+    """Return an angle with ten digits, or as many more as tell it from a rounder one and from the others."""
+    others = [other for other in row.extra if not isinstance(other, str) and other != angle]
+    for digits in range(10, 18):
+        told = f"{angle:.{digits}g}"
+        rounder = len(told) < digits and abs(float(told) - angle) > ROUNDING * abs(angle)
+        if not rounder and told not in [f"{other:.{digits}g}" for other in others]:
+            break
+    return told
+
+
 def _name(row: Row, extra: float | str, travelled: float) -> str:
     if not isinstance(extra, str):
-        return f"{extra:.10g}°"
+        return f"{_degrees(row, extra)}°"
     interval = (travelled % 360.0) * row.count / 360.0
     passed = math.floor(interval + 1e-9) % row.count
     return f"{row.first + passed}*"

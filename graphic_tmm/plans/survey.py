@@ -84,8 +84,8 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
     positions = draw_positions(draft, mechanism, structure, frame, phi)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     pole = velocities.images.pole
-    x = draft.board.draw(ray, "(px)", pole, draft.angle("0°", 0.0))
-    y = draft.board.draw(ray, "(py)", pole, draft.angle("90°", 90.0))
+    x = draft.board.draw(ray, "(px)", pole, draft.direction(0.0))
+    y = draft.board.draw(ray, "(py)", pole, draft.direction(90.0))
     axes = {}
     for number, body in positions.bodies.items():
         for letter in body.link.points:

@@ -25,11 +25,13 @@ BESIDE, ROW, ARM = 60.0, 26.0, 18.0
 """From the circles to the first row; from row to row; from the last row to the arm of the carrier, mm."""
 PICTURE, BELOW = 62.0, 36.0
 """From the scheme to the picture of velocities; from the axis down to the plan below it, mm."""
+CLEAR = 45.0
+"""The least way from the scheme to the picture: the shaft's bearing stands there, mm."""
 
 
 @dataclass(frozen=True)
 class Drawn:
-    """What scales are chosen for: the train, its views, its picture and plan."""
+    """What scales are chosen for: the train, its views, its picture and plan; the share of the usual room."""
 
     order: PlanetaryOrder
     train: Train
@@ -37,6 +39,7 @@ class Drawn:
     axial: AxialView
     picture: Picture
     rates: Rates
+    size: float = 1.0
 
 
 def choose_scales(draft: Draft, drawn: Drawn) -> None:
@@ -45,16 +48,18 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
     The order's own scale factors and pole distance are kept.
     """
     assert draft.mu_l is not None
-    order, picture, rates = drawn.order, drawn.picture, drawn.rates
+    order, picture, rates, size = drawn.order, drawn.picture, drawn.rates, drawn.size
     mu_v, distance, stations = picture.mu, rates.distance, drawn.axial.stations
     draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}
     draft.given |= dict.fromkeys((*stations.values(), picture.place), 0.0)
-    draft.given[draft.mu_l] = order.mu_l or standard_length(2.0 * _reach(draft, drawn), DIAMETER)
+    draft.given[draft.mu_l] = order.mu_l or standard_length(
+        2.0 * _reach(draft, drawn), DIAMETER * size
+    )
     longest = max(_sizes(draft, picture.readings.values()))
-    draft.given[mu_v] = order.mu_v or standard(longest, VELOCITY)
+    draft.given[mu_v] = order.mu_v or standard(longest, VELOCITY * size)
     longest = max(_sizes(draft, rates.segments.values()))
-    fits = (pole for pole in POLES if pole * longest <= RATE)
-    draft.given[distance] = order.pole or next(fits, RATE / longest)
+    fits = (pole for pole in POLES if pole * longest <= RATE * size)
+    draft.given[distance] = order.pole or next(fits, RATE * size / longest)
     _place(draft, drawn, stations)
 
 
@@ -63,15 +68,18 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
 
     Where the fixed wheel has external teeth the arm stands between the rows: its shaft goes through that wheel.
     """
-    first = _reach(draft, drawn) + BESIDE
-    last = first + ROW * (drawn.train.scheme.rows - 1)
-    arm = last - ROW / 2.0 if drawn.train.scheme.second > 0 else last + ARM
+    size = drawn.size
+    first = _reach(draft, drawn) + BESIDE * size
+    last = first + ROW * size * (drawn.train.scheme.rows - 1)
+    arm = last + size * (-ROW / 2.0 if drawn.train.scheme.second > 0 else ARM)
     draft.given |= {stations["I"]: first, stations["H"]: arm}
     if "II" in stations:
         draft.given[stations["II"]] = last
     tips = execute(draft.board.construction(), draft.given, drawn.picture.ends)
     left = min(float(tips[mark][0, 0].real) for mark in drawn.picture.ends)
-    draft.given[drawn.picture.place] = last + ARM + PICTURE + max(0.0, -left)
+    draft.given[drawn.picture.place] = (
+        last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
+    )
 
 
 def _sizes(draft: Draft, marks: Iterable[Mark]) -> list[float]:

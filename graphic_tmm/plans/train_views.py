@@ -92,7 +92,7 @@ def draw_end_view(draft: Draft, train: Train, sizes: Dimensions, mu: Mark) -> En
     }
     lengths["H"] = board.draw(to_board, "OB", sizes.axes, mu)
     origin = draft.take(Point, "O", 0j)
-    axis = board.draw(ray, "(Ox)", origin, draft.angle("0°", 0.0))
+    axis = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = board.draw(square, "(Oy)", origin, axis, sense=1)
     points = tuple(
         board.draw(lay_off, letter, up, lengths[wheel])

@@ -53,11 +53,11 @@ def by_travel(
     last = board.draw(farthest, board.free(f"{travel.of}_S"), start, point, row=numbers.size)
     stroke = board.draw(measure, board.free(f"s_{{{travel.of}max}}"), start, last)
     parts = _parts(draft, travel, (point, start, last), way, stroke, numbers)
-    names = (("0", unit), ("1", unit), ("x0", ""), ("x1", ""))
+    units = (unit, unit, "", "")
     values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T
     given = [
-        draft.take(Number, board.free(f"{letter}{name}"), row[None, :], of)
-        for (name, of), row in zip(names, values, strict=True)
+        draft.take(Number, board.free(""), row[None, :], of)
+        for of, row in zip(units, values, strict=True)
     ]
     return board.draw(between, letter, *given, way, stroke, unit=unit)
 

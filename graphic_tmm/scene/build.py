@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from dataclasses import replace
+
 from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.scene import build_cam, build_forces, build_orders, build_wheels, geometry
 from graphic_tmm.scene import models as m
+from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.force_tables import EffectsTable
-from graphic_tmm.scene.records import Scales, Scene, SheetOrder, Task
+from graphic_tmm.scene.records import (
+    PART_PLACES,
+    PLAN_PLACES,
+    SECTIONS,
+    Scales,
+    Scene,
+    SheetOrder,
+    Task,
+)
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE, MU_L_OMEGA
 
@@ -25,6 +38,8 @@ def scene(parts: Parts, source: str) -> Scene:
         All of them understood.
     source : str
         The file they come from.
+    kgf : bool
+        Whether a quantity in it is given in kgf.
     """
     head, frame, drive = parts.head, parts.frame, parts.drive
     plans, scales, hand, block = parts.plans, parts.scales, parts.hand, parts.title_block
@@ -35,6 +50,7 @@ def scene(parts: Parts, source: str) -> Scene:
     assert block is not None
     links = [link for link in parts.links if link is not None]
     sheets = [sheet for sheet in parts.sheets if sheet is not None] or [m.SheetTable()]
+    usual = _usual(parts)
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     return Scene(
         source=source,
@@ -58,10 +74,19 @@ def scene(parts: Parts, source: str) -> Scene:
         ruler=_division(hand),
         hand=hand.name,
         seed=hand.seed,
-        sheets=tuple(SheetOrder(sheet.format, sheet.place) for sheet in sheets),
+        sheets=tuple(SheetOrder(sheet.format, sheet.place or usual) for sheet in sheets),
         title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
     )
+
+
+def _usual(parts: Parts) -> tuple[str, ...]:
+    """Return what stands on a sheet that does not say what does: all that the scene calls for."""
+    plans = PLAN_PLACES if parts.drive is not None else ()
+    asked = {place for name in SECTIONS if getattr(parts, name) for place in SECTIONS[name]}
+    optional = {place for places in SECTIONS.values() for place in places}
+    usual = (*plans, *PART_PLACES)
+    return tuple(place for place in usual if place in asked or place not in optional)
 
 
 def _division(table: m.HandTable) -> float | None:
@@ -93,11 +118,20 @@ def _mechanism(frame: m.FrameTable, links: list[m.LinkTable], drive: m.DriveTabl
     bodies[frame.number] = frame
     fixed = Link(frame.number, dict(frame.points), _guides(frame.guides))
     sign = _sign(drive)
+    pins = shared(body.points for body in bodies.values())
     return Mechanism(
         frame=fixed,
-        links=tuple(_link(link, bodies, frame.number) for link in links),
+        links=tuple(
+            replace(_link(link, bodies, frame.number), centre=_centre(link, pins)) for link in links
+        ),
         drive=Drive(drive.link, sign * drive.speed, sign * drive.acceleration),
     )
+
+
+def _centre(table: m.LinkTable, pins: Collection[str]) -> str | None:
+    """Return the mass centre that a link declares; of one that has a mass, else its only point in no pair."""
+    found = centres_of(table, pins)
+    return found[0] if len(found) == 1 else None
 
 
 def _sign(drive: m.DriveTable) -> int:
@@ -109,7 +143,6 @@ def _guides(tables: dict[str, m.GuideTable]) -> tuple[Guide, ...]:
 
 
 def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], frame: int) -> Link:
-    centres = [letter for letter in table.points if letter.startswith("S")]
     side = Side(*table.side, flips_at=table.flips_at) if table.side else None
     return Link(
         number=table.number,
@@ -119,7 +152,6 @@ def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], fra
         name=table.name,
         mass=table.mass,
         inertia=table.J,
-        centre=table.centre or (centres[0] if len(centres) == 1 else None),
         side=side,
     )
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import AGAINST, ForcesOrder, Friction, Load, Travel
+from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Friction, Load, Travel
+from graphic_tmm.mechanism.masses import pins
 from graphic_tmm.mechanism.orders import EngineOrder, IndicatorOrder
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.force_tables import (
@@ -35,6 +36,7 @@ def forces(
         single=table.single,
         limit=table.limit,
         mu=table.mu_F,
+        g=GRAVITY if effects.g is None else effects.g,
     )
 
 
@@ -66,14 +68,10 @@ def _load(table: LoadTable) -> Load:
 def _friction(table: FrictionTable, mechanism: Mechanism) -> Friction:
     """Return the coefficient and the radius of every pair, its own or the common one."""
     guides = [slide.guide.name for link in mechanism.links for slide in link.slides]
-    bodies = (mechanism.frame, *mechanism.links)
-    pins = [
-        letter
-        for letter in dict.fromkeys(letter for link in bodies for letter in link.points)
-        if sum(letter in link.points for link in bodies) > 1
-    ]
+    bodies, joined = (mechanism.frame, *mechanism.links), pins(mechanism)
+    turning = [k for k in dict.fromkeys(k for link in bodies for k in link.points) if k in joined]
     return Friction(
-        {name: table.pairs.get(name, table.f) for name in (*pins, *guides)},
-        {name: table.radii.get(name, table.radius or 0.0) for name in pins},
+        {name: table.pairs.get(name, table.f) for name in (*turning, *guides)},
+        {name: table.radii.get(name, table.radius or 0.0) for name in turning},
         table.passes,
     )

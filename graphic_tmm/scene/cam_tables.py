@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
+from graphic_tmm.mechanism.bounds import CAM
 from graphic_tmm.mechanism.cam_orders import LAWS
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.quantities import kind_of
 from graphic_tmm.scene.table import Table, key
-from graphic_tmm.scene.values import SCALE, Names, Rule, choice, whole
+from graphic_tmm.scene.values import SCALE, Names, Rule, choice, number
 
 
 def _stroke(value: object, names: Names) -> tuple[float, str]:
@@ -41,29 +42,26 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     return tuple(found)
 
 
-def _share(value: object, names: Names) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 < value <= 1:
-        raise ValueError(f"{kind_of(value)} stands here; a share is a number up to 1, 0.4")
-    return float(value)
-
-
 Stroke = Annotated[tuple[float, str], Rule(_stroke, SCALE)]
 LawName = Annotated[str, choice(*LAWS)]
 FollowerName = Annotated[str, choice("roller", "rocker", "flat")]
 Sense = Annotated[str, choice("against", "along")]
 Points = Annotated[tuple[tuple[float, float], ...], Rule(_points, {"type": "array"})]
-Share = Annotated[float, Rule(_share, {"type": "number", "exclusiveMinimum": 0, "maximum": 1})]
-Parts = Annotated[int, whole(4, 500)]
+Share = Annotated[float, number(CAM["share_of_r0"])]
+Parts = Annotated[int, number(CAM["parts"])]
+Moving = Annotated[float, number(CAM["rise"], "angle")]
+Dwell = Annotated[float, number(CAM["upper_dwell"], "angle")]
+Pressure = Annotated[float, number(CAM["pressure"], "angle")]
 
 
 class CamTable(Table):
     """A disc cam: the law of motion, the follower, limits, sizes of the drawing."""
 
     stroke: Stroke = key("the stroke of the follower; an angle for a rocker", "28 mm")
-    rise: v.Angle = key("the angle of the rise", "100 deg")
-    upper_dwell: v.Angle = key("the angle of the upper dwell", "20 deg", 0.0)
-    fall: v.Angle = key("the angle of the return", "90 deg")
-    lower_dwell: v.Angle | None = key(
+    rise: Moving = key("the angle of the rise", "100 deg")
+    upper_dwell: Dwell = key("the angle of the upper dwell", "20 deg", 0.0)
+    fall: Moving = key("the angle of the return", "90 deg")
+    lower_dwell: Dwell | None = key(
         "the angle of the lower dwell; the rest of the turn", "150 deg", None
     )
     law: LawName = key("the law of motion of the rise", "sine", "sine")
@@ -87,9 +85,9 @@ class CamTable(Table):
     )
     least_curvature: v.Length = key("least radius of curvature under a flat face", "5 mm", 0.0)
     turns: v.Turns = key("which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
-    pressure: v.Angle | None = key("largest pressure angle allowed", "30 deg", None)
-    transmission: v.Angle | None = key("or the least transmission angle", "60 deg", None)
-    pressure_return: v.Angle | None = key("largest pressure angle of the return", "45 deg", None)
+    pressure: Pressure | None = key("largest pressure angle allowed", "30 deg", None)
+    transmission: Pressure | None = key("or the least transmission angle", "60 deg", None)
+    pressure_return: Pressure | None = key("largest pressure angle of the return", "45 deg", None)
     r0: v.PositiveLength | None = key("the least radius chosen", "52.1 mm", None)
     roller: v.PositiveLength | None = key("the radius of the roller", "16.8 mm", None)
     share_of_r0: Share = key("how much of r0 the roller may be", 0.4, 0.4)

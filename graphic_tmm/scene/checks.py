@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from itertools import combinations
+import cmath
+import math
+from collections.abc import Collection, Iterator, Mapping
+from itertools import chain
 
+from graphic_tmm.mechanism.masses import free_points, shared
 from graphic_tmm.scene import geometry
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.lines import Path
@@ -17,9 +20,13 @@ def check(parts: Parts) -> Iterator[Found]:
     """Every contradiction in the sections that could be understood."""
     if parts.frame is not None:
         yield from _places(("frame",), parts.frame.points)
+    bodies = [body.points for body in (parts.frame, *parts.links) if body is not None]
+    pins = shared(bodies)
     for path, link in pairing(parts.links, "link"):
-        yield from _places((*path, "points"), link.points)
-        yield from _masses(path, link)
+        centres = centres_of(link, pins)
+        yield from _places((*path, "points"), link.points, centres)
+        if parts.forces is not None or parts.flywheel is not None:
+            yield from _masses(path, link, centres)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
@@ -39,22 +46,40 @@ def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
     return [((*path, "slides", i), slide) for i, slide in enumerate(link.slides)]
 
 
-def _places(path: Path, points: Mapping[str, complex]) -> Iterator[Found]:
-    """Two letters of one link at one place; a mass centre (S...) may lie on another letter."""
-    kept = [(letter, place) for letter, place in points.items() if not letter.startswith("S")]
-    for (first, place), (second, other) in combinations(kept, 2):
-        if abs(place - other) < geometry.SAME_PLACE:
-            says = (
-                f"{first} and {second} lie at the same place, so the length {first}{second} is zero"
-            )
-            yield Found((*path, second), f"{says}; move one, or use one letter for both")
+def _places(
+    path: Path, points: Mapping[str, complex], centres: Collection[str] = ()
+) -> Iterator[Found]:
+    """Two letters of one link at one place; its mass centre may lie on another letter."""
+    cells: dict[tuple[int, int], list[tuple[str, complex]]] = {}
+    for letter, place in points.items():
+        if letter in centres or not cmath.isfinite(place):
+            continue
+        x, y = (math.floor(size / geometry.SAME_PLACE) for size in (place.real, place.imag))
+        about = (cells.get((x + i, y + k), ()) for i in (-1, 0, 1) for k in (-1, 0, 1))
+        for first, other in chain.from_iterable(about):
+            if abs(place - other) < geometry.SAME_PLACE:
+                says = f"{first} and {letter} lie at the same place, so the length {first}{letter} is zero"
+                yield Found((*path, letter), f"{says}; move one, or use one letter for both")
+                break
+        else:
+            cells.setdefault((x, y), []).append((letter, place))
 
 
-def _masses(path: Path, link: LinkTable) -> Iterator[Found]:
-    centres = [letter for letter in link.points if letter.startswith("S")]
-    if link.centre is None and len(centres) > 1 and (link.mass is not None or link.J is not None):
-        listed = " or ".join(f'"{letter}"' for letter in centres)
-        yield Found((*path, "centre"), f"it is missing; say which is the mass centre, {listed}")
+def centres_of(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:
+    """Return the mass centre of a link; where a mass has none, the points that may be meant: in no pair."""
+    if link.centre is not None or not link.mass:
+        return (link.centre,) if link.centre is not None else ()
+    return free_points(link.points, pins)
+
+
+def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[Found]:
+    """A mass without its centre, where more than one point may be meant."""
+    if link.centre is None and len(centres) > 1:
+        listed = " or ".join(f'centre = "{letter}"' for letter in centres)
+        says = f"it is missing, and link {link.number} has a mass"
+        yield Found(
+            (*path, "centre"), f"{says}; no letter is a mass centre by itself: write {listed}"
+        )
 
 
 def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:

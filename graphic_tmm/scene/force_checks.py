@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.mechanism.bounds import INTERVALS
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.force_tables import LoadTable
 from graphic_tmm.scene.lines import Path
-from graphic_tmm.scene.order_checks import LEAST
 from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES
 from graphic_tmm.scene.references import Outline, no_link, outline
 from graphic_tmm.scene.sections import Document, Parts, pairing, table
@@ -47,8 +47,10 @@ def _engine(doc: Document, parts: Parts, names: Outline) -> Iterator[Found]:
     if "indicator" not in doc:
         says = "no pressures are given; write a section [indicator]"
         yield Found(("engine",), says)
-    if parts.drive is not None and parts.drive.positions < LEAST:
-        says = f"diagrams need {LEAST} positions at least; write positions = 12 in [drive]"
+    if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
+        says = (
+            f"diagrams need {INTERVALS.least} positions at least; write positions = 12 in [drive]"
+        )
         yield Found(("engine",), says)
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from graphic_tmm.mechanism.loads import AGAINST
+from graphic_tmm.mechanism.loads import AGAINST, GRAVITY
 from graphic_tmm.scene import force_values as w
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.quantities import KGF
 from graphic_tmm.scene.table import Table, key
 
 
@@ -14,6 +15,11 @@ class EffectsTable(Table):
     """What acts; an effect that is left out is not simulated, not computed and not on the sheet."""
 
     gravity: w.Switch = key("weights of the links", True, False)
+    g: v.Acceleration | None = key(
+        f"what weights are taken with; {GRAVITY} m/s² if it is left out, while kgf is {KGF} N",
+        "9.80665 m/s^2",
+        None,
+    )
     inertia: w.Switch = key("inertia forces and couples of the links", True, False)
     gas: w.Switch = key("the gas of the indicator diagram on the piston", True, False)
     friction: w.Switch = key("friction in the pairs that [friction] names", True, False)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Annotated
 
+from graphic_tmm.mechanism import bounds
 from graphic_tmm.mechanism.loads import AGAINST
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene.order_values import within
 from graphic_tmm.scene.quantities import Dimension, kind_of
-from graphic_tmm.scene.values import SCALE, Names, Rule, choice, mu, whole
+from graphic_tmm.scene.values import SCALE, Names, Rule, bounded, choice, mu, number
 
 _RESISTING = (
     "against velocity",
@@ -85,17 +86,11 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
     return tuple(found)
 
 
-def _coefficient(value: object, names: Names) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= 2:
-        raise ValueError(f"{kind_of(value)} stands here; a coefficient of friction is 0 to 2, 0.1")
-    return float(value)
-
-
 def _limit(value: object, names: Names) -> float:
-    number = quantities.parse(value, "ratio") * 100 if isinstance(value, str) else value
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number <= 100:
+    found = quantities.parse(value, "ratio") * 100 if isinstance(value, str) else value
+    if not bounds.LIMIT.holds(found):
         raise ValueError(f'{kind_of(value)} stands here; write a share, "5 %"')
-    return float(number)
+    return float(found)  # type: ignore[arg-type]
 
 
 def _links(value: object, names: Names) -> tuple[int, ...]:
@@ -123,13 +118,13 @@ ByTravel = Annotated[
     tuple[tuple[float, float], ...],
     Rule(lambda value, names: _pairs(value, names, angle=False), _POINTS),
 ]
-Coefficient = Annotated[float, Rule(_coefficient, {"type": "number", "minimum": 0})]
-Limit = Annotated[float, Rule(_limit, {"type": ["number", "string"]})]
+Coefficient = Annotated[float, number(bounds.FRICTION)]
+Limit = Annotated[float, Rule(_limit, bounded(bounds.LIMIT, "ratio"))]
 Links = Annotated[tuple[int, ...], Rule(_links, {"type": "array", "items": {"type": "integer"}})]
 Balance = Annotated[str, choice("force", "moment", сила="force", момент="moment")]
 Couples = Annotated[str, choice("moment", "pair", момент="moment", пара="pair")]
-Passes = Annotated[int, whole(2, 50)]
+Passes = Annotated[int, number(bounds.PASSES)]
 MuForce = Annotated[float, mu("scale of forces")]
-Share = Annotated[float, Rule(lambda value, names: within(value), {"type": ["number", "string"]})]
+Share = Annotated[float, Rule(lambda value, names: within(value), bounded(bounds.WITHIN, "ratio"))]
 Series = Annotated[str, choice("plan", "series", план="plan", ряд="series")]
 ForceUnit = Annotated[str, choice("N", "kgf", Н="N", кгс="kgf")]

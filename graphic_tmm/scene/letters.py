@@ -14,7 +14,8 @@ from collections.abc import Iterable
 from graphic_tmm.scene import quantities
 
 _LETTER = re.compile(r"[A-Za-zА-Яа-яЁёΑ-Ωα-ω][0-9′]{0,3}")
-_POLES = "PpΠπ"
+POLES = "PpΠπ"
+"""Of points no one may be called so: they are the poles of the plans of velocities and of accelerations."""
 _ALIKE = str.maketrans(
     "АВЕКМНОРСТУХаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧο",
     "ABEKMHOPCTYXaeopcyxABEZHIKMNOPTYXo",
@@ -39,9 +40,12 @@ def letter_fault(letter: str, *, pole: bool = True) -> str:
             f'"{letter[:20]}" is not a letter for a point or guide: one to four characters, '
             "first a Latin, Russian or Greek letter, then digits or ′, such as A, S2 or C′"
         )
-    if pole and letter in _POLES:
+    if pole and letter in POLES:
         kind = "velocity" if letter in "Pp" else "acceleration"
-        return f'"{letter}" is kept for the pole of the {kind} plan; choose another letter'
+        return (
+            f'"{letter}" is kept for the pole of the {kind} plan; choose another letter, '
+            'such as K, or number it, "P1"'
+        )
     return ""
 
 

@@ -50,7 +50,7 @@ class GuideTable(Table):
 
 
 class FrameTable(BaseModel):
-    """The fixed link: every key but number is a fixed point's letter or a guide's name."""
+    """The fixed link: every key but number is a guide's name or a fixed point's letter (not P, p, Π, π)."""
 
     model_config = ConfigDict(defer_build=True, extra="allow")
     __pydantic_extra__: dict[
@@ -93,7 +93,8 @@ class LinkTable(Table):
     number: v.LinkNumber = key("the number of the link", 1)
     name: v.Text = key("what the link is called", "crank", "")
     points: dict[str, v.Point] = Field(
-        default_factory=dict, description="letters and their places in the link's own axes"
+        default_factory=dict,
+        description="letters and their places in the link's own axes; P, p, Π, π are kept for poles",
     )
     guides: dict[str, GuideTable] = Field(
         default_factory=dict, description="guides that move with the link"
@@ -108,7 +109,11 @@ class LinkTable(Table):
     flips_at: v.Angles | None = key("crank angles at which the side changes", ["90 deg"], None)
     mass: v.Mass | None = key("its mass", "25 kg", None)
     J: v.Inertia | None = key("its moment of inertia about the mass centre", "0.02 kg*m^2", None)
-    centre: v.Text | None = key("the letter of its mass centre", "S2", None)
+    centre: v.Text | None = key(
+        "the letter of its mass centre; left out, its only point that is no turning pair",
+        "S2",
+        None,
+    )
 
     @property
     def pairs(self) -> list[SlideTable]:
@@ -138,7 +143,9 @@ class DriveTable(Table):
     link: v.LinkNumber = key("the number of the driving link", 1)
     speed: v.Speed = key("its angular speed, positive", "380 rpm")
     acceleration: v.Spin = key(
-        "its angular acceleration, positive when it speeds up", "20 rad/s^2", 0.0
+        "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows",
+        "20 rad/s^2",
+        0.0,
     )
     turns: v.Turns = key("which way it turns", "clockwise", v.COUNTERCLOCKWISE)
     positions: v.Count = key("how many positions there are in a turn", 12, 12)
@@ -193,7 +200,9 @@ class SheetTable(Table):
     """A sheet, and what is placed on it, in order."""
 
     format: v.Format = key("the format of the sheet", "A1", "A1")
-    place: v.Places = key("the plans on it", ["positions", "velocities"], v.USUAL_PLACES)
+    place: v.Places | None = key(
+        "the plans on it; left out: all that the scene calls for", ["positions", "velocities"], None
+    )
 
 
 class TitleBlockTable(Table):

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
+from typing import Any
 
-from graphic_tmm.scene import build_cam, letters
+from graphic_tmm.mechanism.bounds import INTERVALS, OrderError
+from graphic_tmm.scene import build_cam, build_wheels, letters
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.order_tables import DiagramsTable, IndicatorTable
 from graphic_tmm.scene.sections import Document, Parts, raw_links, table
 
-LEAST = 4
-"""Positions that a diagram needs."""
 ASKED = {
     "diagrams": 'point = "D"',
     "flywheel": "delta = 0.04",
@@ -37,7 +37,9 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
             says = "nothing drives or resists; write a section [indicator], or loads and [forces]"
             yield Found(("flywheel",), says)
     if parts.cam is not None:
-        yield from build_cam.check(parts.cam)
+        yield from list(build_cam.check(parts.cam)) or _refused("cam", build_cam.cam(parts.cam))
+    if parts.gears is not None:
+        yield from _refused("gears", build_wheels.gears(parts.gears))
     if parts.planetary is not None:
         if len(parts.planetary.behind) not in (0, 2):
             says = "the pair behind the train has two wheels; write [15, 25]"
@@ -45,7 +47,26 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
         if parts.planetary.ratio is None and not parts.planetary.teeth:
             says = "neither a ratio nor tooth numbers are given; write ratio = 4.55"
             yield Found(("planetary", "ratio"), says)
+        else:
+            yield from _refused("planetary", build_wheels.planetary(parts.planetary))
     yield from _placed(doc)
+
+
+def _refused(part: str, order: Any) -> Iterator[Found]:
+    """Yield what the plan of a part refuses of its order, before anything is drawn."""
+    from graphic_tmm.mechanism.trains import scheme_of
+    from graphic_tmm.plans.cam_refusals import refuse
+    from graphic_tmm.plans.gear_refusals import refuse_order
+
+    refusals: dict[str, Callable[[Any], object]] = {
+        "cam": refuse,
+        "gears": refuse_order,
+        "planetary": scheme_of,
+    }
+    try:
+        refusals[part](order)
+    except OrderError as error:
+        yield Found(error.key, error.says)
 
 
 def _pressures(parts: Parts, made: IndicatorTable) -> Iterator[Found]:
@@ -84,8 +105,8 @@ def _point(doc: Document, path: tuple[str, ...], letter: str) -> Iterator[Found]
 
 def _row(parts: Parts, section: str) -> Iterator[Found]:
     drive = parts.drive
-    if drive is not None and drive.positions < LEAST:
-        says = f"a diagram needs {LEAST} positions at least, there are {drive.positions}"
+    if drive is not None and not INTERVALS.holds(drive.positions):
+        says = f"a diagram needs {INTERVALS.least} positions at least, there are {drive.positions}"
         yield Found((section,), f"{says}; write positions = 12 in [drive]")
 
 

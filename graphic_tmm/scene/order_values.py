@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from graphic_tmm.mechanism import bounds
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene.quantities import kind_of
-from graphic_tmm.scene.values import SCALE, Rule, choice, mu, whole
+from graphic_tmm.scene.values import SCALE, Rule, bounded, choice, mu, number
 
 
 def _pressures(value: object) -> tuple[float, ...]:
@@ -34,27 +35,10 @@ def _traced(value: object) -> tuple[tuple[float, float], ...]:
 
 def within(value: object) -> float:
     """Return a share of the stroke, 0 … 1; ValueError if it is none."""
-    number = quantities.parse(value, "ratio") if isinstance(value, str) else value
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 <= number <= 1:
+    found = quantities.parse(value, "ratio") if isinstance(value, str) else value
+    if not bounds.WITHIN.holds(found):
         raise ValueError(f"{kind_of(value)} stands here; a share of the stroke is between 0 and 1")
-    return float(number)
-
-
-def _exponent(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= 3:
-        raise ValueError(
-            f"{kind_of(value)} stands here; the exponent n of p·V^n is a number from 0 (constant pressure) to 3"
-        )
-    return float(value)
-
-
-def _share(value: object, most: float) -> float:
-    number = quantities.parse(value, "ratio") if isinstance(value, str) else value
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < most:
-        raise ValueError(
-            f"{kind_of(value)} stands here; a number greater than 0 and less than {most:g} is wanted"
-        )
-    return float(number)
+    return float(found)  # type: ignore[arg-type]
 
 
 MuTime = Annotated[float, mu("scale of times")]
@@ -77,11 +61,12 @@ Traced = Annotated[
         {"type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2}, "minItems": 2},
     ),
 ]
-Within = Annotated[float, Rule(lambda value, names: within(value), {"type": ["number", "string"]})]
-Exponent = Annotated[float, Rule(lambda value, names: _exponent(value), {"type": "number"})]
+Within = Annotated[float, Rule(lambda value, names: within(value), bounded(bounds.WITHIN, "ratio"))]
+Exponent = Annotated[float, number(bounds.EXPONENT)]
+"""n of p·V^n = const; 0 for a constant pressure."""
 Way = Annotated[str, choice("out", "back", туда="out", обратно="back")]
-Irregularity = Annotated[float, Rule(lambda value, names: _share(value, 2.0), SCALE)]
-RimRatio = Annotated[float, Rule(lambda value, names: _share(value, 1.0), SCALE)]
+Irregularity = Annotated[float, number(bounds.DELTA, "ratio")]
+RimRatio = Annotated[float, number(bounds.RIM_RATIO, "ratio")]
 Constant = Annotated[
     str, choice("resisting", "driving", сопротивления="resisting", движущий="driving")
 ]
@@ -93,7 +78,7 @@ Tangents = Annotated[
     str, choice("curve", "points", "none", кривая="curve", точки="points", нет="none")
 ]
 Material = Annotated[str, choice("steel", "cast iron", сталь="steel", чугун="cast iron")]
-Studs = Annotated[int, whole(1, 24)]
+Studs = Annotated[int, number(bounds.STUDS)]
 Start = Annotated[
     str,
     choice("displacement", "velocity", перемещение="displacement", скорость="velocity"),

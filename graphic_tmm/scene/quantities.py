@@ -50,7 +50,9 @@ class Unit(NamedTuple):
 
 NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 LARGEST = 1e12
-_KGF = "9.80665"
+KGF = "9.80665"
+LONGEST_MEANT, MOST_MEANT = 60, 200
+"""A word of more letters is nothing misspelt; so many known words are looked through for what it may mean."""
 _EXACT = Context(prec=60)
 _QUANTITY = re.compile(rf"([+-]?{NUMBER})(.*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9])")
@@ -81,10 +83,10 @@ _TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
     ("mass", "1", "kg кг"),
     ("mass", "0.001", "g г"),
     ("mass", "1000", "t т"),
-    ("mass", _KGF, "kgf·s²/m кгс·с²/м"),
+    ("mass", KGF, "kgf·s²/m кгс·с²/м"),
     ("force", "1", "N Н"),
     ("force", "1000", "kN кН"),
-    ("force", _KGF, "kgf кгс"),
+    ("force", KGF, "kgf кгс"),
     ("pressure", "1", "Pa Па N/m² Н/м²"),
     ("pressure", "1e3", "kPa кПа"),
     ("pressure", "1e6", "MPa МПа N/mm² Н/мм²"),
@@ -93,9 +95,9 @@ _TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
     ("moment", "1", "N·m Н·м"),
     ("moment", "0.001", "N·mm Н·мм"),
     ("moment", "1000", "kN·m кН·м"),
-    ("moment", _KGF, "kgf·m кгс·м"),
+    ("moment", KGF, "kgf·m кгс·м"),
     ("moment of inertia", "1", "kg·m² кг·м²"),
-    ("moment of inertia", _KGF, "kgf·m·s² кгс·м·с²"),
+    ("moment of inertia", KGF, "kgf·m·s² кгс·м·с²"),
     ("scale of lengths", "1", "m/mm м/мм"),
     ("scale of lengths", "0.001", "mm/mm мм/мм"),
     ("scale of velocities", "1", "(m/s)/mm (м/с)/мм m/s/mm м/с/мм m/(s·mm) м/(с·мм)"),
@@ -108,7 +110,7 @@ _TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
     ("scale of works", "1", "J/mm Дж/мм"),
     ("scale of forces", "1", "N/mm Н/мм"),
     ("scale of forces", "1000", "kN/mm кН/мм"),
-    ("scale of forces", _KGF, "kgf/mm кгс/мм"),
+    ("scale of forces", KGF, "kgf/mm кгс/мм"),
     ("density", "1", "kg/m³ кг/м³"),
     ("ratio", "0.01", "%"),
     ("scale of accelerations", "1", "(m/s²)/mm (м/с²)/мм m/s²/mm м/с²/мм m/(s²·mm) м/(с²·мм)"),
@@ -234,12 +236,17 @@ def kind_of(value: object) -> str:
 def near(word: str, known: Iterable[str], cutoff: float = 0.5) -> str:
     """Return the known word that was probably meant; empty if none is like it."""
 
+    def same_length(other: str) -> float:
+        return 0.4 / max(len(word), 1) if len(word) == len(other) else 0.0
+
     def likeness(other: str) -> float:
         ratio = difflib.SequenceMatcher(None, word.casefold(), other.casefold()).ratio()
         begins = other[:1].casefold() == word[:1].casefold()
-        return ratio + (0.2 if len(word) == len(other) else 0.0) + (0.1 if begins else 0.0)
+        return ratio + (0.1 if begins else 0.0) + same_length(other)
 
-    best = max(sorted(known), key=likeness, default="")
+    if len(word) > LONGEST_MEANT:
+        return ""
+    best = max(sorted(known)[:MOST_MEANT], key=likeness, default="")
     return best if best and likeness(best) >= cutoff else ""
 
 
@@ -336,3 +343,13 @@ def _unknown_unit(text: str, rest: str, dimension: Dimension) -> str:
         f"units of {article(dimension)} are {', '.join(known[:10])}",
     ]
     return "; ".join(hint for hint in hints if hint)
+
+
+def in_kgf(value: object) -> bool:
+    """Whether a quantity in kgf stands in a value, in its lists or its tables."""
+    if isinstance(value, dict):
+        return any(in_kgf(item) for item in value.values())
+    if isinstance(value, list):
+        return any(in_kgf(item) for item in value)
+    found = _QUANTITY.match(value.strip()) if isinstance(value, str) else None
+    return found is not None and any(unit in found.group(2) for unit in ("kgf", "кгс"))

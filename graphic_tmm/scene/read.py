@@ -2,30 +2,32 @@
 
 from __future__ import annotations
 
-import re
-import tomllib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import NoReturn
 
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import Fault, SceneError, first_of
+from graphic_tmm.files import Kind
 from graphic_tmm.scene import build, checks, force_checks, order_checks, references
-from graphic_tmm.scene.faults import fault
-from graphic_tmm.scene.lines import locate
+from graphic_tmm.scene.document import document
+from graphic_tmm.scene.faults import Found, fault
+from graphic_tmm.scene.lines import line_of, locate
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import Document, understand
-from graphic_tmm.scene.syntax import syntax_fault
 
 FILE = "scene.toml"
-LARGEST_FILE = 4_000_000
+SCENE = Kind("a scene", f"name a scene file, or a folder with a {FILE}", 256_000)
+TOLD = 50
+"""So many faults of a file are told; a person mends these first."""
 
 
-def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scene:
+def read(path: Path | str, *, missing: Callable[[str], str] = lambda text: "") -> Scene:
     """Read the scene of a file, or of a folder that holds a ``scene.toml``.
 
     Parameters
     ----------
-    path : Path
+    path : Path or str
         The file or the folder.
     missing : callable
         text -> those of its characters that cannot be lettered; none by default.
@@ -40,51 +42,30 @@ def read(path: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scen
     SceneError
         With every fault of the file.
     """
-    file = path / FILE if path.is_dir() else path
-    text = _text(file)
-    doc = _document(file, text)
+    place = Path(path)
+    file = place / FILE if place.is_dir() else place
+    text, doc = document(file, SCENE)
     parts, found = understand(doc)
     found.extend(references.check(doc, missing))
     found.extend(checks.check(parts))
     found.extend(order_checks.check(doc, parts))
     found.extend(force_checks.check(doc, parts))
     if found:
-        lines = locate(text)
-        faults = {fault(doc, lines, item) for item in found}
-        raise SceneError(str(file), tuple(sorted(faults, key=lambda f: (f.line, f.key, f.message))))
-    return build.scene(parts, str(file))
+        raise SceneError(str(file), _in_order(text, doc, found))
+    made = build.scene(parts, str(file))
+    return replace(made, remarks=remarks(doc, parts), told=_told(doc))
 
 
-def _text(file: Path) -> str:
-    try:
-        data = file.read_bytes()
-    except FileNotFoundError:
-        _refuse(file, "there is no such file; name a scene file, or a folder with a scene.toml")
-    except IsADirectoryError:
-        _refuse(file, "this is a folder; a scene is a file")
-    except (OSError, ValueError) as error:
-        _refuse(
-            file, f"the file cannot be read ({type(error).__name__}); check its name and rights"
-        )
-    if len(data) > LARGEST_FILE:
-        _refuse(file, f"the file has {len(data)} bytes; a scene is a short text")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        _refuse(file, "the file is not in UTF-8; save it with the encoding UTF-8", line)
+def _told(doc: Document) -> frozenset[str]:
+    """Return the keys of the file's sections that are tables, as section.key."""
+    tables = {name: section for name, section in doc.items() if isinstance(section, dict)}
+    return frozenset(f"{name}.{key}" for name, section in tables.items() for key in section)
 
 
-def _document(file: Path, text: str) -> Document:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise SceneError(str(file), (syntax_fault(text, str(error)),)) from None
-    except RecursionError:
-        _refuse(file, "lists or tables are nested too deep; a scene needs three levels at most")
-    except ValueError as error:
-        _refuse(file, f"a value cannot be read: {re.sub(r'[;,].*', '', str(error))}")
-
-
-def _refuse(file: Path, message: str, line: int = 0) -> NoReturn:
-    raise SceneError(str(file), (Fault("", line, message),)) from None
+def _in_order(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:
+    """Return the faults in the order of the file; of very many the first."""
+    lines = locate(text)
+    first = sorted(found, key=lambda item: line_of(lines, item.path))[:TOLD]
+    faults = {fault(doc, lines, item) for item in first}
+    ordered = sorted(faults, key=lambda fault: (fault.line, fault.key, fault.message))
+    return first_of(ordered, len(ordered), len(ordered) + len(found) - len(first))

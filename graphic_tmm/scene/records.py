@@ -22,6 +22,29 @@ PART_PLACES = ("cam", "gears", "planetary")
 """What a sheet can show of parts that need no mechanism."""
 
 
+SECTIONS: Mapping[str, tuple[str, ...]] = {
+    "diagrams": ("diagrams",),
+    "flywheel": ("flywheel",),
+    "forces": FORCE_PLACES,
+    "engine": ENGINE_PLACES,
+    **{part: (part,) for part in PART_PLACES},
+}
+"""The sections that call for more than plans, and what a sheet can show of each."""
+PLAN_PLACES = (
+    "positions", "velocities", "accelerations", "equations",
+    "diagrams", "flywheel", *FORCE_PLACES, *ENGINE_PLACES, "structure", "results",
+)  # fmt: skip
+"""What a sheet can show of a mechanism, in the order in which it stands on one that does not say."""
+NEEDS: Mapping[str, tuple[str, ...]] = {
+    "velocity table": ("velocities",),
+    "acceleration table": ("accelerations",),
+    **dict.fromkeys(("equations", "results"), ("velocities", "accelerations")),
+}
+"""The plans without which a place shows nothing."""
+ALL_PLACES = (*PLAN_PLACES, *PART_PLACES)
+"""What stands on a sheet that does not say what does, of what the scene calls for."""
+
+
 @dataclass(frozen=True)
 class Scales:
     """What the scene fixes of its scale factors; None is left to the choice of a standard μ.
@@ -61,7 +84,9 @@ class Scene:
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
-    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train.
+    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train. ``remarks``:
+    what of the file comes to nothing, and defaults that matter, a line each. ``told``: the keys that the file
+    writes in its sections, as section.key.
     """
 
     source: str
@@ -88,8 +113,18 @@ class Scene:
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     task: Task | None = None
+    remarks: tuple[str, ...] = ()
+    told: frozenset[str] = frozenset()
 
     @property
     def shown(self) -> frozenset[str]:
         """What the sheets show: their places."""
         return frozenset(place for sheet in self.sheets for place in sheet.place)
+
+    @property
+    def called(self) -> frozenset[str]:
+        """What the scene calls for, whether or not a sheet shows it: places of its sections, and plans."""
+        found = {place for name in SECTIONS if getattr(self, name) for place in SECTIONS[name]}
+        if self.row.accelerations:
+            found.add("accelerations")
+        return self.shown | found

@@ -26,23 +26,15 @@ class Body(NamedTuple):
 class Outline(NamedTuple):
     """The names of a file: its links by number (the frame too), and the number of the frame.
 
-    Not ``complete`` where a link has no number that could be read.
+    Not ``complete`` where a link has no number that could be read. ``letters``: of all points, in the order of
+    the file, each once; ``moving``: those that do not stand on the frame.
     """
 
     frame: int
     bodies: dict[int, Body]
     complete: bool
-
-    @property
-    def letters(self) -> list[str]:
-        """Every letter of a point, in the order of the file, each once."""
-        return list(dict.fromkeys(name for body in self.bodies.values() for name in body.letters))
-
-    @property
-    def moving(self) -> list[str]:
-        """The letters of points that do not stand on the frame."""
-        fixed = self.bodies[self.frame].letters
-        return [letter for letter in self.letters if letter not in fixed]
+    letters: tuple[str, ...]
+    moving: tuple[str, ...]
 
 
 def outline(doc: Document) -> Outline:
@@ -52,7 +44,7 @@ def outline(doc: Document) -> Outline:
     fixed: int = number if _is_whole(number) else 0
     places = _places(doc)
     guides = tuple(key for key, value in places.items() if isinstance(value, dict))
-    points = tuple(key for key in places if key not in guides)
+    points = tuple(key for key, value in places.items() if not isinstance(value, dict))
     bodies = {fixed: Body(("frame",), points, guides)}
     complete = True
     for path, link in raw_links(doc):
@@ -60,7 +52,10 @@ def outline(doc: Document) -> Outline:
         if _is_whole(link.get("number")):
             body = Body(path, tuple(table(link.get("points"))), tuple(table(link.get("guides"))))
             bodies.setdefault(link["number"], body)
-    return Outline(fixed, bodies, complete)
+    letters = dict.fromkeys(name for body in bodies.values() for name in body.letters)
+    standing = set(bodies[fixed].letters)
+    moving = tuple(letter for letter in letters if letter not in standing)
+    return Outline(fixed, bodies, complete, tuple(letters), moving)
 
 
 def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Found]:
@@ -101,12 +96,12 @@ def _is_number(value: object) -> bool:
 
 
 def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
+    free = next((n for n in range(1, 1000) if n not in names.bodies), 0)
     for path, link in raw_links(doc):
         number = link.get("number")
         if not _is_whole(number) or names.bodies[number].path == path:
             continue
         taken = "the frame" if number == names.frame else "another link"
-        free = next(n for n in range(1, 2000) if n not in names.bodies)
         yield Found(
             (*path, "number"), f"{number} is the number of {taken}; write {free} or another"
         )
@@ -191,7 +186,7 @@ def _sides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         pair = link_side(link["side"])[1] if "side" in link else ()
     except ValueError:
         return
-    yield from _known((*path, "side"), pair, tuple(names.letters), "the mechanism")
+    yield from _known((*path, "side"), pair, names.letters, "the mechanism")
 
 
 def _centre(path: Path, link: Document) -> Iterator[Found]:
@@ -223,4 +218,4 @@ def _moving(path: Path, letter: str, names: Outline) -> Iterator[Found]:
     if letter not in names.moving and letter in names.letters:
         yield Found(path, f'"{letter}" stands on the frame and does not move; name a moving point')
     else:
-        yield from _known(path, (letter,), tuple(names.letters), "the mechanism")
+        yield from _known(path, (letter,), names.letters, "the mechanism")

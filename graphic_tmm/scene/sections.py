@@ -18,8 +18,8 @@ from pydantic_core import ErrorDetails
 from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import lengths, quantities
 from graphic_tmm.scene import models as m
-from graphic_tmm.scene import values as v
 from graphic_tmm.scene.cam_tables import CamTable
+from graphic_tmm.scene.document import Document as Document
 from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
 from graphic_tmm.scene.force_tables import (
     EffectsTable,
@@ -34,13 +34,25 @@ from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES
 from graphic_tmm.scene.wheel_tables import GearsTable, PlanetaryTable
 
 M = TypeVar("M", bound=BaseModel)
-Document = dict[str, Any]
 
 _EXAMPLES = {
     "frame": "a section [frame] with the fixed points, O = [0, 0]",
     "link": "a section [[link]] for each moving link, with its number and points",
     "drive": 'a section [drive] with link = 1 and speed = "380 rpm"',
 }
+_OF_MECHANISM = (
+    "drive",
+    "frame",
+    "link",
+    "diagrams",
+    "flywheel",
+    "forces",
+    "engine",
+    "load",
+    "friction",
+)
+MOST = 100
+"""So many faults of one table are put into words."""
 _FOUND_BY_TASK = ("OA", "BC", "OB")
 
 
@@ -127,7 +139,8 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
 
 def _top_level(doc: Document) -> list[Found]:
     known = list(m.SceneFile.model_fields)
-    found = [Found((key,), unknown_key(key, known)) for key in doc if key not in known]
+    strange = [key for key in doc if key not in known]
+    found = [Found((key,), unknown_key(key, known)) for key in strange[:MOST]]
     for key, example in _EXAMPLES.items():
         if needs_mechanism(doc) and (key not in doc or doc[key] == []):
             found.append(Found((key,), f"it is missing; write {example}"))
@@ -135,12 +148,13 @@ def _top_level(doc: Document) -> list[Found]:
 
 
 def needs_mechanism(doc: Document) -> bool:
-    """Whether the sheets of a document show anything that cannot stand without a mechanism."""
+    """Whether a document asks for anything that cannot stand without a mechanism."""
     raw = doc.get("sheet")
     sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
-    places = [place for s in sheets for place in _listed(s.get("place", v.USUAL_PLACES))]
-    free = (*FREE_PLACES, *PART_PLACES)
-    return any(place not in free for place in places) or "drive" in doc
+    places = [place for s in sheets for place in _listed(s.get("place", []))]
+    asked = any(key in doc for key in _OF_MECHANISM)
+    nothing = any("place" not in s for s in sheets) and not any(key in doc for key in PART_PLACES)
+    return asked or nothing or any(p not in (*FREE_PLACES, *PART_PLACES) for p in places)
 
 
 def _listed(value: object) -> list[object]:
@@ -155,7 +169,7 @@ def _one(
         return model.model_validate(raw, context=names)
     except ValidationError as error:
         details = _without_echoes(error.errors(include_url=False), root)
-    found.extend(from_pydantic(detail, root) for detail in details)
+    found.extend(from_pydantic(detail, root) for detail in details[:MOST])
     if any(detail["type"] != "extra_forbidden" for detail in details):
         return None
     known = copy.deepcopy(raw)
@@ -171,7 +185,7 @@ def _without_echoes(details: list[ErrorDetails], root: Path) -> list[ErrorDetail
     """Leave out a key that is missing only because it stands there misspelt."""
     misspelt = {
         (*path[:-1], quantities.near(str(path[-1]), m.keys_of((*root, *path[:-1])), 0.6))
-        for path in (_path(d) for d in details if d["type"] == "extra_forbidden")
+        for path in (_path(d) for d in details[:MOST] if d["type"] == "extra_forbidden")
     }
     return [d for d in details if d["type"] != "missing" or _path(d) not in misspelt]
 

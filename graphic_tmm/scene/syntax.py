@@ -14,6 +14,11 @@ _TWICE = (
     "Cannot mutate",
 )
 
+LONGEST = 300
+"""A longer line is not quoted in a remedy."""
+SEVERAL = ("link", "load", "sheet")
+"""The sections that a scene may have several times."""
+
 
 def syntax_fault(text: str, message: str) -> Fault:
     """Return the fault that tomllib's message speaks of.
@@ -43,37 +48,57 @@ def _twice(said: str, number: int, line: str, match: re.Match[str] | None) -> Fa
     column = int(match.group(2)) if match and match.group(2) else len(line)
     key = ".".join(names) or (line.strip(" \t[]") if section else _key(line[:column]))
     if section:
-        return Fault(
-            key, number, f"the section [{key}] stands twice; put its keys into one section"
+        name = key.split(".")[0]
+        says = (
+            f"write [[{name}]] in double brackets, each time: there can be several"
+            if name in SEVERAL
+            else "put its keys into one section"
         )
+        return Fault(key, number, f"the section [{key}] stands twice; {says}")
     return Fault(key, number, f'"{key}" stands twice in one table; take one out, or rename it')
 
 
 def _key(line: str) -> str:
-    found = re.findall(r"([\w.′\"'-]+)\s*=", line)
-    return found[0].strip("\"'") if found else ""
+    """Return the word before the first sign of equality, in one pass: a line may be very long."""
+    name = line.partition("=")[0].rstrip() if "=" in line else ""
+    start = len(name)
+    while start and (name[start - 1].isalnum() or name[start - 1] in "_.′\"'-"):
+        start -= 1
+    return name[start:].strip("\"'")
 
 
 def _remedy(line: str) -> str:
     """Return what to do about the commonest mistakes, as far as the line shows them."""
     name, sign, value = line.partition("=")
     value = value.strip()
+    if len(line) > LONGEST:
+        return ""
     if re.search(r"[«»“”„]", line):
         return '; write straight quotes: "..."'
     if not sign and re.match(r"\s*\[", line):
         return "; a section is written [frame], or [[link]] for one of several"
     if not sign:
         return "; write key = value"
+    return _key_remedy(name, value) or _value_remedy(name.strip(), value)
+
+
+def _key_remedy(name: str, value: str) -> str:
     if re.search(r"[^\x00-\x7f]", name.split("#")[0]) and '"' not in name:
         return f'; a key that is not Latin stands in quotes: "{name.strip()}" = ...'
     if re.search(r"[{,]\s*[^\x00-\x7f\s\"]+\s*=", value):
         return '; a key that is not Latin stands in quotes: { "Д" = [0, 0] }'
+    return ""
+
+
+def _value_remedy(name: str, value: str) -> str:
+    if not value or value.startswith("#"):
+        return f"; a value is missing, {name} = ..."
     if re.match(r"[-+]?[0-9]+,[0-9]", value):
         return f"; the decimal sign of a number is a point: {value.replace(',', '.', 1)}"
     if re.match(r"[-+]?[0-9][0-9.,]*\s*[^\W\d_]", value):
-        return f'; a value with a unit stands in quotes: {name.strip()} = "{value}"'
+        return f'; a value with a unit stands in quotes: {name} = "{value}"'
     if value.count("{") > value.count("}"):
         return "; a table in { } stands on one line"
     if re.match(r"[^\W\d_]", value):
-        return f'; a text stands in quotes: {name.strip()} = "{value}"'
+        return f'; a text stands in quotes: {name} = "{value}"'
     return ""

@@ -9,9 +9,11 @@ from typing import Annotated, Any
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
+from graphic_tmm.mechanism import bounds
+from graphic_tmm.mechanism.bounds import Bound
 from graphic_tmm.scene import lengths, letters, quantities
 from graphic_tmm.scene.quantities import Dimension, kind_of
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, FREE_PLACES, PART_PLACES
+from graphic_tmm.scene.records import ALL_PLACES, FREE_PLACES
 
 Names = Mapping[str, float]
 Schema = dict[str, Any]
@@ -107,21 +109,31 @@ def _title(value: object, names: Names) -> str:
     return str(value)
 
 
-def whole(least: int, most: int) -> Rule:
-    """Return the rule for a whole number."""
+def number(bound: Bound, dimension: Dimension | None = None) -> Rule:
+    """Return the rule for a number within bounds; of a dimension it may also be a text with its unit."""
 
-    def check(value: object, names: Names) -> int:
-        if isinstance(value, bool) or not isinstance(value, int):
+    def check(value: object, names: Names) -> float:
+        found = value
+        if dimension is not None and (isinstance(value, str) or dimension != "ratio"):
+            found = quantities.parse(value, dimension)
+        elif bound.whole and (isinstance(value, bool) or not isinstance(value, int)):
             raise ValueError(
                 f"{kind_of(value)} stands here; a whole number is wanted, without quotes"
             )
-        if not least <= value <= most:
-            raise ValueError(
-                f"{kind_of(value)} stands here; a whole number {least} to {most} is wanted"
-            )
-        return value
+        if not bound.holds(found):
+            raise ValueError(f"{kind_of(value)} stands here; {bound.wanted} is wanted")
+        assert isinstance(found, int | float)
+        return found if bound.whole else float(found)
 
-    return Rule(check, {"type": "integer", "minimum": least, "maximum": most})
+    return Rule(check, bounded(bound, dimension))
+
+
+def bounded(bound: Bound, dimension: Dimension | None = None) -> Schema:
+    """Return what an editor is told of a number within bounds."""
+    if dimension is None:
+        return dict(bound.schema)
+    made = _quantity_schema(dimension) if dimension != "ratio" else {}
+    return {**made, "anyOf": [dict(bound.schema), {"type": "string"}]}
 
 
 def _point(value: object, names: Names) -> complex:
@@ -149,7 +161,8 @@ def _speed(value: object, names: Names) -> float:
     number = quantities.parse(value, "angular speed")
     if number == 0:
         raise ValueError(
-            f'{_said(value)}: a drive that stands still moves nothing; write "380 rpm"'
+            f'{_said(value)}: a drive that stands still moves nothing; write "380 rpm"; at a start from rest '
+            'no velocity can be drawn: write a speed as small as "0.001 rad/s" beside the acceleration'
         )
     if number < 0:
         raise ValueError(f'{_said(value)} is negative; write it positive and turns = "{CLOCKWISE}"')
@@ -159,11 +172,11 @@ def _speed(value: object, names: Names) -> float:
 def _ratio(value: object, names: Names) -> float:
     if isinstance(value, str):
         raise ValueError(f"{kind_of(value)} stands here; K_v is a plain number, without quotes")
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 1 < value < 100:
+    if not bounds.SPEED_RATIO.holds(value):
         raise ValueError(
-            f"{kind_of(value)} stands here; K_v is a number greater than 1, such as 1.45"
+            f"{kind_of(value)} stands here; K_v is {bounds.SPEED_RATIO.wanted}, such as 1.45"
         )
-    return float(value)
+    return float(value)  # type: ignore[arg-type]
 
 
 def _mu_l(value: object, names: Names) -> float:
@@ -282,19 +295,7 @@ def _letters(value: object, names: Names) -> tuple[str, ...]:
     return tuple(value)
 
 
-USUAL_PLACES = (
-    "positions", "velocities", "accelerations", "equations", "diagrams", "flywheel", "structure", "results",
-)  # fmt: skip
-"""What stands on a sheet that does not say what does."""
-PLACES = (
-    *USUAL_PLACES,
-    *FORCE_PLACES,
-    *ENGINE_PLACES,
-    "velocity table",
-    "acceleration table",
-    *PART_PLACES,
-    *FREE_PLACES,
-)
+PLACES = (*ALL_PLACES, "velocity table", "acceleration table", *FREE_PLACES)
 _MM: Schema = {
     "anyOf": [{"type": "string"}, {"type": "number"}],
     "description": 'a length on the sheet, "60 mm"',
@@ -310,9 +311,9 @@ _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 Text = Annotated[str, Rule(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})]
 Title = Annotated[str, Rule(_title, {"type": "string", "minLength": 1, "maxLength": 200})]
 Language = Annotated[str, choice("ru", "en")]
-LinkNumber = Annotated[int, whole(0, 999)]
-Count = Annotated[int, whole(1, 100_000)]
-First = Annotated[int, whole(0, 1)]
+LinkNumber = Annotated[int, number(bounds.LINK)]
+Count = Annotated[int, number(bounds.POSITIONS)]
+First = Annotated[int, number(bounds.FIRST)]
 Point = Annotated[
     complex,
     Rule(
@@ -327,9 +328,10 @@ Angle = Annotated[float, _quantity("angle")]
 Angles = Annotated[tuple[float, ...], Rule(_angles, _NUMBERS)]
 Speed = Annotated[float, Rule(_speed, _quantity_schema("angular speed"))]
 Spin = Annotated[float, _quantity("angular acceleration")]
+Acceleration = Annotated[float, _quantity("acceleration", above=0)]
 Mass = Annotated[float, _quantity("mass", least=0)]
 Inertia = Annotated[float, _quantity("moment of inertia", least=0)]
-Ratio = Annotated[float, Rule(_ratio, {"type": "number", "exclusiveMinimum": 1})]
+Ratio = Annotated[float, Rule(_ratio, bounded(bounds.SPEED_RATIO))]
 Target = Annotated[
     int | str, Rule(_target, {"anyOf": [{"type": "integer"}, {"type": "string", "const": "frame"}]})
 ]
@@ -374,7 +376,7 @@ Ruler = Annotated[float | str, Rule(_ruler, _MM)]
 HandName = Annotated[
     str, choice("exact", "cad", "careful", "student", точная="exact", студент="student")
 ]
-Seed = Annotated[int, whole(0, 2**31)]
+Seed = Annotated[int, number(bounds.SEED)]
 Format = Annotated[str, choice("A1", "A1 portrait", "A4", А1="A1", А4="A4")]
 Places = Annotated[
     tuple[str, ...],

@@ -4,49 +4,30 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from graphic_tmm.mechanism.bounds import GEARS, PLANETARY, Bound
 from graphic_tmm.mechanism.trains import SCHEMES
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.quantities import kind_of
 from graphic_tmm.scene.table import Table, key
-from graphic_tmm.scene.values import SCALE, Names, Rule, choice, mu, whole
+from graphic_tmm.scene.values import Names, Rule, bounded, choice, mu, number
 
-_NUMBERS = {"type": "array", "items": {"type": "integer"}}
-
-
-def _number(least: float, most: float, what: str) -> Rule:
-    def check(value: object, names: Names) -> float:
-        plain = isinstance(value, (int, float)) and not isinstance(value, bool)
-        if not plain or not least <= float(value) <= most:  # type: ignore[arg-type]
-            raise ValueError(
-                f"{kind_of(value)} stands here; {what} is a number {least:g} to {most:g}"
-            )
-        return float(value)  # type: ignore[arg-type]
-
-    return Rule(check, {"type": "number", "minimum": least, "maximum": most})
+_NUMBERS = {"type": "array", "items": dict(PLANETARY["behind"].schema)}
 
 
 def _ratio(value: object, names: Names) -> float:
-    plain = isinstance(value, (int, float)) and not isinstance(value, bool)
-    if not plain or value == 0 or abs(float(value)) > 1e4:  # type: ignore[arg-type]
+    if not PLANETARY["ratio"].holds(value) or value == 0:
         raise ValueError(
             f"{kind_of(value)} stands here; a ratio is a number, 4.55, negative if it reverses"
         )
     return float(value)  # type: ignore[arg-type]
 
 
-def _tolerance(value: object, names: Names) -> float:
-    number = quantities.parse(value, "ratio") if isinstance(value, str) else value
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 <= number <= 0.5:
-        raise ValueError(f'{kind_of(value)} stands here; a tolerance is a share, "1 %"')
-    return float(number)
-
-
 def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
     """Return tooth numbers; None for one that is to be found, written "?"."""
 
     def fine(z: object) -> bool:
-        return z == "?" or (isinstance(z, int) and not isinstance(z, bool) and z > 0)
+        return z == "?" or (isinstance(z, int) and PLANETARY["teeth"].holds(z))
 
     if not isinstance(value, list) or not all(fine(z) for z in value):
         raise ValueError(
@@ -65,9 +46,8 @@ def _pair(value: object, names: Names) -> tuple[int, ...]:
 
 def _satellites(value: object, names: Names) -> tuple[int, ...]:
     listed = value if isinstance(value, list) else [value]
-    if not listed or not all(
-        isinstance(k, int) and not isinstance(k, bool) and 0 < k < 50 for k in listed
-    ):
+    known = PLANETARY["satellites"]
+    if not listed or not all(isinstance(k, int) and known.holds(k) for k in listed):
         raise ValueError(
             f"{kind_of(value)} stands here; write a number of satellites, 3, or [3, 4]"
         )
@@ -77,23 +57,49 @@ def _satellites(value: object, names: Names) -> tuple[int, ...]:
 def _stations(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list):
         raise ValueError(f'{kind_of(value)} stands here; a list of lengths is wanted, ["23.5 mm"]')
-    return tuple(1000.0 * quantities.parse(item, "length") for item in value)
+    found = tuple(1000.0 * quantities.parse(item, "length") for item in value)
+    for item, station in zip(value, found, strict=True):
+        if not GEARS["stations"].holds(station):
+            raise ValueError(
+                f"{kind_of(item)} in the list; a station lies beyond N1: write it positive"
+            )
+    return found
 
 
-Teeth = Annotated[int, whole(1, 2000)]
-Shift = Annotated[float, _number(-5.0, 5.0, "a shift coefficient")]
-Coefficient = Annotated[float, _number(0.0, 5.0, "a coefficient")]
-Steps = Annotated[int, whole(2, 500)]
+Teeth = Annotated[int, number(GEARS["z1"])]
+Shift = Annotated[float, number(GEARS["x1"])]
+Rack = Annotated[float, number(GEARS["alpha"], "angle")]
+Addendum = Annotated[float, number(GEARS["ha"])]
+Clearance = Annotated[float, number(GEARS["c"])]
+Steps = Annotated[int, number(GEARS["steps"])]
 Stations = Annotated[tuple[float, ...], Rule(_stations, {"type": "array"})]
-MuSliding = Annotated[float, _number(1e-6, 1e3, "a scale, 1/mm,")]
-Ratio = Annotated[float, Rule(_ratio, {"type": "number"})]
-Tolerance = Annotated[float, Rule(_tolerance, SCALE)]
+MuSliding = Annotated[float, number(Bound(1e-6, 1e3))]
+Ratio = Annotated[float, Rule(_ratio, bounded(PLANETARY["ratio"]))]
+Tolerance = Annotated[float, number(PLANETARY["tolerance"], "ratio")]
+Limit = Annotated[int, number(PLANETARY["least"])]
 TeethList = Annotated[
     tuple[int | None, ...],
-    Rule(_teeth, {"type": "array", "items": {"type": ["integer", "string"]}}),
+    Rule(
+        _teeth,
+        {
+            "type": "array",
+            "items": {"anyOf": [dict(PLANETARY["teeth"].schema), {"type": "string", "const": "?"}]},
+        },
+    ),
 ]
 PairTeeth = Annotated[tuple[int, ...], Rule(_pair, _NUMBERS)]
-Satellites = Annotated[tuple[int, ...], Rule(_satellites, {"type": ["integer", "array"]})]
+Satellites = Annotated[
+    tuple[int, ...],
+    Rule(
+        _satellites,
+        {
+            "anyOf": [
+                dict(PLANETARY["satellites"].schema),
+                {"type": "array", "items": dict(PLANETARY["satellites"].schema), "minItems": 1},
+            ]
+        },
+    ),
+]
 SchemeName = Annotated[str, choice(*SCHEMES)]
 Driving = Annotated[str, choice("1", "H")]
 MuVelocity = Annotated[float, mu("scale of velocities")]
@@ -107,9 +113,9 @@ class GearsTable(Table):
     m: v.PositiveLength = key("the module", "8 mm")
     x1: Shift = key("shift coefficient of wheel 1", 0.83, 0.0)
     x2: Shift = key("shift coefficient of wheel 2", 0.445, 0.0)
-    alpha: v.Angle = key("pressure angle of the rack", "20 deg", 20.0)
-    ha: Coefficient = key("addendum coefficient", 1, 1.0)
-    c: Coefficient = key("clearance coefficient", 0.25, 0.25)
+    alpha: Rack = key("pressure angle of the rack", "20 deg", 20.0)
+    ha: Addendum = key("addendum coefficient", 1, 1.0)
+    c: Clearance = key("clearance coefficient", 0.25, 0.25)
     delta_y: Shift | None = key("equalising shift, if a table gives it", 0.19, None)
     steps: Steps = key("steps by which a flank is rolled", 12, 12)
     stations: Stations = key("distances from N1 where the sliding is wanted", ["23.5 mm"], ())
@@ -129,12 +135,12 @@ class PlanetaryTable(Table):
     tolerance: Tolerance = key("how far it may be off", "1 %", 0.01)
     teeth: TeethList = key('tooth numbers, "?" for one to be found', [25, "?", "?"], ())
     satellites: Satellites = key("number of satellites, or several to choose from", 3, (3,))
-    alpha: v.Angle = key("pressure angle", "20 deg", 20.0)
-    ha: Coefficient = key("addendum coefficient", 1, 1.0)
-    c: Coefficient = key("clearance coefficient", 0.25, 0.25)
-    least: Teeth = key("fewest teeth", 17, 17)
-    most: Teeth = key("most teeth of a wheel", 150, 150)
-    ring_most: Teeth = key("most teeth of a ring", 300, 300)
+    alpha: Rack = key("pressure angle", "20 deg", 20.0)
+    ha: Addendum = key("addendum coefficient", 1, 1.0)
+    c: Clearance = key("clearance coefficient", 0.25, 0.25)
+    least: Limit = key("fewest teeth", 17, 17)
+    most: Limit = key("most teeth of a wheel", 150, 150)
+    ring_most: Limit = key("most teeth of a ring", 300, 300)
     behind: PairTeeth = key("teeth of the pair of gears behind the train", [15, 25], ())
     mu_l: v.MuL | None = key('m/mm, or "1:5"', "1:5", None)
     mu_v: MuVelocity | None = key("(m/s)/mm", "0.5 (m/s)/mm", None)

@@ -7,10 +7,11 @@ from typing import Protocol
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
 from graphic_tmm.mechanism.cam_orders import RockerFollower
 from graphic_tmm.plans.cam import Cam
 from graphic_tmm.plans.cam_centre import Centre
-from graphic_tmm.tables.columns import Column, quiet, row_of
+from graphic_tmm.tables.columns import Column, Positions, Row, row_of
 
 PLAN = "cam"
 
@@ -37,6 +38,12 @@ def cam_angles(made: Cam) -> list[float]:
     return [round(float(angle), 9) for angle in made.diagrams.turn.angles]
 
 
+def cam_positions(part: Drawn) -> Positions:
+    """Return the cam's positions: their numbers and angles."""
+    assert isinstance(part.made, Cam)
+    return tuple(zip(cam_names(part.made), cam_angles(part.made), strict=True))
+
+
 def cam_columns(part: Drawn) -> tuple[Column, ...]:
     """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
     made = part.made
@@ -50,19 +57,17 @@ def cam_columns(part: Drawn) -> tuple[Column, ...]:
         ("dS", made.diagrams.V),
         ("ddS", made.diagrams.A),
     ):
-        mm, mu = part.reading[diagram.reading], part.reading[diagram.chart.mu]
-        found.append(_column(segment, motion, mm * mu, count, mm))
+        mm, value = (part.reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
+        found.append(_column(segment, motion, value, count, mm))
     if isinstance(made.centre, Centre):
-        found.append(_column("pressure", "°", part.reading[made.centre.pressure], count))
-    return tuple(found)
+        found.append(_column("pressure", "°", part.reading.figure(made.centre.pressure), count))
+    at = cam_positions(part)
+    return tuple(column._replace(at=at) for column in found)
 
 
-def _column(segment: str, unit: str, value: object, count: int, mm: object = None) -> Column:
-    places = range(count)
-
-    def row(values: object) -> tuple[float | None, ...]:
-        (quieted,) = quiet([values])  # type: ignore[list-item]
-        return row_of(quieted[:, :count], places, count)
+def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
+    def row(values: Reals) -> Row:
+        return row_of(values[:, :count], range(count), count)
 
     lengths = row(mm) if mm is not None else (None,) * count
     return Column(PLAN, segment, f"symbol cam {segment}", unit, lengths, row(value))

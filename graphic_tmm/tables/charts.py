@@ -6,8 +6,12 @@ import math
 from collections.abc import Sequence
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.captions import CAPTIONS
 from graphic_tmm.plans.project import Project
-from graphic_tmm.tables.columns import Column, quiet, row_of, segment_name
+from graphic_tmm.plans.rim import wanted_outer
+from graphic_tmm.tables.columns import Column, Row, row_of, segment_name
+from graphic_tmm.words import number
 
 
 def chart_columns(
@@ -23,9 +27,7 @@ def chart_columns(
         return ()
     everywhere, made = range(count), []
     for symbol, chart in kinematic.charts.items():
-        mm, mu = reading[chart.ordinates[0]], reading[chart.mu]
-        (mm,) = quiet([mm])
-        rows = row_of(mm, everywhere, count), row_of(mm * mu, everywhere, count)
+        rows = _rows(reading, chart.ordinates[0], chart.mu, count)
         made.append(Column("diagrams", symbol, symbol, chart.unit, *rows))
         source, places = {"V": (reading, everywhere), "a": (planned, project.accelerated)}.get(
             symbol, (None, ())
@@ -35,7 +37,7 @@ def chart_columns(
         view = project.construction.view(kinematic.planned[symbol].view)
         assert view is not None
         assert view.scale is not None
-        (due,) = quiet([source[kinematic.planned[symbol]] * source[view.scale]])
+        due = source.figure(kinematic.planned[symbol], view.scale)
         plan = row_of(due, places, count)
         made.append(
             Column(
@@ -52,15 +54,19 @@ def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
         return ()
     count, made = len(project.names), []
     for chart in project.flywheel.charts:
-        mu = reading[chart.mu]
         for mark in chart.ordinates:
-            letter = mark.letter.replace("y_", "p_") if chart.symbol == "p" else mark.letter
+            letter = mark.name.replace("y_", "p_") if chart.symbol == "p" else mark.name
             if chart.view == "work":
                 continue  # ΔT is laid off, and read, once more among the energies
-            (mm,) = quiet([reading[mark]])
-            rows = row_of(mm, range(count), count), row_of(mm * mu, range(count), count)
+            rows = _rows(reading, mark, chart.mu, count)
             made.append(Column("flywheel", segment_name(letter), letter, chart.unit, *rows))
     return tuple(made)
+
+
+def _rows(reading: Reading, mark: Mark, mu: Mark, count: int) -> tuple[Row, Row]:
+    """Return an ordinate along the positions: mm, and what it stands for."""
+    mm, value = (row_of(reading.figure(mark, by), range(count), count) for by in (None, mu))
+    return mm, value
 
 
 def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[float, str]]:
@@ -79,8 +85,25 @@ def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[floa
         marks |= {n: (mark, unit) for n, mark, unit in zip(named, sizes, units, strict=True)}
     for side in found.indicator.sides if found.indicator is not None else ():
         marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
-    values = {name: (float(reading[mark][0, 0]), unit) for name, (mark, unit) in marks.items()}
+    values = {
+        name: (float(reading.figure(mark)[0, 0]), unit) for name, (mark, unit) in marks.items()
+    }
     return {name: found for name, found in values.items() if math.isfinite(found[0])}
+
+
+def rim_too_wide(project: Project, reading: Reading, language: str) -> str:
+    """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
+    results = flywheel_results(project, reading)
+    if not {"D_max", "D_e", "rim_width"} <= set(results):
+        return ""
+    most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))
+    least = wanted_outer(outer, width)
+    if least is None:
+        return ""
+    key = "rim too wide" if least <= most else "rim too wide, speed"
+    sizes = {"outer": outer, "width": width, "least": least, "most": most}
+    told = {name: number(size, language, 3) for name, size in sizes.items()}
+    return CAPTIONS[language][key].format(**told)
 
 
 def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:

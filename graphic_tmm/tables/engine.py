@@ -7,7 +7,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.plans.engine import Engine
 from graphic_tmm.plans.project import Project
-from graphic_tmm.tables.columns import Column, quiet, row_of
+from graphic_tmm.tables.columns import Column, row_of
 
 PLAN = "engine"
 
@@ -56,12 +56,11 @@ def _column(
     project: Project, reading: Reading, name: str, mark: Mark, unit: str, mm: Mark | None = None
 ) -> Column:
     count = len(project.names)
-    (value,) = quiet([reading[mark]])
-    row = row_of(value, range(count), count)
+    row = row_of(reading.figure(mark), range(count), count)
     if mm is None:
         return Column(PLAN, name, f"engine {name}", unit, (None,) * count, row)
-    (lengths,) = quiet([reading[mm]])
-    return Column(PLAN, name, f"engine {name}", unit, row_of(lengths, range(count), count), row)
+    lengths = row_of(reading.figure(mm), range(count), count)
+    return Column(PLAN, name, f"engine {name}", unit, lengths, row)
 
 
 def engine_results(project: Project, reading: Reading) -> dict[str, tuple[float, str]]:
@@ -78,7 +77,7 @@ def engine_results(project: Project, reading: Reading) -> dict[str, tuple[float,
         "J_rod_excess": (lumped.lost, "kg·m²"),
     }
     return {
-        name: (float(reading[mark][0, 0]), unit)
+        name: (float(reading.figure(mark)[0, 0]), unit)
         for name, (mark, unit) in marks.items()
         if mark is not None
     }

@@ -12,7 +12,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.plans.forces import Forces
 from graphic_tmm.plans.polygons import Reaction
 from graphic_tmm.plans.project import Project
-from graphic_tmm.tables.columns import Column, quiet, row_of, segment_name
+from graphic_tmm.tables.columns import Column, Row, row_of, segment_name
 
 PLAN = "forces"
 
@@ -38,23 +38,16 @@ def force_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
     if made is None:
         return ()
     rows = [*_loads(made), *_reactions(made, project.mu_l), *_balance(made)]
-    forces = quiet([reading[row.value] for row in rows if row.unit == "N"])
-    values = iter(forces)
     found = []
     for row in rows:
-        value = next(values) if row.unit == "N" else reading[row.value]
-        if row.scale is not None:
-            value = value * reading[row.scale]
-        value = _at(np.abs(value) if row.size else value, places)
-        mm = (
-            (None,) * count
-            if row.mm is None
-            else row_of(_at(reading[row.mm], places), places, count)
-        )
-        found.append(
-            Column(PLAN, row.segment, row.letter, row.unit, mm, row_of(value, places, count))
-        )
-    unsettled = [k for k in places if _balance_at(found, k) is None]
+        value = _at(reading.figure(row.value, row.scale), places)
+        mm: Row = (None,) * count
+        if row.mm is not None:
+            mm = row_of(_at(reading.figure(row.mm), places), places, count)
+        told = row_of(np.abs(value) if row.size else value, places, count)
+        found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
+    # passes that do not settle leave no force known; without friction each force stands by itself
+    unsettled = [k for k in places if made.open is not None and _balance_at(found, k) is None]
     return tuple(column.without(unsettled) for column in found)
 
 

@@ -26,7 +26,7 @@ def spread_columns(base: Sequence[Column], trials: Sequence[Sequence[Column]]) -
         for name, share in QUANTILES.items():
             segment, letter = f"{column.segment}_{name}", f"{column.letter} {name}"
             rows = _quantile(mm, share), _quantile(value, share)
-            found.append(Column(column.plan, segment, letter, column.unit, *rows))
+            found.append(Column(column.plan, segment, letter, column.unit, *rows, column.at))
     return found
 
 

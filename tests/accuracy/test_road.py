@@ -54,18 +54,24 @@ def test_accuracy_without_time_speaks_of_no_seconds() -> None:
     ("text", "words"),
     [
         ("R9 = 1.0", ["R9", "no such elementary operation", "R1"]),
-        ("R1 = -1", ["R1", "0 or more"]),
-        ("R1 = true", ["R1", "0 or more"]),
-        ("R1 = inf", ["R1", "0 or more"]),
-        ('R1 = "long"', ["R1", "0 or more"]),
-        ("R1 =", ["not TOML", "R1 = 0.1"]),
+        ("R1 = -1", ["R1", "a number 0 to 1000000"]),
+        ("R1 = true", ["R1", "a number 0 to 1000000"]),
+        ("R1 = inf", ["R1", "a number 0 to 1000000"]),
+        ('R1 = "long"', ["R1", "a number 0 to 1000000"]),
+        ("R1 =", [":1: R1: ", "not TOML", "a value is missing"]),
+        ("R1 = " + "9" * 5000, ["a value cannot be read"]),
+        (f"R1 = {10**400}", ["R1", "a number 0 to 1000000"]),
+        ("R1 = " + "[" * 5000, ["nested too deep"]),
+        ("R1 = " + "[" * 20 + "]" * 20, ["nested too deep"]),
+        ("R1." * 3000 + "R1 = 1", ["nested too deep"]),
+        ("# \xff", ["not in UTF-8"]),
     ],
 )
 def test_a_table_of_minutes_is_refused_with_its_key(
     tmp_path: Path, text: str, words: list[str]
 ) -> None:
     file = tmp_path / "minutes.toml"
-    file.write_text(text)
+    file.write_bytes(text.encode("latin-1"))
     with pytest.raises(SceneError) as refused:
         read_minutes(str(file))
     assert all(word in str(refused.value) for word in [*words, str(file)])

@@ -1,4 +1,4 @@
-"""What everything costs: `python tests/benchmarks/run.py` prints the tables of the README in Markdown.
+"""What everything costs: `python tests/benchmarks/run.py` prints the tables of tests/README.md.
 
 Medians of one run, competitors in turns. The machine is noisy: trust the ratios, not the seconds. Each of
 the scripts named below runs alone too.

@@ -9,7 +9,6 @@ import pytest
 
 from graphic_tmm.board.calculations import to_board
 from graphic_tmm.board.curve import french_curve
-from graphic_tmm.board.doubt import SHAKE
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations import (
@@ -23,6 +22,7 @@ from graphic_tmm.board.operations import (
     tangent,
 )
 from graphic_tmm.board.record import Board, Mark
+from graphic_tmm.board.shaking import SHAKE
 from graphic_tmm.board.values import Angle, Length, Number, Point, Side
 
 Row = list[float] | float

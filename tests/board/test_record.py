@@ -6,7 +6,7 @@ import pytest
 
 from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations import join, lay_off, meet, parallel, ray
-from graphic_tmm.board.record import Board
+from graphic_tmm.board.record import TALLY, Board
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.errors import ConstructionError
 
@@ -54,15 +54,16 @@ def test_a_point_bears_its_letter_alone_in_a_view() -> None:
     board.open("velocities")
     mark = board.draw(lay_off, "O", line, marks["l"])
     assert (mark.view, mark.letter) == ("velocities", "O")
-    assert board.free("O") == "O′"
+    assert board.free("O") == f"O{TALLY}"
     assert board.free("Q") == "Q"
 
 
 def test_two_bodies_may_share_a_line_or_a_length() -> None:
     board, marks = _board()
     first, second, third = (board.draw(ray, "m", marks["O"], marks["φ"]) for _ in range(3))
-    assert [mark.letter for mark in (first, second, third)] == ["m", "m′", "m′′"]
-    assert len({first, second, third}) == 3
+    made = (first, second, third)
+    assert len({mark.letter for mark in made}) == len(set(made)) == 3
+    assert [mark.name for mark in made] == ["m", "m", "m"]
 
 
 def test_what_was_refused_is_not_in_the_log() -> None:
@@ -140,5 +141,5 @@ def test_sentences_name_all_arguments_and_nothing_else(op: object) -> None:
     texts = [op.en, op.ru]  # type: ignore[attr-defined]
     names = [{name for _, name, _, _ in string.Formatter().parse(text) if name} for text in texts]
     assert names[0] == names[1]
-    assert names[0] <= {*op.arguments, "it"}  # type: ignore[attr-defined]
+    assert names[0] <= {*op.arguments, *op.choices, "it"}  # type: ignore[attr-defined]
     assert op.formula or op.ru  # type: ignore[attr-defined]

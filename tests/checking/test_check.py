@@ -66,8 +66,8 @@ def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     arguments = ["check", "crank-rocker", "--photo", str(photo), "--corners", corners]
     done = CliRunner().invoke(main, [*arguments, "--overlay", str(out)])
     assert done.exit_code == 0, done.output
-    assert 'href="under.png"' in out.read_text("utf-8")
-    with image.open(tmp_path / "under.png") as flat:
+    assert 'href="under-flat.png"' in out.read_text("utf-8")
+    with image.open(tmp_path / "under-flat.png") as flat:
         assert flat.size[0] == pytest.approx(210 * 4, abs=2)
     bad = CliRunner().invoke(main, [*arguments[:-1], "1,2 3,4"])
     assert bad.exit_code == 2

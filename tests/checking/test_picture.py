@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from graphic_tmm.checking.picture import read
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SceneError, SheetError
 
 
 def chunk(name: bytes, body: bytes) -> bytes:
@@ -70,10 +70,18 @@ def test_what_is_no_photograph_is_told(tmp_path: Path, content: bytes) -> None:
         read(path)
 
 
-def test_what_is_no_file_is_told(tmp_path: Path) -> None:
-    for path in (tmp_path, tmp_path / "none.png", tmp_path / ("a" * 5000), Path("/dev/zero")):
-        with pytest.raises(SheetError, match="no such file"):
-            read(path)
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        (".", "this is a folder; name a photograph"),
+        ("none.png", "there is no such file; name a photograph"),
+        ("a" * 5000, "cannot be read"),
+        ("/dev/zero", "a device or a pipe, no ordinary file; name a photograph"),
+    ],
+)
+def test_what_is_no_file_is_told(name: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match=said):
+        read(tmp_path / name)
 
 
 @pytest.mark.parametrize("form", ["JPEG", "PNG", "TIFF", "WEBP", "BMP"])

@@ -1,4 +1,4 @@
-"""Files changed at random, scenes and readings: each is drawn, or refused with one message; nothing else.
+"""Files and command lines changed at random: each is drawn, or refused with one message; nothing else.
 
     python tests/hard/fuzz.py 20000 [--seed 0] [--first 0] [--jobs 2]
 
@@ -18,22 +18,23 @@ import time
 import traceback
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import chdir, contextmanager
 from functools import cache, partial
 from multiprocessing import Pool
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
-from click.testing import CliRunner
-from fuzz_tasks import COMMANDS, Task, task, unchanged
+from click.testing import CliRunner, Result
+from fuzz_options import CSV, MINUTES, OUT, SCENE
+from fuzz_tasks import Task, task, unchanged
 
 from graphic_tmm.__main__ import main
 
-LONG = 2.0
+LONG = 10.0
 """Seconds a command may add to what the scene takes unchanged: more is a hang."""
-HANG = 30
-"""Seconds after which a command is broken off."""
+HANG, ASLEEP = 30, 600
+"""Seconds after which a command is broken off: of the processor, and of the day (it waits for something)."""
 MEMORY = 2 << 30
 """Bytes that a process may take (not with ``--only``): more is a fault, not a machine that swaps."""
 
@@ -61,22 +62,24 @@ def _clock(seconds: int) -> Iterator[None]:
     def ring(*_: Any) -> None:
         raise _Hang
 
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.alarm(seconds)
+    before = [signal.signal(one, ring) for one in (signal.SIGALRM, signal.SIGVTALRM)]
+    signal.alarm(ASLEEP)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
     try:
         yield
     finally:
         signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        for one, old in zip((signal.SIGALRM, signal.SIGVTALRM), before, strict=True):
+            signal.signal(one, old)
 
 
-def arguments(command: str, scene: Path, csv: Path, out: Path) -> list[str]:
-    """Return a command line."""
-    verb, *options = COMMANDS[command][0]
-    if verb == "draw":
-        options.append(str(out))
-    files = [str(scene), str(csv)] if command == "check" else [str(scene)]
-    return [verb, *files, *options]
+def arguments(one: Task, files: dict[str, Path]) -> list[str]:
+    """Return a command line, its files named."""
+    line = list(one.line)
+    for mark, path in files.items():
+        line = [word.replace(mark, str(path)) for word in line]
+    return line
 
 
 def _whole(out: Path) -> str:
@@ -92,9 +95,11 @@ def _whole(out: Path) -> str:
     return ""
 
 
-def _told(command: str, text: str) -> str:
+def _told(line: tuple[str, ...], text: str) -> str:
     """Return what is wrong with a text printed for machines."""
-    if "json" not in COMMANDS[command][0]:
+    if "json" not in line[line.index("-f") :][1:2] if "-f" in line else True:
+        return ""
+    if line.count("-f") != 1 or text.startswith("Usage:") or "--template" in line:
         return ""
     try:
         json.loads(text, parse_constant=_no_number)
@@ -109,37 +114,59 @@ def _no_number(text: str) -> float:
 
 def run(one: Task, folder: Path) -> tuple[int, float, str]:
     """Run a task in a folder; return its status, seconds, and what is wrong."""
-    scene, csv, out = folder / "scene.toml", folder / "readings.csv", folder / "out"
-    scene.write_bytes(one.text.encode("utf-8", "surrogatepass"))
-    if one.readings is not None:
-        csv.write_bytes(one.readings)
-    before = sorted(folder.iterdir())
+    files = {
+        SCENE: folder / "scene.toml",
+        CSV: folder / "readings.csv",
+        MINUTES: folder / "minutes.toml",
+    }
+    out = folder / "out"
+    given = {
+        SCENE: one.text.encode("utf-8", "surrogatepass"),
+        CSV: one.readings,
+        MINUTES: one.minutes,
+    }
+    for mark, data in given.items():
+        if data is not None:
+            files[mark].write_bytes(data)
+    before = _stands(folder, out)
     start = time.process_time()
     try:
-        with _clock(HANG):
-            result = CliRunner().invoke(main, arguments(one.command, scene, csv, out))
+        with _clock(HANG), chdir(folder):
+            result = CliRunner().invoke(main, arguments(one, {**files, OUT: out}))
     except _Hang:
         return -1, float(HANG), f"hangs for {HANG} s"
     seconds = time.process_time() - start
     if isinstance(result.exception, _Hang):
         return -1, seconds, f"hangs for {HANG} s"
+    return result.exit_code, seconds, _fault(one, result, out, before, _stands(folder, out))
+
+
+def _stands(folder: Path, out: Path) -> dict[str, bytes]:
+    """Return what stands in a folder but for the output."""
+    return {
+        path.name: path.read_bytes() for path in folder.iterdir() if path != out and path.is_file()
+    }
+
+
+def _fault(
+    one: Task, result: Result, out: Path, before: dict[str, bytes], after: dict[str, bytes]
+) -> str:
+    """Return what is wrong with how a command has ended; "" if nothing."""
     status = result.exit_code
     if result.exception is not None and not isinstance(result.exception, SystemExit):
-        told = "".join(traceback.format_exception(result.exception)[-3:])
-        return status, seconds, f"traceback: {told}"
-    if status not in ((0, 1, 2) if one.command == "check" else (0, 2)):
-        return status, seconds, f"exit status {status}"
-    if status == 2 and not result.stderr.startswith("graphic-tmm: "):
-        return status, seconds, f"no message: {result.stderr[:200]!r}"
+        return f"traceback: {''.join(traceback.format_exception(result.exception)[-3:])}"
+    if status not in ((0, 1, 2) if "check" in one.line else (0, 2)):
+        return f"exit status {status}: {result.stderr[:300]!r}"
+    if status == 2 and not result.stderr.startswith(("graphic-tmm: ", "Usage: ", "Error: ")):
+        return f"no message: {result.stderr[:200]!r}"
     if status == 2 and (out.exists() or result.stdout):
-        return status, seconds, "refused, but something was written"
-    if sorted(set(folder.iterdir()) - {out}) != before:
-        return status, seconds, "wrote beside its folder"
-    return (
-        status,
-        seconds,
-        _whole(out) or (_told(one.command, result.stdout) if status != 2 else ""),
-    )
+        return "refused, but something was written"
+    if {name: after.get(name) for name in before} != before:
+        return "changed what it was given"
+    strange = set(after) - set(before)
+    if (status == 2 and strange) or (one.command != "options" and strange):
+        return f"wrote beside its folder: {strange}"
+    return _whole(out) or (_told(one.line, result.stdout) if status != 2 else "")
 
 
 @cache
@@ -172,7 +199,9 @@ def case(number_: int, seed: int = 0, names: tuple[str, ...] = ()) -> Case:
 
 def _only(number_: int, seed: int) -> int:
     one = task(seed, number_)
-    print(one.readings.decode("utf-8", "backslashreplace") if one.readings else one.text)
+    print(*one.line)
+    data = one.minutes if one.command == "minutes" else one.readings
+    print(data.decode("utf-8", "backslashreplace") if data else one.text)
     print(found := case(number_, seed))
     return int(bool(found.fault))
 

@@ -1,4 +1,4 @@
-"""Five hundred changed scene files, the same ones each time; more by ``python tests/hard/fuzz.py``."""
+"""Three hundred changed files and command lines, the same each time; more by ``python tests/hard/fuzz.py``."""
 
 from __future__ import annotations
 
@@ -26,12 +26,10 @@ QUICK = (
 """Scenes that are drawn in a fraction of a second."""
 
 
-@pytest.mark.parametrize("first", range(0, 500, 25))
+@pytest.mark.parametrize("first", range(0, 300, 25))
 def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
     found = [case(number, 1, QUICK) for number in range(first, first + 25)]
-    faults = [one for one in found if one.fault and "takes" not in one.fault]
-    assert not faults, faults
-    # a machine may be busy with other things; a hang of 30 s is a fault on any
+    assert not [one for one in found if one.fault]
     # 1: a check that found something
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
 

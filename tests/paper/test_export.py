@@ -55,6 +55,32 @@ def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
         assert head(export.png(sheet, ppi=ppi)) == size
 
 
+@pytest.mark.parametrize("ppi", [96.0, 150.0, 300.0])
+def test_a_png_is_printed_as_large_as_its_sheet(drawn, ppi: float) -> None:
+    """Half a dot of the width, half a dot to the metre of the chunk: no more can be lost."""
+    image = pytest.importorskip("PIL.Image")
+    for sheet in drawn:
+        with image.open(io.BytesIO(export.png(sheet, ppi=ppi))) as opened:
+            opened.load()  # every chunk has its sum
+            printed = [
+                size / dpi * 25.4 for size, dpi in zip(opened.size, opened.info["dpi"], strict=True)
+            ]
+        for size, due in zip(printed, (sheet.width, sheet.height), strict=True):
+            assert abs(size - due) <= 25.4 / ppi / 2 + due * 0.5 * 0.0254 / ppi * 1.001
+
+
+NASTY = 'Лист "1" \\ #read("/etc/passwd") $x$ \\"'
+
+
+def test_a_pdf_bears_the_title_and_the_language_of_its_sheets(drawn) -> None:
+    pdfplumber = pytest.importorskip("pdfplumber")
+    for title, language in ((drawn[0].title, drawn[0].language), (NASTY, "en"), (NASTY, "ru")):
+        named = [sheet._replace(title=title, language=language) for sheet in drawn[:1]]
+        with pdfplumber.open(io.BytesIO(export.pdf(named))) as file:
+            assert file.metadata["Title"] == title
+            assert file.doc.catalog["Lang"] == language.encode()
+
+
 def test_without_typst_the_remedy_is_told(drawn, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "typst", None)
     with pytest.raises(SheetError, match=r"pip install 'graphic-tmm\[pdf\]'"):

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import ViewError
 from graphic_tmm.paper.drawing import Drawing, line
-from graphic_tmm.paper.layout import GAP, Room, bounds, pack
+from graphic_tmm.paper.layout import GAP, Room, bounds, pack, settled
 
 ROOM = Room((20.0, 5.0, 836.0, 589.0), ((651.0, 5.0, 836.0, 60.0), (20.0, 575.0, 90.0, 589.0)))
 kinds = st.sampled_from(["velocities-1", "table-links", "accelerations-2"])
@@ -53,12 +53,24 @@ def test_plans_stand_in_rows_beside_the_plan_of_positions() -> None:
     assert len(set(tops)) == 2
 
 
-def test_a_view_that_fits_no_sheet_says_what_would_help() -> None:
-    with pytest.raises(
-        SheetError, match=r"900×20 mm and does not fit on A1 .*smaller pa \(or a larger mu_v\)"
-    ):
+def test_a_view_that_fits_no_sheet_says_its_name_and_size() -> None:
+    with pytest.raises(ViewError, match=r"900×20 mm and does not fit on A1") as told:
         pack([view("velocities-1", 900, 20)], (ROOM, ROOM), "A1")
-    with pytest.raises(SheetError, match=r'further sheet with format = "A1".*smaller OA'):
-        pack([view("positions", 900, 20)], (ROOM, ROOM), "A4")
-    with pytest.raises(SheetError, match=r'further sheet with format = "A1".*, or fewer positions'):
-        pack([view("table-velocities", 900, 20)], (ROOM, ROOM), "A4")
+    assert told.value.view == "velocities-1"
+    assert told.value.size == (900.0, 20.0)
+
+
+def test_a_view_comes_apart_only_where_no_sheet_holds_it() -> None:
+    halves = [view("table-a", 400, 20), view("table-b", 400, 20)]
+    whole = view("table", 800, 20)._replace(apart=lambda within: halves)
+    assert settled(whole, ROOM.within) == [whole]
+    wider = view("table", 810, 20)._replace(apart=lambda within: halves)
+    assert settled(wider, ROOM.within) == halves
+
+
+def test_a_sheet_offers_its_largest_free_rectangles() -> None:
+    # the whole width above the title block, or below the column; the whole height left of the block
+    assert ROOM.within.width == 836 - 20 - 2 * GAP
+    for size in ROOM.within.sizes:
+        pack([view("velocities-1", *size)], (ROOM, ROOM), "A1")
+        assert ROOM.within.share(size[0] + 1, size[1] + 1) < 1

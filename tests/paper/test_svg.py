@@ -3,9 +3,11 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
+import os
 import re
 import subprocess
 import sys
+from urllib.parse import unquote_to_bytes
 from xml.etree import ElementTree
 
 import pytest
@@ -15,10 +17,13 @@ from hypothesis import strategies as st
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
 from graphic_tmm.paper.letters import escape, missing
-from graphic_tmm.paper.svg import clean, number, path_data, svg
+from graphic_tmm.paper.pens import pens
+from graphic_tmm.paper.svg import Under, clean, number, path_data, svg
 
 NS = "{http://www.w3.org/2000/svg}"
-ALLOWED = {f"{NS}{tag}" for tag in ("svg", "g", "path", "rect", "text", "title")}
+ALLOWED = {f"{NS}{tag}" for tag in ("svg", "g", "path", "rect", "title", "desc")}
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+XML = "{http://www.w3.org/XML/1998/namespace}"
 NASTY = [
     "<script>alert(1)</script>",
     "a & b",
@@ -250,14 +255,15 @@ def test_any_text_parses_back(text: str) -> None:
     assert element.attrib.get("data-note", "") == clean(text)
 
 
-def test_labels_are_drawn_named_and_searchable() -> None:
+def test_labels_are_drawn_and_named_and_live_text_is_asked_for() -> None:
     labels = (
         Label("план", 100 + 100j, 5),
         Label("план", 100 + 100j, 5, "middle"),
         Label("план", 100 + 100j, 5, "end", 90),
         Label("", 0j),
     )
-    root = parse(sheet(labels=labels))
+    assert not parse(sheet(labels=labels)).findall(f".//{NS}text")
+    root = ElementTree.fromstring(svg(sheet(labels=labels), searchable=True))
     drawn = root.findall(f".//{NS}g[@class='label']")
     assert [g.attrib["aria-label"] for g in drawn] == ["план"] * 3
     assert all(g.find(f"{NS}title").text == "план" for g in drawn)
@@ -324,6 +330,51 @@ def test_one_element_a_line() -> None:
     )
     for row in out.splitlines():
         assert len(re.findall("<[a-z]", row)) <= 1
+
+
+def test_a_sheet_tells_its_language_and_what_is_on_it() -> None:
+    root = parse(sheet()._replace(language="ru"))
+    assert (root.attrib["lang"], root.attrib[f"{XML}lang"]) == ("ru", "ru")
+    assert [child.tag for child in root[:2]] == [f"{NS}title", f"{NS}desc"]
+    assert [child.text for child in root[:2]] == ["Лист", "План"]
+    assert not {"lang", f"{XML}lang"} & set(parse(sheet()).attrib)
+
+
+def test_every_drawing_is_a_layer_of_the_page_with_its_title() -> None:
+    one = Drawing("a", "План <скоростей>", (line("main", 0j, 1j),))
+    root = parse(Sheet("s", "t", "A4", 210, 297, (one, one._replace(name="b", title="Б"))))
+    layers = [child for child in root if f"{INKSCAPE}groupmode" in child.attrib]
+    assert [layer.attrib[f"{INKSCAPE}groupmode"] for layer in layers] == ["layer", "layer"]
+    assert [layer.attrib[f"{INKSCAPE}label"] for layer in layers] == ["План <скоростей>", "Б"]
+    assert [layer.find(f"{NS}title").text for layer in layers] == ["План <скоростей>", "Б"]
+
+
+@pytest.mark.parametrize(
+    "name", ["a.png", "a 'b' \"c\" & <d> #e?%f.png", "\udcff.png", "план.png", "a:b.png"]
+)
+def test_a_picture_lies_under_thin_coloured_ink_and_nothing_hides_it(name: str) -> None:
+    strokes = (
+        line("main", 0j, 9j),
+        circle("joint", 5j, 1.5),
+        line("paper", 0j, 1j, 1 + 1j, closed=True),
+        line("thick", 0j, 1j, 1 + 1j, closed=True, filled=True),
+    )
+    made = sheet(*strokes, labels=(Label("a", 1j, 10),))
+    root = ElementTree.fromstring(svg(made, under=Under(name, "#123456")))
+    (picture,) = root.iter(f"{NS}image")
+    (href,) = (v for k, v in picture.attrib.items() if k.endswith("href"))
+    assert os.fsdecode(unquote_to_bytes(href)) == name
+    assert not re.search(r"[#?\x00-\x1f]|^\w+:", href)
+    assert [picture.attrib[k] for k in ("x", "y", "width", "height")] == ["0", "0", "841", "594"]
+    assert picture.attrib["preserveAspectRatio"] == "none"
+    assert not root.findall(f".//{NS}rect")
+    everything = [e for e in root.iter() if e.tag != f"{NS}image"]
+    fills = {e.attrib[k] for e in everything for k in ("fill", "stroke") if k in e.attrib}
+    assert fills == {"none", "#123456"}
+    widths = {e.attrib["stroke-width"] for e in everything if "stroke-width" in e.attrib}
+    assert widths == {number(pens("A1")["thin"].width), "0"}  # "0": the pen that only hides
+    layers = [child.tag for child in root if f"{INKSCAPE}groupmode" in child.attrib]
+    assert len(layers) == 2
 
 
 def test_svgwrite_is_not_loaded_before_a_sheet_is_written() -> None:

@@ -55,7 +55,9 @@ def test_a_centre_on_the_frame_does_not_move() -> None:
 
 
 def test_a_mass_without_a_centre_is_told() -> None:
-    with pytest.raises(StructureError, match=r"link 2 has a mass but no mass centre.*S2"):
+    with pytest.raises(
+        StructureError, match=r'link 2 has a mass, but nothing says .*write centre = "S2"'
+    ):
         work(scene(link2={"centre": None}))
 
 

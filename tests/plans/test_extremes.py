@@ -31,6 +31,7 @@ from graphic_tmm.plans.project import Project, draw_project
 from graphic_tmm.plans.row import OTHER
 from graphic_tmm.plans.survey import survey
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 SHEETS = Path(__file__).parents[2] / "sheets"
 
@@ -261,3 +262,39 @@ def replaced(link: Link, old: str, new: str) -> Link:
     """A link with one letter written otherwise."""
     points = {new if letter == old else letter: place for letter, place in link.points.items()}
     return Link(link.number, points, link.guides, link.slides, side=link.side)
+
+
+def test_a_crank_that_does_not_turn_round_is_told_with_its_range(tmp_path: Path) -> None:
+    """A rod shorter than the crank comes to sin φ = l/r, and the slider does not stand still there."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text(
+        """title = "T"
+language = "en"
+[frame]
+O = [0, 0]
+x = { through = [0, 0], angle = 0 }
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.2, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.1, 0] }
+[[link]]
+number = 3
+points = { B = [0, 0] }
+slides = { on = "frame", along = "x", side = "right" }
+[drive]
+link = 1
+speed = 5
+zero = { point = "B", at = "left" }
+""",
+        encoding="utf-8",
+    )
+    with pytest.raises(StructureError) as refused:
+        make(read(scene))
+    told = str(refused.value)
+    edge = math.degrees(math.asin(0.1 / 0.2))
+    ranges = f"{180 - edge:.2f}° to {180 + edge:.2f}° and {360 - edge:.2f}° to {edge:.2f}°"
+    assert f"group 2-3 assembles for crank angles {ranges} only" in told
+    assert "B does not come to an extreme position at left" in told
+    assert "change the lengths, or give zero as an angle there" in told

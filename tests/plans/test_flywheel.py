@@ -9,13 +9,17 @@ import numpy as np
 import pytest
 from flywheels import along, graphs, slopes
 from gallery import SHEETS
+from hypothesis import given
+from hypothesis import strategies as st
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.orders import Drawn, FlywheelOrder, Gas
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.plans.flywheel import Flywheel
+from graphic_tmm.plans.rim import wanted_outer
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.studio import warnings
 from graphic_tmm.work import Work, work
 
 R, L, S2, W, DELTA = 0.3, 0.64, 0.22, 50.0, 0.23
@@ -210,6 +214,35 @@ def test_the_rim_is_that_of_the_document() -> None:
     assert (mass, width) == pytest.approx(
         (41.1, 0.115), rel=0.04
     )  # the document rounds D_i to 0.38
+
+
+@pytest.mark.parametrize(("outer", "drum"), [(0.2, True), (0.42, False)])
+def test_a_rim_that_is_a_drum_is_told_with_what_to_choose(outer: float, drum: bool) -> None:
+    order = scene().flywheel
+    assert order is not None
+    assert order.rim is not None
+    made = drawn(rim=replace(order.rim, outer=outer))
+    rim = fly(made).rim
+    assert rim is not None
+    width = float(made.reading[rim.width][0, 0])
+    assert (width > outer / 2) == drum
+    says = f"the rim of D_e = {outer} m is {width:.3g} m wide: choose D_e = 0.4 m or more"
+    assert [text for text in warnings(made) if "wide" in text] == (
+        [f"flywheel: {says}"] if drum else []
+    )
+
+
+@given(outer=st.floats(0.1, 2.0), width=st.floats(0.001, 50.0))
+def test_the_diameter_advised_gives_a_rim_that_is_not_told_of_again(
+    outer: float, width: float
+) -> None:
+    least = wanted_outer(outer, width)
+    if least is None:
+        assert width <= outer / 2
+        return
+    due = width * (outer / least) ** 4  # of the same J and D_i/D_e
+    assert due <= least / 2 * (1 + 1e-9)
+    assert width * (outer / (least - 0.05)) ** 4 > (least - 0.05) / 2 * (1 - 1e-6)
 
 
 def test_a_constant_driving_moment_tells_the_resistance_of_the_gas_and_the_same_surplus() -> None:

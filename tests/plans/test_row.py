@@ -96,3 +96,32 @@ def test_an_extra_named_twice_is_refused(extra: tuple[float | str, ...], said: s
     with pytest.raises(StructureError, match="named twice") as caught:
         project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", *extra)
     assert said in str(caught.value)
+
+
+def test_an_extra_is_named_with_as_many_digits_as_tell_it() -> None:
+    """From a rounder angle, and from its neighbours; rounding of radians makes no digits."""
+    wanted = (
+        30.0,
+        29.999999999,
+        29.9999999999,
+        89.999,
+        math.degrees(math.pi / 3),
+        1.23456789012,
+        105.5,
+    )
+    wanted = (*wanted, 5.7295779513, 5.72957795131)
+    mechanism = read(SHEETS / "engine").mechanism
+    project = draw_project(mechanism, Row(12, 1, 0.0, wanted), plans=["positions"])
+    assert project.names[12:] == (
+        "30°",
+        "29.999999999°",
+        "29.9999999999°",
+        "89.999°",
+        "60°",
+        "1.23456789°",
+        "105.5°",
+        "5.7295779513°",
+        "5.72957795131°",
+    )
+    assert project.angles[13] == 29.999999999
+    assert project.angles[14] == 29.9999999999

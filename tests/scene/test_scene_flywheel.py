@@ -39,7 +39,7 @@ def test_other_words_and_units(tmp_path: Path) -> None:
     made = scene(
         tmp_path,
         (
-            "delta = 0.23",
+            'constant = "resisting"\ndelta = 0.23',
             'delta = "4 %"\nconstant = "движущий"\nintegration = "хорды"\ntangents = "нет"',
         ),
         ('D_e   = "0.45 m"', 'D_e = "450 мм"\nmaterial = "чугун"\nshaft = "60 mm"\nstuds = 4'),
@@ -106,7 +106,7 @@ cover_strokes = [
             "add the last part",
         ),
         (STROKES.replace("8 %", "0 %"), "indicator.clearance", "clearance = 0.08"),
-        (STROKES.replace("n = 1.2", "n = 9"), "indicator.cover_strokes[4].n", "from 0"),
+        (STROKES.replace("n = 1.2", "n = 9"), "indicator.cover_strokes[4].n", "0 to 3"),
         (
             STROKES.replace('"out",  to = 1', '"up",  to = 1'),
             "indicator.cover_strokes[2].stroke",

@@ -142,7 +142,9 @@ def test_defaults(scene):
     assert (plain.row.count, plain.row.first, plain.row.zero) == (12, 0, 0.0)
     assert plain.row.accelerations == plain.row.extra == plain.trajectories == ()
     assert plain.scales == Scales()
-    assert len(plain.sheets[0].place) == 8
+    assert plain.sheets[0].place == (
+        *("positions", "velocities", "accelerations", "equations", "structure", "results"),
+    )
     assert (plain.common_pole, plain.main) == (False, None)
     assert plain.title_block == {}
     assert plain.task is None
@@ -164,6 +166,7 @@ points = { B = [0, 0], C′1 = [0, 0.2], S = [0, 0.2] }
     { on = 2, along = "q", side = "-", flips_at = [10.5] },
 ]
 mass = "2 кг"
+centre = "S"
 """,
         DRIVE,
         """acceleration = "3 1/s^2"

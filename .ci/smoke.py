@@ -1,0 +1,47 @@
+"""Draw, tell and check with the program that is installed, each extra once; every file must be what it says."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+BEGINS = {".svg": b"<svg", ".pdf": b"%PDF", ".png": b"\x89PNG", ".dxf": b"  0"}
+ENDS = "118,3478 4937,3478 4937,30 118,30"
+"""Of the frame of an A1 at 150 dots to the inch: 20 mm and 5 mm from its edges."""
+
+
+def run(program: str, *arguments: object) -> str:
+    """Return what a command prints."""
+    command = [program, *map(str, arguments)]
+    print("+", *command[1:], flush=True)
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, encoding="utf-8")
+    return done.stdout
+
+
+def main(program: str, home: Path) -> None:
+    """Try the program; all files go to a folder of their own."""
+    home.mkdir(parents=True)
+    drawn = run(program, "draw", "engine", "-o", home, "-f", ",".join(BEGINS).replace(".", ""))
+    for path in map(Path, drawn.split()):
+        assert path.read_bytes().startswith(BEGINS[path.suffix]), path
+    assert len(drawn.split()) == len(BEGINS)
+    assert json.loads(run(program, "table", "engine", "-f", "json"))["columns"]
+    assert "│" in run(program, "table", "cam")
+    assert "1. " in run(program, "steps", "gear-pair")
+    assert json.loads(run(program, "schema"))["properties"]
+    run(program, "new", home / "mine", "--like", "crank-rocker")
+    told = json.loads(run(program, "table", home / "mine", "-f", "json"))
+    (due,) = (c for c in told["columns"] if (c["plan"], c["segment"]) == ("velocities", "pb"))
+    rows = zip(told["positions"], due["mm"], strict=True)
+    lines = [f"velocities,{at['number']},pb,{mm}" for at, mm in rows]
+    (home / "readings.csv").write_text("\n".join(["plan,position,segment,mm", *lines]) + "\n")
+    report = run(
+        program, "check", home / "mine", home / "readings.csv", "-f", "json", "--trials", 50
+    )
+    assert len(json.loads(report)["readings"]) == len(lines)
+    photo = ("--photo", home / "engine.png", "--corners", ENDS, "--overlay", home / "under.svg")
+    assert "under-flat.png" in run(program, "check", "engine", *photo)
+    run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)
+
+
+main(sys.argv[1], Path(sys.argv[2]))

@@ -1,0 +1,47 @@
+"""The mass centre of a link: the point that its scene declares, or its only one in no pair; never a letter."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Link, Mechanism
+
+
+def shared(bodies: Iterable[Mapping[str, complex]]) -> frozenset[str]:
+    """Return the letters that stand on more than one body: these are turning pairs, whatever the letter."""
+    once: set[str] = set()
+    again: set[str] = set()
+    for points in bodies:
+        again |= once & points.keys()
+        once |= points.keys()
+    return frozenset(again)
+
+
+def pins(mechanism: Mechanism) -> frozenset[str]:
+    """Return the letters of the turning pairs of a mechanism."""
+    return shared(link.points for link in mechanism.by_number.values())
+
+
+def free_points(points: Iterable[str], joined: Collection[str]) -> tuple[str, ...]:
+    """Return the letters of a link that are no turning pair."""
+    return tuple(letter for letter in points if letter not in joined)
+
+
+def mass_centre(mechanism: Mechanism, link: Link) -> str:
+    """Return the letter of a link's mass centre.
+
+    Raises
+    ------
+    StructureError
+        If none is declared; the message names a point that joins the link to nothing, if there is one.
+    """
+    if link.centre is not None and link.centre in link.points:
+        return link.centre
+    free = free_points(link.points, pins(mechanism))
+    meant = next(iter((*free, *link.points)), f"S{link.number}")
+    points = f"its points are {', '.join(link.points)}" if link.points else "it has no point yet"
+    raise StructureError(
+        f"link {link.number} has a mass, but nothing says which point is its mass centre: "
+        f'write centre = "{meant}" in its [[link]] ({points})'
+    )

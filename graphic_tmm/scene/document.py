@@ -1,0 +1,65 @@
+"""A TOML file as its text and its tables: of a fit size, in UTF-8, not nested beyond any use."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, NoReturn
+
+from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.files import Kind, read
+from graphic_tmm.scene.syntax import syntax_fault
+
+Document = dict[str, Any]
+
+DEEPEST = 12
+"""So many tables and lists may stand in one another; a scene needs five."""
+_DEEP = "lists or tables are nested too deep; a scene needs five levels at most"
+_PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+"""
+_LONG_KEY = re.compile(rf"""(?<![\w\-."'])(?:{_PART}\.[ \t]*+){{{DEEPEST + 8}}}""")
+"""A key of so many parts is far too deep already, and tomllib's time grows with the square of them."""
+
+
+def document(file: Path, kind: Kind) -> tuple[str, Document]:
+    """Return the text of a file, and what it says.
+
+    Raises
+    ------
+    SceneError
+        If it cannot be read (as `files.read`), is not in UTF-8, is no TOML, or nested too deep.
+    """
+    data = read(file, kind)
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        _refuse(file, "the file is not in UTF-8; save it with the encoding UTF-8", line)
+    if found := _LONG_KEY.search(text):
+        _refuse(file, _DEEP, text.count("\n", 0, found.start()) + 1)
+    try:
+        doc = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise SceneError(str(file), (syntax_fault(text, str(error)),)) from None
+    except RecursionError:
+        _refuse(file, _DEEP)
+    except ValueError as error:
+        _refuse(file, f"a value cannot be read: {re.sub(r'[;,].*', '', str(error))}")
+    if _deeper(doc):
+        _refuse(file, _DEEP)
+    return text, doc
+
+
+def _deeper(doc: Document) -> bool:
+    """Whether anything stands deeper than `DEEPEST`; level by level, so that no depth is too much for it."""
+    level: list[Any] = [doc]
+    for _ in range(DEEPEST):
+        inner = (item.values() if isinstance(item, dict) else item for item in level)
+        level = [item for items in inner for item in items if isinstance(item, (dict, list))]
+        if not level:
+            return False
+    return True
+
+
+def _refuse(file: Path, message: str, line: int = 0) -> NoReturn:
+    raise SceneError(str(file), (Fault("", line, message),)) from None

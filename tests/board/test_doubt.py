@@ -1,0 +1,117 @@
+"""Figures by their own bounds: noughts, digits, what is not there; on boards of a few steps."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from graphic_tmm.board.calculations import product, rate
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.energetics import added
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations import join, lay_off, measure, meet, ray
+from graphic_tmm.board.record import Board, Mark
+from graphic_tmm.board.shaking import SHAKE
+from graphic_tmm.board.statics import difference_of
+from graphic_tmm.board.values import Angle, Length, Number, Point
+
+
+class Bench:
+    """A board with marks given, and what is found of it."""
+
+    def __init__(self) -> None:
+        self.board = Board()
+        self.given: dict[Mark, Any] = {}
+        self.board.open("plan")
+
+    def take(self, kind: Any, letter: str, value: Any) -> Mark:
+        mark = self.board.take(kind, letter)
+        self.given[mark] = np.atleast_2d(value)
+        return mark
+
+    def figure(self, mark: Mark) -> Any:
+        log = self.board.construction()
+        reading = execute(log, self.given).doubted(Doubts(log.steps, self.given))
+        return reading.figure(mark)[0]
+
+
+def _crossing(bench: Bench, angles: list[float]) -> Mark:
+    """Where a line through the origin meets one that begins 1 mm above it, at small angles (degrees)."""
+    base = bench.board.draw(ray, "m", bench.take(Point, "O", 0j), bench.take(Angle, "α", 30.0))
+    start = bench.take(Point, "Q", 1j * np.exp(1j * np.pi / 6))
+    other = bench.board.draw(ray, "n", start, bench.take(Angle, "β", 30.0 - np.array(angles)))
+    return bench.board.draw(meet, "b", base, other)
+
+
+def test_a_figure_keeps_the_digits_that_are_sure_and_no_others() -> None:
+    """At an angle β the lines meet cot β away; both directions are known to a shake, so is that but by 1/β."""
+    bench, offs = Bench(), [10.0, 1e-3, 1e-6, 1e-9, 1e-10, 1e-13]
+    point = _crossing(bench, offs)
+    origin = next(mark for mark in bench.given if mark.letter == "O")
+    found = bench.figure(bench.board.draw(measure, "Ob", origin, point))
+    for value, off in zip(found, offs, strict=True):
+        beta = np.radians(30.0 - (30.0 - off))
+        share = SHAKE / beta
+        if share > 0.2:
+            assert np.isnan(value)
+            continue
+        due = 1.0 / np.tan(beta)
+        assert abs(value - due) <= 4.0 * share * due
+        if share > 1e-9:
+            # the last digit that is written is unsure, the one before it is not
+            assert len(f"{value:.12e}".split("e")[0].rstrip("0")) - 1 <= 2 - np.log10(share)
+
+
+def test_the_difference_of_equals_is_nothing() -> None:
+    bench = Bench()
+    third = bench.take(Number, "a", [0.1, 1.0, 1e300])
+    three = bench.take(Number, "b", 3.0)
+    whole = bench.board.draw(product, "c", third, three)
+    other = bench.board.draw(added, "d", bench.board.draw(added, "e", third, third), third)
+    assert (bench.figure(bench.board.draw(difference_of, "f", whole, other)) == 0.0).all()
+
+
+@pytest.mark.parametrize("rest", [1e-2, 1e-6, 1e-10])
+def test_a_small_difference_that_stands_out_of_rounding_is_itself(rest: float) -> None:
+    bench = Bench()
+    one = bench.board.draw(
+        product, "c", bench.take(Number, "a", 1.0 + rest), bench.take(Number, "i", 1.0)
+    )
+    two = bench.board.draw(product, "d", bench.take(Number, "b", 1.0), bench.take(Number, "j", 1.0))
+    (found,) = bench.figure(bench.board.draw(difference_of, "f", one, two))
+    assert found == pytest.approx(rest, rel=4 * SHAKE / rest + 1e-12)
+
+
+def test_each_position_is_judged_by_itself() -> None:
+    """A position at which all is 10¹⁵ times as large takes nothing from its neighbour."""
+    bench = Bench()
+    line = bench.board.draw(
+        join, "m", bench.take(Point, "A", 0j), bench.take(Point, "B", [1 + 1j, 1e15 * (1 + 1j)])
+    )
+    end = bench.board.draw(lay_off, "c", line, bench.take(Length, "l", [0.25, 7e14]))
+    start = next(mark for mark in bench.given if mark.letter == "A")
+    found = bench.figure(bench.board.draw(measure, "Ac", start, end))
+    assert found == pytest.approx([0.25, 7e14], rel=1e-12)
+
+
+def test_a_rate_of_nothing_is_nothing_and_one_of_noise_is_not_known() -> None:
+    """0 over a length is 0; what rounding made of two points, over no length, is neither."""
+    bench = Bench()
+    a = bench.take(Point, "A", 100.0 + 0j)
+    b = bench.board.draw(
+        lay_off,
+        "B",
+        bench.board.draw(join, "m", a, bench.take(Point, "Q", 0j)),
+        bench.take(Length, "l", [100.0 / 3.0 * 3.0, 50.0]),
+    )
+    origin = next(mark for mark in bench.given if mark.letter == "Q")
+    left = bench.board.draw(measure, "QB", origin, b)
+    one = bench.take(Number, "μ", 1.0)
+    slow = bench.board.draw(rate, "ω", left, one, bench.take(Length, "r", 10.0), one)
+    wild = bench.board.draw(rate, "ν", left, one, left, one)
+    assert bench.figure(slow).tolist() == [0.0, 5.0]
+    found = bench.figure(wild)
+    assert np.isnan(found[0])
+    assert found[1] == 1.0

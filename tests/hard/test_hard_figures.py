@@ -1,0 +1,158 @@
+"""No figure of a table is plausible and wrong: rows of random mechanisms, one position near to where they lock.
+
+Each figure is right to its last digits, or it is not there and a finding names it; what stands beside it in the
+row changes nothing; far from a change point nothing is missing.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from figures_judge import Told, dead_centre, drawn_at, figures, rows
+from mechanisms import sample
+from test_hard_forces import weighed
+
+from graphic_tmm.__main__ import main
+from graphic_tmm.errors import StructureError
+from graphic_tmm.plans.forces import Forces
+from graphic_tmm.work import Work
+
+TABLES = Path(__file__).parents[1] / "cases" / "tables"
+
+
+def named(made: Work, told: Told) -> bool:
+    """Whether a finding names the plan and the position of a figure that is left out."""
+    plan = told.key[0]
+    return any(
+        told.place in finding.positions
+        and (
+            finding.step.it.view == plan or (plan == "forces" and Forces.owns(finding.step.it.view))
+        )
+        for finding in made.findings()
+        if finding.kind in ("lost", "undrawn")
+    )
+
+
+def _all_right(count: int, seed: int, most: int) -> Counter[str]:
+    """Judge rows of random mechanisms; count figures, and those left out, far from a lock and near to one."""
+    counts: Counter[str] = Counter()
+    for loaded, angles in rows(sample(count, seed=seed, dyads=(1, most))):
+        made, found = figures(loaded, angles)
+        for told in found:
+            # the first position is where the mechanism was drawn, far from any change point
+            where = "far" if told.place == 0 else "near"
+            counts[where] += 1
+            if told.value is None:
+                counts[f"{where} left out"] += 1
+                assert named(made, told), (angles, told)
+            else:
+                assert told.right, (angles, told, told.off, told.unit)
+    return counts
+
+
+def test_figures_of_random_rows_are_right_or_left_out_and_named() -> None:
+    counts = _all_right(20, 4000, 2)
+    assert counts["far"] > 300
+    assert counts["far left out"] == 0
+    assert 0 < counts["near left out"] < counts["near"]
+
+
+@pytest.mark.slow
+def test_figures_of_many_random_rows_are_right_or_left_out_and_named() -> None:
+    counts = _all_right(300, 5000, 3)
+    assert counts["far"] > 5000
+    assert counts["far left out"] == 0
+    assert 0 < counts["near left out"] < counts["near"] / 10
+
+
+def test_figures_beside_a_dead_centre_are_right_and_all_there() -> None:
+    """A speed that is all but zero is itself; at the dead centre, along with what follows, it is zero."""
+    noughts = 0
+    for seed in range(13):
+        mechanism, angle = dead_centre(seed)
+        _, found = figures(weighed(mechanism), [angle, (angle + 50.0) % 360.0])
+        assert all(told.value is not None and told.right for told in found), (seed, angle)
+        noughts += sum(told.value == 0.0 for told in found)
+    assert noughts
+
+
+def test_a_row_gives_what_its_positions_give_alone() -> None:
+    """To the digits that both have; where a digit is hardly sure, one of them may leave the figure out."""
+    figures_, flips = 0, 0
+    for loaded, angles in rows(sample(13, seed=6000, dyads=(1, 2))):
+        _, together = drawn_at(loaded, angles)
+        for place, angle in enumerate(angles):
+            try:
+                _, alone = drawn_at(loaded, [angle])
+            except StructureError:
+                # none of its positions can be drawn
+                assert all(row.value[place] is None for row in together)
+                continue
+            for row, one in zip(together, alone, strict=True):
+                assert (row.plan, row.segment) == (one.plan, one.segment)
+                value, due = row.value[place], one.value[0]
+                figures_ += 1
+                if value is None or due is None:
+                    flips += (value is None) != (due is None)
+                    continue
+                step = max(_unit(row, place, value, due), _unit(one, 0, due, value))
+                assert abs(value - due) <= 2.0 * step, (angles, row.segment, value, due)
+    assert figures_ > 400
+    assert flips <= figures_ / 100
+
+
+def _unit(row: object, place: int, value: float, size: float) -> float:
+    told = Told(("", ""), place, value, 0, size)
+    return max(told.unit if value else 0.0, 1e-11 * max(abs(value), abs(size)))
+
+
+# the cases found from outside
+
+
+def _table(name: str, *options: str) -> dict[tuple[str, str, str], str]:
+    result = CliRunner().invoke(main, ["table", str(TABLES / name), "-f", "csv", *options])
+    assert result.exit_code == 0, result.stderr
+    lines = csv.DictReader(io.StringIO(result.stdout))
+    return {(row["plan"], row["position"], row["segment"]): row["value"] for row in lines}
+
+
+def test_a_position_that_locks_takes_nothing_from_the_others() -> None:
+    """Rod half as long as the crank: the forces in line are found by hand, R12 with its weight's half."""
+    found = _table("row12-lock.toml")
+    due = {"G2": 9.81, "G3": 19.62, "F3": 50.0, "R12": 30.4, "R03": 24.5}
+    for position in ("1", "7"):
+        for segment, value in due.items():
+            if (position, segment) != ("7", "R12"):
+                assert float(found["forces", position, segment]) == pytest.approx(value, abs=1e-9)
+    # where it locks the crank still turns and weights still weigh; nothing else is known
+    assert float(found["velocities", "2", "omega1"]) == 10.0
+    assert float(found["forces", "2", "G2"]) == 9.81
+    assert ("velocities", "2", "pb") not in found
+    assert ("forces", "2", "R12") not in found
+
+
+def test_forces_of_no_sure_digit_are_left_out_and_named() -> None:
+    path = TABLES / "equal-rods-89.999.toml"
+    result = CliRunner().invoke(main, ["table", str(path), "--exact", "-f", "csv"])
+    found = _table(path.name, "--exact")
+    for segment in ("R12", "R03", "R23", "R01", "M_bal_forces", "M_bal_lever", "Pi2"):
+        assert ("forces", "89.999°", segment) not in found
+        assert (
+            segment.replace("R", "R_").replace("Pi2", "P_i2")[:4] in result.stderr
+            or "M_b" in segment
+        )
+    assert float(found["forces", "89.999°", "G2"]) == 9.81
+    assert float(found["velocities", "89.999°", "pb"]) == pytest.approx(2.0, rel=1e-3)
+    assert float(found["forces", "1", "R03"]) == pytest.approx(0.475, rel=1e-9)
+
+
+def test_the_check_calls_right_readings_beside_a_lock_fine() -> None:
+    paths = [str(TABLES / "row12-lock.toml"), str(TABLES / "row12-good.csv")]
+    result = CliRunner().invoke(main, ["check", *paths, "--trials", "40"])
+    assert result.exit_code == 0, result.output
+    assert "Fine 3, doubtful 0, wrong 0" in result.stdout

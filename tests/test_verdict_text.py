@@ -1,0 +1,60 @@
+"""Signs of mark-up in verdicts and in texts of a scene: data until the file is written, escaped there once."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from gallery import SHEETS
+from test_hostile_text import BLOCK, scene
+
+from graphic_tmm.paper.letters import escape
+from graphic_tmm.paper.letters import plain as lettered
+from graphic_tmm.paper.svg import svg
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheets
+
+VERDICTS = {
+    "forces beyond their limit": (
+        "windrower",
+        ("[forces]", "[forces]\nlimit = 0.000001"),
+        {" > 0,000001 %", " > 1·10⁻⁶ %"},
+    ),
+    "a pair of gears that is undercut": ("gear-pair", ("x1 = 0.83", "x1 = 0.0"), {" < "}),
+}
+
+
+@pytest.mark.parametrize("what", VERDICTS)
+def test_a_verdict_is_lettered_as_it_is_meant(what: str, tmp_path: Path) -> None:
+    """A sign of mark-up is a character like others until the file is written: there it is escaped once."""
+    name, (old, new), signs = VERDICTS[what]
+    text = (SHEETS / name / "scene.toml").read_text("utf-8")
+    assert old in text
+    path = tmp_path / "scene.toml"
+    path.write_text(text.replace(old, new), "utf-8")
+    papers = sheets(read(path))[1]
+    labels = [label.text for paper in papers for view in paper.drawings for label in view.labels]
+    assert not [text for text in labels if re.search("&[a-z]+;", text)]
+    told = [text for text in labels if any(sign in text for sign in signs)]
+    assert told, labels
+    drawings = [svg(paper) for paper in papers]
+    for drawing in drawings:
+        assert not re.search("&amp;[a-z]+;", drawing)
+    seen = [e.text for d in drawings for e in ElementTree.fromstring(d).iter() if e.text]
+    assert set(map(lettered, told)) <= set(seen)
+
+
+SIGNS = "< > & \" '"
+
+
+@pytest.mark.parametrize("key", ["title", "name", *BLOCK])
+def test_every_text_of_a_scene_reaches_every_file_as_it_is(key: str, tmp_path: Path) -> None:
+    texts = {"title": "T", "name": "n", "designation": "d"} | {key: SIGNS}
+    papers = sheets(read(scene(tmp_path, "A1", "ru", **texts)))[1]
+    labels = [label.text for paper in papers for view in paper.drawings for label in view.labels]
+    read_back = [e.text for e in ElementTree.fromstring(svg(papers[0])).iter() if e.text]
+    if key not in ("title", "name"):
+        assert escape(SIGNS) in labels or key == "letter"  # of which a sheet takes one or two
+    assert SIGNS in read_back
