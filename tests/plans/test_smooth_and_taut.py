@@ -130,9 +130,9 @@ def test_what_drives_is_taut_and_what_moves_is_smooth(tmp_path: Path) -> None:
     file = tmp_path / "scene.toml"
     file.write_text(text, encoding="utf-8")
     found = curves(work(read(file), exact=True))
-    smooth = {"diagram V (v–v)", "diagram a (a′–a′)", "energy (l–l)", "engine P (p′–p′)"}
-    taut = {"moment (k–k)", "engine P (p–p)", "engine P (p′′–p′′)"}
-    taut |= {f"engine {x} ({x.lower()}–{x.lower()})" for x in "NQTK"} | {"engine M (m′–m′)"}
+    smooth = {"diagram V (v–v)", "diagram a (a′–a′)", "energy (l–l)", "engine P (f–f)"}
+    taut = {"moment (k–k)", "engine P (p–p)", "engine P (p′–p′)"}
+    taut |= {f"engine {x} ({x.lower()}–{x.lower()})" for x in "NQTK"} | {"engine M (z–z)"}
     assert {key for key, op in found.items() if op == "closed_graph"} == smooth
     assert {key for key, op in found.items() if op == "taut_graph"} == taut
     assert found["work (A–A)"] == found["energy (g–g)"] == "graph_of_rays"
