@@ -8,6 +8,7 @@ from typing import NamedTuple, NoReturn
 
 from graphic_tmm.checking.csv_cells import HEADS, SEPARATORS, Head, Row, table
 from graphic_tmm.checking.decoding import text_of
+from graphic_tmm.checking.digits import meant
 from graphic_tmm.checking.figures import decimal_comma, half_unit, millimetres, value_of
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.checking.writing import template, write_readings
@@ -90,7 +91,7 @@ def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     _find_twice(taken, head, faults)
     if faults:
         _refuse(file, sorted(faults, key=lambda fault: fault.line))
-    return tuple(taken)
+    return meant(taken)
 
 
 def _faults_of(head: Head) -> list[Fault]:
