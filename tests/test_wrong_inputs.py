@@ -29,6 +29,7 @@ number = 2
 points = { A = [0, 0], B = ["0.3 m", 0], S2 = ["0.15 m", 0] }
 mass = "2 kg"
 J = "0.02 kg*m^2"
+centre = "S2"
 [[link]]
 number = 3
 points = { C = [0, 0], B = ["0.25 m", 0] }
@@ -64,6 +65,7 @@ KEYS = [
     ("[frame]", "[[frame]]", ["frame", "a section is wanted: [frame]"]),
     ("number = 0", "numer = 0", ["frame.numer", 'did you mean "number"']),
     ("points = { O", "point = { O", ["link 1, point", 'did you mean "points"']),
+    ('centre = "S2"\n', "", ["link 2, centre", 'write centre = "S2"']),
     ("mass =", "Mass =", ["link 2, Mass", 'did you mean "mass"']),
     ("mass =", "weight =", ["link 2, weight", "means nothing here"]),
     ("J =", "inertia =", ["link 2, inertia", "keys here are"]),
@@ -166,13 +168,13 @@ UNITS = [
     ('speed = "120 rpm"', 'speed = "120 rpm"\nacceleration = "5 1/s"', ["drive.acceleration"]),
 ]
 SYNTAX = [
-    ('"120 rpm"', "120 rpm", [":23: speed", 'stands in quotes: speed = "120 rpm"']),
-    ('"120 rpm"', "12,5", [":23: speed", "a point: 12.5"]),
-    ('"120 rpm"', "«120 rpm»", [":23:", "straight quotes"]),
-    ('"120 rpm"', "fast", [":23: speed", 'a text stands in quotes: speed = "fast"']),
-    ('"120 rpm"', "", [":23: speed", "a value is missing, speed = ..."]),
-    ("[drive]", "[drive", [":21:", "a section is written [frame]"]),
-    ("[drive]", "drive", [":21:", "write key = value"]),
+    ('"120 rpm"', "120 rpm", [":24: speed", 'stands in quotes: speed = "120 rpm"']),
+    ('"120 rpm"', "12,5", [":24: speed", "a point: 12.5"]),
+    ('"120 rpm"', "«120 rpm»", [":24:", "straight quotes"]),
+    ('"120 rpm"', "fast", [":24: speed", 'a text stands in quotes: speed = "fast"']),
+    ('"120 rpm"', "", [":24: speed", "a value is missing, speed = ..."]),
+    ("[drive]", "[drive", [":22:", "a section is written [frame]"]),
+    ("[drive]", "drive", [":22:", "write key = value"]),
     ("points = { O = [0, 0], A", "points = {\n O = [0, 0], A", ["stands on one line"]),
     ("link = 1\n", "link = 1\nlink = 1\n", ['"link" stands twice', "take one out"]),
     ("O = [0, 0]\nC", "Ф = [0, 0]\nC", ["Ф", 'in quotes: "Ф"']),
