@@ -185,6 +185,14 @@ def accuracy(
     help="By whose drawings readings are judged.",
 )
 @click.option(
+    "--points",
+    type=click.Choice(["paper", "screen", "photo"]),
+    default="paper",
+    show_default=True,
+    help="How x and y were read: off the paper with ruler and square, off the drawing on a screen "
+    "(0.1 mm), off a photograph (0.5 mm).",
+)
+@click.option(
     "--doubtful",
     type=Finite(0.5, 1.0),
     default=0.97,
@@ -235,6 +243,7 @@ def check(
     readings: str | None,
     template: bool,
     hand: str,
+    points: str,
     doubtful: float,
     wrong: float,
     trials: int,
@@ -256,8 +265,9 @@ def check(
         raise click.UsageError("--sheet and --corners go with a photograph: add --photo FILE")
     if readings is None and photo is None:
         raise click.UsageError("name the file of READINGS, or ask for --template")
-    limits = (doubtful, wrong)
-    report = road.checked(task, readings, hand, limits, trials) if readings is not None else None
+    report = None
+    if readings is not None:
+        report = road.checked(task, readings, hand, (doubtful, wrong), trials, points)
     if photo is not None:
         place = overlay or "photo.svg"
         written, told = road.underlay(task, photo, corners or "", place, sheet or 1)

@@ -139,7 +139,9 @@ def sheet_files(
 
 def part_warnings(part: Part) -> tuple[str, ...]:
     """Return, for people, what of a part could not be drawn and why."""
-    told = [finding(f, part.names, "en") for f in part.findings() if f.kind == "undrawn"]
+    found = part.findings()
+    told = [finding(f, part.names, "en") for f in found if f.kind == "undrawn"]
+    told += left_out([f for f in found if f.kind == "lost"], part.names, "en")
     return (*told, *part.limits("en"))
 
 

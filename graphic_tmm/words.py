@@ -320,10 +320,16 @@ def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
         why = why.format(_letters_of(found))
     if found.kind == "doubtful":
         why = why.format(max(0, math.floor(-math.log10(found.amount))) if found.amount < 1.0 else 0)
-    plan = CAPTIONS[language].get(found.step.it.view, found.step.it.view).lower()
+    plan = _in_sentence(found.step.it.view, language)
     step = "шаг" if language == "ru" else "step"
     where = CAPTIONS[language]["at positions"]
     return f"{plan}, {step} {found.number} '{words['it']}': {why}; {where} {at}"
+
+
+def _in_sentence(view: str, language: str) -> str:
+    """Return what a view is called within a sentence: small, but for a man's name."""
+    name = CAPTIONS[language].get(view, view)
+    return name if name.startswith("Zhukovsky") else name[:1].lower() + name[1:]
 
 
 def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) -> Iterator[str]:
@@ -334,7 +340,7 @@ def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) ->
         told = []
         for plan in plans:
             letters = ", ".join(_letters_of(one) for one in some if one.step.it.view == plan)
-            told.append(f"{CAPTIONS[language].get(plan, plan).lower()} {letters}")
+            told.append(f"{_in_sentence(plan, language)} {letters}")
         where = CAPTIONS[language]["at positions"]
         why = (
             "округление не оставляет верных цифр, опущены"

@@ -88,7 +88,6 @@ class Work:
 
 def assumed(drawn: Work) -> Iterator[str]:
     """Yield, for people, which keys are left out whose defaults matter."""
-    yield from drawn.scene.assumed
     project = drawn.project
     drive = project.mechanism.drive
     inertial = project.forces is not None and project.forces.order.inertia
@@ -263,7 +262,9 @@ def _compared(one: Finding, places: set[int], project: Project, doubts: Doubts) 
     (balanced,) = _balanced(project, doubts).values()
     nothing = set(np.flatnonzero(balanced[0]).tolist())
     if one.kind == "undrawn" and one.step.it == difference:
-        places -= nothing
+        # of what is lost there is nothing to compare either: that it is lost is told
+        lost = [doubts.lost[use.slot] for use in one.step.uses if use.slot in doubts.lost]
+        places -= nothing.union(*(np.flatnonzero(mask[0]).tolist() for mask in lost))
     if one.kind == "lost" and places <= nothing:
         return one._replace(letters=tuple(k for k in one.letters if k != difference.letter))
     return one

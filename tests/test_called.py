@@ -1,4 +1,4 @@
-"""What a scene calls for is checked and tabulated whether or not a sheet shows it; nothing is idle in silence."""
+"""What a scene calls for is checked and tabulated whether or not a sheet shows it; nothing idles in silence."""
 
 from __future__ import annotations
 

@@ -57,9 +57,8 @@ def taut_curve(through: Point, *, row: int) -> Curve:
     way = np.where(turns[0], 0.0, way.real) + 1j * np.where(turns[1], 0.0, way.imag)
     size = np.abs(way)
     tangents = way / np.where(size > 0, size, 1.0) * np.minimum(short, long)
-    for own, m in zip(knots, tangents, strict=True):
-        m.real = bounded(own.real, m.real, TAUT, closed=True)
-        m.imag = bounded(own.imag, m.imag, TAUT, closed=True)
+    tangents.real = bounded(knots.real, tangents.real, TAUT, closed=True)
+    tangents.imag = bounded(knots.imag, tangents.imag, TAUT, closed=True)
     whole = np.isfinite(knots).all(axis=1, keepdims=True)
     return Curve(knots, np.where(whole, tangents, np.nan), True)
 
@@ -67,38 +66,40 @@ def taut_curve(through: Point, *, row: int) -> Curve:
 def bounded(heights: Reals, tangents: Reals, bend: float, *, closed: bool) -> Reals:
     """Return the tangents of a curve, brought so near to its chords that it does not ring.
 
-    ``heights``, ``tangents``: of evenly spaced knots, (knot,), a tangent as its rise over an interval.
+    ``heights``, ``tangents``: of evenly spaced knots, (..., knot), a tangent as its rise over an interval.
     With ``bend`` 0 a tangent lies between 0 and three times either chord beside it, so that no arc leaves the
     range of its ends (Fritsch–Carlson), and two equal neighbours have a level piece. A ``bend`` b lets it reach
     as far as the chord and b times the lesser of the bends (second differences) at both ends of the arc, where
     these bend to the same side: an arc then bulges by b/4 of that bend at the most. Tangents inside these
     bounds stay as they are.
     """
-    if heights.size < 2:
+    count = heights.shape[-1]
+    if count < 2:
         return tangents
-    rise = np.diff(heights, append=heights[:1]) if closed else np.diff(heights)
+    rise = np.diff(heights, append=heights[..., :1]) if closed else np.diff(heights)
     first, second = _bends(rise, closed)
     same = np.sign(first) * np.sign(second) > 0.0
     give = bend * np.where(same, np.copysign(np.minimum(np.abs(first), np.abs(second)), first), 0.0)
     for reach, begin in ((rise - give, 0), (rise + give, 1)):
         # what an arc allows its first knot, then its last
-        knots = (np.arange(rise.size) + begin) % heights.size
+        knots = (np.arange(rise.shape[-1]) + begin) % count
         reaches = np.array([np.zeros_like(rise), 3.0 * rise, reach])
+        low, high = reaches.min(axis=0), reaches.max(axis=0)
         tangents = np.array(tangents)
-        tangents[knots] = np.clip(tangents[knots], reaches.min(axis=0), reaches.max(axis=0))
+        tangents[..., knots] = np.clip(tangents[..., knots], low, high)
     return tangents
 
 
 def _bends(rise: Reals, closed: bool) -> tuple[Reals, Reals]:
     """Return the second differences at both ends of every arc; an open row's end bends as its neighbour."""
     if closed:
-        turn = rise - np.roll(rise, 1)
-        return turn, np.roll(turn, -1)
+        turn = rise - np.roll(rise, 1, axis=-1)
+        return turn, np.roll(turn, -1, axis=-1)
     turn = np.diff(rise)
     if not turn.size:
         return np.zeros_like(rise), np.zeros_like(rise)
-    turn = np.concatenate([turn[:1], turn, turn[-1:]])
-    return turn[:-1], turn[1:]
+    turn = np.concatenate([turn[..., :1], turn, turn[..., -1:]], axis=-1)
+    return turn[..., :-1], turn[..., 1:]
 
 
 def bezier(curve: Curve, trial: int = 0) -> list[Complexes]:

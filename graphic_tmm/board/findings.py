@@ -82,7 +82,7 @@ def examine(
             told, lost[step.it] = _told(step, doubts.share(step.it), lost)
             values = [reading[mark] for mark in step.uses]
             result = reading[step.it]
-            found += _of_step(construction, step, values, result, told, _handed(step, doubts))
+            found += _of_step(construction, step, values, result, told)
     found += _left_out(construction, steps, reading, doubts)
     if positions is None:
         return tuple(found)
@@ -160,24 +160,17 @@ def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, An
     return np.where(before, 0.0, share), before | (share > DOUBTFUL)
 
 
-def _handed(step: Step, doubts: Doubts) -> Any:
-    used = [doubts.lost[mark.slot] for mark in step.uses if mark.slot in doubts.lost]
-    return np.logical_or.reduce(np.broadcast_arrays(np.zeros((1, 1), bool), *used))
-
-
 def _of_step(
     construction: Construction,
     step: Step,
     values: list[Any],
     result: Any,
     share: Reals,
-    handed: Any,
 ) -> list[Finding]:
-    """Return what happened in a step; ``handed``: where it was handed what is lost, and cannot but fail."""
     there = [undefined(value) for value in values if not isinstance(value, Curve)]
     bad = undefined(result)
     fine = ~np.logical_or.reduce(np.broadcast_arrays(np.zeros_like(bad), *there))
-    failed = fine & bad & ~handed
+    failed = fine & bad
     found = []
     if failed.any():
         gap, amount = _worst_gap(step, values, failed)

@@ -56,12 +56,14 @@ def _closed(through: Complexes, over: Any, row: int, bend: float) -> Curve:
     points, shift = alike(through[:, :row], over[:, :1])
     knots = np.concatenate([points[:, -1:] - shift, points, points[:, :1] + shift], axis=1)
     tangents = np.full_like(knots, np.nan)
-    for trial, own in enumerate(points):
-        if np.isfinite(own).all():
-            m = bounded(own.imag, periodic(own.imag), bend, closed=True) * 1j + shift[trial] / row
-            tangents[trial] = np.concatenate([m[-1:], m, m[:1]])
-        else:
-            _in_runs(knots[trial], tangents[trial], bend)
+    whole = np.isfinite(points).all(axis=1)
+    for trial in np.flatnonzero(~whole):
+        _in_runs(knots[trial], tangents[trial], bend)
+    if whole.any():
+        m = np.array([periodic(own.imag) for own in points[whole]])
+        m = bounded(points[whole].imag, m, bend, closed=True)
+        m = np.concatenate([m[:, -1:], m, m[:, :1]], axis=1)
+        tangents[whole] = shift[whole] / row + 1j * m
     return Curve(knots, tangents, False)
 
 
@@ -202,12 +204,10 @@ def curve_of_two(through: Point, ordinates: Curve, *, row: int) -> Curve:
     no curve.
     """
     knots, rise = alike(through[:, :row], ordinates.tangents[:, :row])
-    tangents = np.full(knots.shape, np.nan + np.nan * 1j)
-    for trial, own in enumerate(knots):
-        if np.isfinite(own).all():
-            along = bounded(own.real, periodic(own.real), SMOOTH, closed=True)
-            tangents[trial] = along + 1j * rise[trial].imag
-    return Curve(np.asarray(knots), tangents, True)
+    along = np.array([periodic(own.real) for own in knots])
+    along = bounded(knots.real, along, SMOOTH, closed=True)
+    whole = np.isfinite(knots).all(axis=1, keepdims=True)
+    return Curve(np.asarray(knots), np.where(whole, along + 1j * rise.imag, np.nan), True)
 
 
 def _sloping(knots: Complexes, rise: Any) -> Curve:

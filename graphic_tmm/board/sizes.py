@@ -19,7 +19,7 @@ DIGIT = 0.1
 """A figure whose bound is a larger share of it has no digit that is sure."""
 FIGURES = (Length, Number, Angle)
 HALF_TURN = 180.0
-"""The natural size of an angle that is measured, degrees."""
+"""The natural size of an angle, degrees."""
 
 
 class Sizes:
@@ -115,10 +115,10 @@ class Sizes:
             alike = [self.of(use) for use in step.uses if use.kind is mark.kind]
             rows = [np.fmax.reduce(size, axis=1, keepdims=True) for size in (*alike, NOTHING)]
             return np.asarray(np.fmax.reduce(rows))
-        if all(use.kind in FIGURES for use in step.uses):
-            return self._by_formula(step)
         if mark.kind is Angle:
             return np.full((1, 1), HALF_TURN)
+        if all(use.kind in FIGURES for use in step.uses):
+            return self._by_formula(step)
         seen = next((use for use in step.uses if use.kind is Point), None)
         return NOTHING if seen is None else self.extent(seen.view)
 

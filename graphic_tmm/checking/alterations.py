@@ -14,7 +14,7 @@ import numpy as np
 
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Side
+from graphic_tmm.board.values import Angle, Side
 from graphic_tmm.checking.cells import Cell, Key, cells_and_points, position_names
 from graphic_tmm.studio import Made
 
@@ -71,11 +71,18 @@ def wrong_end(made: Made) -> Iterator[Figures]:
 
 
 def wrong_link(made: Made) -> Iterator[Figures]:
-    """Another link's length divides a normal component."""
+    """Another link's length divides a normal component: of any that has one, or of the crank."""
     if made.work is None:
         return
-    normals = [s for s in made.work.project.construction.steps if s.op.name == "normal"]
-    lengths = list(dict.fromkeys(step.uses[2] for step in normals))
+    steps = made.work.project.construction.steps
+    rays = {step.it for step in steps if step.op.name == "ray"}
+    cranks = [
+        step.uses[1]
+        for step in steps
+        if step.op.name == "lay_off" and step.uses[0] in rays and step.it.view == "positions"
+    ]
+    normals = [step for step in steps if step.op.name == "normal"]
+    lengths = list(dict.fromkeys([*(step.uses[2] for step in normals), *cranks]))
     for step in normals:
         for other in lengths:
             if other == step.uses[2]:
@@ -217,14 +224,37 @@ def of_another_plan(made: Made) -> Iterator[Figures]:
         }
 
 
-def numbered(shift: int | None) -> Callable[[Made], Iterator[Figures]]:
-    """Return the mistake of numbering the positions backwards (None), or from another one on."""
+def backwards(place: int, count: int) -> int:
+    """Return which position has a number if they are numbered backwards."""
+    return -place % count
+
+
+def further(shift: int) -> Callable[[int, int], int]:
+    """Return which position has a number if they are numbered from another one on."""
+    return lambda place, count: (place + shift) % count
+
+
+def half_way(made: Made) -> Iterator[Figures]:
+    """The crank's angles are counted from half a turn further on."""
+    if made.work is None:
+        return
+    given = made.work.given
+    counted = [mark for mark in given if mark.kind is Angle and mark.letter == "Δφ"]
+    found = altered(
+        made, lambda step: step, {mark: np.asarray(given[mark]) + 180.0 for mark in counted}
+    )
+    if found is not None:
+        yield found
+
+
+def numbered(to: Callable[[int, int], int]) -> Callable[[Made], Iterator[Figures]]:
+    """Return the mistake of numbering the positions otherwise."""
 
     def figures(made: Made) -> Iterator[Figures]:
         found, names = cells_and_points(made), position_names(made)
         count = made.work.project.count if made.work is not None else len(names)
         order = list(range(count))
-        moved = [(-k) % count if shift is None else (k + shift) % count for k in order]
+        moved = [to(k, count) for k in order]
         other = {names[k]: names[moved[k]] for k in order}
         yield {
             (plan, segment, at): found.get((plan, segment, other.get(at, at)), cell)

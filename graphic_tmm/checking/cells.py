@@ -50,14 +50,20 @@ def cells(made: Made) -> dict[Key, Cell]:
     return found
 
 
-def longest(found: Mapping[Key, Cell]) -> dict[tuple[str, str], float]:
-    """Return the longest segment of every plan and position, mm."""
+def longest(
+    found: Mapping[Key, Cell], spots: Mapping[Key, complex]
+) -> dict[tuple[str, str], float]:
+    """Return the longest vector of every plan and position, mm: to a point where no segment is measured."""
     most: dict[tuple[str, str], float] = {}
     for (plan, _, position), cell in found.items():
         if cell.mm is not None:
             at = (plan, position)
             most[at] = max(most.get(at, 0.0), abs(cell.mm))
-    return most
+    reach: dict[tuple[str, str], float] = {}
+    for (plan, _, position), spot in spots.items():
+        at = (plan, position)
+        reach[at] = max(reach.get(at, 0.0), abs(spot))
+    return reach | most
 
 
 def plans(found: Mapping[Key, Cell]) -> Iterator[str]:

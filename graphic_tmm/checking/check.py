@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.bench import Yardstick, yardstick
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.judge import judge, refuse_unknown, yardstick
+from graphic_tmm.checking.judge import judge
 from graphic_tmm.checking.mistakes import likely
+from graphic_tmm.checking.names import known
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.records import Scene
@@ -22,27 +24,51 @@ def check(
     readings: Sequence[Taken],
     *,
     hand: str = "student",
+    points: str = "paper",
     trials: int = TRIALS,
     limits: Limits = Limits(),  # noqa: B008
     source: str = "readings",
 ) -> Report:
     """Return the report on readings of a hand-made drawing of a scene.
 
-    ``hand``: by whose drawings they are judged; ``source``: the file of the readings, for messages.
+    ``hand``: by whose drawings they are judged; ``points``: how x and y were read, one of ``POINTS``;
+    ``source``: the file of the readings, for messages.
 
     Raises
     ------
     SceneError
         If readings name what the scene does not have.
     """
+    one = ((source, readings),)
+    return next(checks(scene, one, hand=hand, points=points, trials=trials, limits=limits))
+
+
+def checks(
+    scene: Scene,
+    drawings: Iterable[tuple[str, Sequence[Taken]]],
+    *,
+    hand: str = "student",
+    points: str = "paper",
+    trials: int = TRIALS,
+    limits: Limits = Limits(),  # noqa: B008
+) -> Iterator[Report]:
+    """Yield the reports on the readings of many drawings of a scene, each with its source.
+
+    The hand draws once for all drawings of which the same figures were read. Otherwise as `check`.
+    """
     made = make(scene, exact=True)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-    refuse_unknown(made, readings, source)
-    by = yardstick(made, readings, drawing, limits)
-    judged = judge(made, readings, by)
-    found = likely(made, judged, by.spread, scene.language)
-    name = scene_name(scene.source)
-    return Report(name, scene.title, scene.language, hand, judged, found)
+    known_by: dict[frozenset[object], Yardstick] = {}
+    for source, readings in drawings:
+        rows, notes = known(made, readings, source)
+        read = frozenset(row.at for row in rows)
+        if read not in known_by:
+            known_by[read] = yardstick(made, rows, drawing, limits, points)
+        by = known_by[read]
+        judged = judge(made, rows, by)
+        found = likely(made, judged, by.spread, scene.language)
+        name = scene_name(scene.source)
+        yield Report(name, scene.title, scene.language, hand, judged, found, notes)
 
 
 def figures(scene: Scene) -> int:

@@ -14,6 +14,7 @@ _FIGURE = re.compile(rf"([+-]?{NUMBER})\s*(.*)", re.DOTALL)
 _PLAIN = re.compile(r"[+-]?[0-9]{1,12}(?:\.[0-9]{1,20})?")
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
+_LAST = re.compile(r"[0-9]*[.,]?([0-9]*)(?:[eE]([+-]?[0-9]{1,6}))?")
 _SHORTEST = 40
 
 
@@ -76,6 +77,19 @@ def value_of(cell: str, unit: str, *, commas: bool) -> tuple[float | None, str]:
             f'"{_short(cell)}" has no unit; write it into the column "unit" (1 for a bare number)'
         )
     return number, "" if found in BARE else found
+
+
+def half_unit(cell: str) -> float:
+    """Return half a unit of the last digit of a figure that could be read; 0 for an empty cell.
+
+    >>> half_unit("54,3 мм"), half_unit("−31.40"), half_unit("7"), half_unit("1.2e3"), half_unit("")
+    (0.05, 0.005, 0.5, 50.0, 0.0)
+    """
+    match = _LAST.match(_straight(cell).lstrip("+-"))
+    if not cell or match is None:
+        return 0.0
+    decimals, exponent = match.groups()
+    return float(f"5e{int(exponent or 0) - len(decimals) - 1}")
 
 
 def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:

@@ -2,26 +2,74 @@
 
 A reading is doubtful where the hand is farther off in a small share of its drawings only, wrong where none of
 them comes near. Where earlier readings enter a figure, they are taken as they were found: a slip is blamed
-once.
+once, and what it carries on is said to follow from it.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.board.hand import Hand
-from graphic_tmm.checking.cells import Cell, Key, cells, longest, points
-from graphic_tmm.checking.own import OwnErrors
+import numpy as np
+
+from graphic_tmm.board.findings import step_number
+from graphic_tmm.board.record import Step
+from graphic_tmm.board.values import Number
+from graphic_tmm.checking.bench import Bench, Yardstick, yardstick
+from graphic_tmm.checking.cells import Cell
+from graphic_tmm.checking.own import apart
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
-from graphic_tmm.checking.scatter import Limits, Scatter, scatter
-from graphic_tmm.checking.usual import Usual, usual_errors
-from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.scene.quantities import UNITS, plain
+from graphic_tmm.checking.scatter import Scatter, times_off
+from graphic_tmm.checking.tolerance import GIVEN
+from graphic_tmm.checking.units import half_of, taken_figure
 from graphic_tmm.studio import Made
+
+__all__ = ["amount", "apart", "judge", "spot_of", "yardstick"]
 
 LEAST = 1e-9
 """A deviation below this share of the plan is none."""
+CARRIED = 1.0 / 3.0
+"""A deviation follows from an earlier reading that brings at least this share of it."""
+
+
+class _Off(NamedTuple):
+    """A reading against its due, in mm or in its unit: the deviation with its sign, what rounding may carry."""
+
+    found: float
+    due: float
+    signed: float
+    grain: float
+    times: float
+
+    @property
+    def counted(self) -> float:
+        return max(abs(self.signed) - self.grain, 0.0)
+
+
+class _Own(NamedTuple):
+    """A reading against what earlier readings make of it: how far by which scatter, the step, its error."""
+
+    scatter: Scatter
+    counted: float
+    step: Step | None
+    error: float
+
+
+def judge(made: Made, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged, ...]:
+    """Return every reading with its verdict; a row with mm, a quantity and a place is as many readings.
+
+    ``made``: drawn by the exact hand.
+    """
+    rows = [part for taken in readings for part in taken.parts()]
+    bench = Bench(made, rows, by)
+    order = sorted(range(len(rows)), key=lambda k: _rank(bench, rows[k]))
+    found: dict[int, Judged] = {}
+    verdicts: dict[Taken, str] = {}
+    for k in order:
+        found[k] = _judged(bench, rows[k], verdicts)
+        verdicts[rows[k]] = found[k].verdict
+    return tuple(found[k] for k in range(len(rows)))
 
 
 def amount(cell: Cell, taken: Taken) -> float:
@@ -31,108 +79,6 @@ def amount(cell: Cell, taken: Taken) -> float:
     return found
 
 
-def apart(found: float, due: float) -> float:
-    """Return by how much a figure exceeds its due; a segment without a sign is a magnitude."""
-    return found - due if found < 0.0 else found - abs(due)
-
-
-def taken_figure(taken: Taken, cell: Cell) -> float:
-    """Return a reading in mm, or as a quantity in the unit of its figure.
-
-    Raises
-    ------
-    ValueError
-        If its unit is not known or measures something else.
-    """
-    if taken.mm is not None:
-        return taken.mm
-    assert taken.value is not None
-    if taken.unit in ("", "1", cell.unit):
-        return taken.value
-    own, other = UNITS.get(plain(taken.unit)), UNITS.get(plain(cell.unit))
-    if own is None or (other is not None and own.dimension != other.dimension):
-        raise ValueError(
-            f'the unit "{taken.unit[:20]}" does not fit; write it in {cell.unit or "plain numbers"}'
-        )
-    factor = float(other.factor) if other is not None else 1.0
-    return taken.value * float(own.factor) / factor
-
-
-class Yardstick(NamedTuple):
-    """By what readings are judged: how the hand's drawings scatter, and what errors its own steps make."""
-
-    spread: Mapping[tuple[Key, bool], Scatter]
-    usual: Mapping[Key, Usual]
-
-
-def yardstick(made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits) -> Yardstick:
-    """Return by what readings of these figures are judged. ``made``: drawn by the exact hand."""
-    wanted: dict[Key, set[bool]] = {}
-    for taken in readings:
-        wanted.setdefault(taken.key, set()).add(taken.in_mm)
-    spread = scatter(made, hand, wanted, limits)
-    return Yardstick(spread, usual_errors(made, readings, hand, limits))
-
-
-def refuse_unknown(made: Made, readings: Sequence[Taken], source: str) -> None:
-    """Raise what is wrong with the names of readings.
-
-    Raises
-    ------
-    SceneError
-        If readings name what the scene does not have; all of them at once.
-    """
-    due, spots = cells(made), points(made)
-    faults = []
-    for taken in readings:
-        says = "" if taken.pointed and taken.key in spots else _unknown(taken.key, taken, due)
-        if says:
-            faults.append(Fault("", taken.line, says))
-    if faults:
-        raise SceneError(source, tuple(faults[:20]))
-
-
-def judge(made: Made, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged, ...]:
-    """Return every reading with its verdict. ``made``: drawn by the exact hand."""
-    due, spots = cells(made), points(made)
-    most, own = longest(due), OwnErrors(made, readings)
-    judged = []
-    for taken in readings:
-        key = taken.key
-        if taken.pointed:
-            found, goal, of = abs(spot_of(taken)), abs(spots[key]), "mm"
-            deviation = signed = abs(spot_of(taken) - spots[key])
-        else:
-            cell = due[key]
-            found, goal = taken_figure(taken, cell), amount(cell, taken)
-            signed, of = apart(found, goal), "mm" if taken.in_mm else cell.unit
-            deviation = abs(signed)
-        seen = by.spread[key, taken.in_mm]
-        whole = most.get((taken.plan, taken.position), 0.0)
-        share = 100.0 * deviation / whole if taken.in_mm and whole else 0.0
-        errors = own.of(taken)
-        counted, of_it, blamed, mine = deviation, deviation, own.step(taken), None
-        if errors and key in by.usual:
-            times, worst = by.usual[key].worst(errors)
-            mine = worst.error
-            # a length that is right is not wrong because an earlier one was copied wrongly
-            if taken.pointed or _milder(by.usual[key].scatter, times, seen, deviation):
-                counted, seen = times, by.usual[key].scatter
-                of_it, blamed = worst.error, worst.step
-        if abs(of_it) <= LEAST * max(whole, abs(goal)):
-            counted = 0.0
-        verdict = seen.verdict(counted)
-        step = own.named(blamed) if verdict != FINE else ""
-        quantile = seen.quantile(counted)
-        judged.append(Judged(taken, found, goal, signed, share, quantile, verdict, of, step, mine))
-    return tuple(judged)
-
-
-def _milder(one: Scatter, deviation: float, other: Scatter, by: float) -> bool:
-    """Whether the first verdict is not more severe than the second."""
-    return VERDICTS.index(one.verdict(deviation)) <= VERDICTS.index(other.verdict(by))
-
-
 def spot_of(taken: Taken) -> complex:
     """Return where a reading says that a point stands."""
     assert taken.x is not None
@@ -140,27 +86,140 @@ def spot_of(taken: Taken) -> complex:
     return complex(taken.x, taken.y)
 
 
-def _unknown(key: Key, taken: Taken, due: Mapping[Key, Cell]) -> str:
-    """Return what is wrong with the name of a reading; empty if nothing."""
-    plan, segment, position = key
-    if key in due:
-        cell = due[key]
-        if taken.mm is not None and cell.mm is None:
-            return f"{segment} is not drawn in mm; give its value and unit"
-        if taken.mm is None and taken.value is None:
-            return f"points are compared on plans of positions, velocities and accelerations, not {segment}"
-        try:
-            taken_figure(taken, cell)
-        except ValueError as error:
-            return str(error)
-        return ""
-    there = sorted({plan for plan, _, _ in due})
-    if plan not in there:
-        return f'there is no plan "{plan[:30]}"; there are {", ".join(there)}'
-    segments = sorted({s for p, s, _ in due if p == plan})
-    if segment not in segments:
-        return f'plan {plan} has no segment "{segment[:30]}"; it has {", ".join(segments)}'
-    places = [n for p, s, n in due if (p, s) == (plan, segment)]
-    return (
-        f'{segment} has no figure at position "{position[:20]}"; it has some at {", ".join(places)}'
+def _rank(bench: Bench, taken: Taken) -> tuple[float, bool]:
+    """Return the place of a reading among the others: earlier steps first, mm before their quantity."""
+    step = bench.step(taken)
+    return (math.inf if step is None else step.it.slot, not taken.in_mm)
+
+
+def _judged(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> Judged:
+    seen, off = bench.by.spread[taken.at], _off(bench, taken)
+    own = _own(bench, taken)
+    total = FINE if _none(bench, taken, off, off.signed) else seen.verdict(off.counted, off.times)
+    verdict, quantile = total, seen.quantile(off.counted)
+    blamed, error, follows = bench.step(taken), None, None
+    if own is not None:
+        still = _none(bench, taken, off, own.error)
+        mine = FINE if still else own.scatter.verdict(own.counted)
+        error = None if _rate(bench, taken) else own.error
+        if _strict(bench, taken, verdicts) or _milder(mine, total):
+            verdict, blamed = mine, own.step
+            quantile = own.scatter.quantile(0.0 if still else own.counted)
+            follows = _follows(bench, taken, off) if mine == FINE != total else None
+    return Judged(
+        taken=taken,
+        found=off.found,
+        due=off.due,
+        deviation=off.signed,
+        percent=_percent(bench, taken, off),
+        quantile=quantile,
+        verdict=verdict,
+        unit="mm" if taken.in_mm else bench.due[taken.key].unit,
+        step=_named(bench, blamed) if verdict != FINE else "",
+        own=error,
+        follows=follows,
     )
+
+
+def _off(bench: Bench, taken: Taken) -> _Off:
+    reader = bench.by.reader
+    if taken.pointed:
+        spot, goal = spot_of(taken), bench.spots[taken.key]
+        grain = reader.lost(taken.last)
+        return _Off(abs(spot), abs(goal), abs(spot - goal), grain, 0.0)
+    cell = bench.due[taken.key]
+    found, goal = taken_figure(taken, cell), amount(cell, taken)
+    grain = half_of(taken, cell)
+    mu = 1.0 if taken.mm is not None else bench.scale(taken)
+    if mu > 0.0:
+        grain = mu * reader.unblurred(grain / mu)
+    elif bench.is_given(taken):
+        grain += GIVEN * abs(goal)
+    return _Off(found, goal, float(apart(found, goal)), grain, float(times_off(found, goal)))
+
+
+def _own(bench: Bench, taken: Taken) -> _Own | None:
+    """Return a reading against what the earlier ones make of it; None where that cannot be told."""
+    if (length := bench.beside(taken)) is not None:
+        return _agreed(bench, taken, length)
+    step = bench.step(taken)
+    usual = None if step is None else bench.by.usual.get((step.it, bench.place(taken)))
+    errors = bench.errors(taken)
+    if not errors or usual is None:
+        return None
+    if bench.calculated(taken):
+        (by, error, grain), digits = errors[0], bench.by.reader.rounding(taken.mm or 0.0)
+        counted = max(abs(error) - grain - digits, 0.0)
+        return _Own(Scatter(np.empty(0), 0.0, bench.by.limits.wrong * digits), counted, by, error)
+    if taken.pointed:
+        lost = bench.by.reader.lost(taken.last, bench.share)
+        errors = tuple((one, error, lost) for one, error, _ in errors)
+    counted, by, error = usual.worst(errors, bench.share if taken.pointed else 1.0)
+    return _Own(usual.scatter, counted, by, error)
+
+
+def _agreed(bench: Bench, taken: Taken, length: Taken) -> _Own | None:
+    """Return a quantity against the length beside it times μ, mm: it has no more slips than a calculation."""
+    step, mu, hand = bench.step(taken), bench.scale(taken), bench.by.reader.hand
+    if not mu > 0.0:
+        return None
+    assert length.mm is not None
+    cell = bench.due[taken.key]
+    found = taken_figure(taken, cell)
+    error = abs(found) / mu - abs(length.mm)
+    ruler = bench.by.reader.half
+    digits = bench.by.reader.rounding(length.mm)
+    counted = max(abs(error) - half_of(taken, cell) / mu - length.last.mm - ruler - digits, 0.0)
+    slip = max(hand.reading, ruler)
+    return _Own(Scatter(np.empty(0), 0.0, bench.by.limits.wrong * slip), counted, step, error)
+
+
+def _strict(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:
+    """Whether only what earlier readings make of a reading counts.
+
+    Always of a point; of what is calculated, if they are right.
+    """
+    if taken.pointed:
+        return True
+    if bench.beside(taken) is None and not (_rate(bench, taken) or bench.calculated(taken)):
+        return False
+    return all(verdicts.get(one) == FINE for one in bench.sources(taken))
+
+
+def _rate(bench: Bench, taken: Taken) -> bool:
+    step = bench.step(taken)
+    return step is not None and step.it.kind is Number
+
+
+def _follows(bench: Bench, taken: Taken, off: _Off) -> Taken | None:
+    """Return the earlier reading that brings the most of a deviation."""
+    sources = bench.sources(taken)
+    carried = [(bench.carried(taken, one), -k) for k, one in enumerate(sources)]
+    most, k = max(carried, default=(0.0, 0))
+    mm = 1.0 if taken.in_mm or _rate(bench, taken) else bench.scale(taken)
+    return sources[-k] if most * mm >= CARRIED * abs(off.signed) else None
+
+
+def _none(bench: Bench, taken: Taken, off: _Off, error: float) -> bool:
+    """Whether an error is nothing but the rounding of the machine."""
+    whole = bench.whole.get((taken.plan, taken.position), 0.0) if taken.in_mm else 0.0
+    return abs(error) <= LEAST * max(whole, abs(off.due))
+
+
+def _percent(bench: Bench, taken: Taken, off: _Off) -> float:
+    """Return a deviation in % of the longest vector of its plan; NaN where nothing is drawn of it."""
+    whole = bench.whole.get((taken.plan, taken.position), 0.0)
+    mu = 1.0 if taken.in_mm else bench.scale(taken)
+    return 100.0 * abs(off.signed) / mu / whole if whole and mu else math.nan
+
+
+def _milder(one: str, other: str) -> bool:
+    """Whether the first verdict is not more severe than the second."""
+    return VERDICTS.index(one) <= VERDICTS.index(other)
+
+
+def _named(bench: Bench, step: Step | None) -> str:
+    """Return a step as a report names it: its number in its plan, its letter; empty for none."""
+    if step is None or bench.made.work is None:
+        return ""
+    return f"{step_number(bench.made.work.project.construction, step)} {step.it.name}"

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.checking.alterations import Figures
-from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, POSITION
+from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, POSITION, READING
 from graphic_tmm.checking.cells import Cell, Key, cells
 from graphic_tmm.checking.judge import amount, apart, spot_of
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Likely
@@ -36,6 +36,10 @@ LESS = 0.9
 NOWHERE = complex(np.nan, np.nan)
 LEAST = 0.6
 """A mistake has to explain this share of the wrong readings of its plans."""
+MOST_LEFT = 0.25
+"""A mistake that leaves more than this share of the deviations (of their squares) is not named."""
+DIGITS = 0.5
+"""A figure that is off a mistake's by this share of it does not show its digits."""
 
 
 class Explained(NamedTuple):
@@ -67,11 +71,17 @@ def likely(
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
 ) -> tuple[Likely, ...]:
-    """Return the mistakes that explain wrong readings, the best first; those that none tells apart together."""
+    """Return the mistakes that explain wrong readings, the best first; those that none tells apart together.
+
+    None is named that a fine reading disproves, that leaves too much, or that explains nothing but what a
+    better one does.
+    """
     wrong = [one for one in judged if one.verdict == WRONG]
     if not wrong:
         return ()
-    tried = [one for one in _tried(made, judged, spread, language) if one.lines]
+    tried = [
+        one for one in _tried(made, judged, spread, language) if one.lines and one.rest <= MOST_LEFT
+    ]
     tried.sort(key=lambda one: (-one.score, one.rest, one.name))
     found: list[Likely] = []
     first: list[Tried] = []
@@ -79,6 +89,8 @@ def likely(
         if one.score <= 0.0 or len(one.lines) < LEAST * min(len(wrong), 3):
             continue
         same = next((k for k, other in enumerate(first) if _same(other, one)), None)
+        if same is None and any(set(one.lines) <= set(other.lines) for other in first):
+            continue
         if same is None:
             first.append(one)
             found.append(Likely(one.name, one.says, one.lines, len(wrong), one.rest))
@@ -131,20 +143,23 @@ def _compared(
         group = groups[_place(one, reach)]
         cell = figures.get(one.taken.key)
         moved, due = (None, NOWHERE) if cell is None else _moved(one, cell)
+        limit = spread[one.taken.at]
+        unit = _unit(limit, one)
         if one.verdict == WRONG:
-            group.whole += one.deviation**2
+            group.whole += (one.deviation / unit) ** 2
         if moved is None:
-            group.left += one.deviation**2 if one.verdict == WRONG else 0.0
+            group.left += (one.deviation / unit) ** 2 if one.verdict == WRONG else 0.0
             continue
-        limit = spread[one.taken.key, one.taken.in_mm]
         growth = max(1.0, abs(due) / abs(one.due)) if one.due else 1.0
         room = _room(limit, abs(due), growth)
+        if reach == READING:
+            room = min(room, DIGITS * abs(due))
         if one.verdict == WRONG:
-            group.left += moved**2
+            group.left += (moved / unit) ** 2
             group.nearer |= moved < LESS * abs(one.deviation)
             if moved <= room:
                 group.explained.append(Explained(one.taken.line, due, growth * limit.usual))
-        elif one.verdict == FINE and moved > max(limit.wrong, room):
+        elif _disproves(one) and moved > max(limit.wrong, room):
             group.belied += 1
     said = [group for group in groups.values() if group.said]
     explained = [reading for group in said for reading in group.explained]
@@ -168,8 +183,20 @@ class _Group:
 
     @property
     def said(self) -> bool:
-        """Whether the mistake befell them: it explains more than it belies, and brings something nearer."""
-        return self.nearer and len(self.explained) > self.belied
+        """Whether the mistake befell them: it explains some, brings some nearer; no fine one disproves it."""
+        return self.nearer and bool(self.explained) and not self.belied
+
+
+def _disproves(one: Judged) -> bool:
+    """Whether a reading can disprove a mistake: a fine one, not merely for what it was found from."""
+    return one.verdict == FINE and one.follows is None
+
+
+def _unit(limit: Scatter, one: Judged) -> float:
+    """Return by what deviations in mm and in all units are made comparable: by where the hand's ends."""
+    if np.isfinite(limit.wrong) and limit.wrong > 0.0:
+        return limit.wrong
+    return 0.03 * abs(one.due) or 1.0
 
 
 def _place(one: Judged, reach: str) -> tuple[str, ...]:
@@ -239,28 +266,43 @@ def _other_segments(
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
 ) -> Tried:
-    """Readings that are another segment's of the same plan and position."""
-    due = cells(made)
-    by_place: dict[tuple[str, str], list[tuple[str, Cell]]] = {}
-    for (plan, segment, position), cell in due.items():
-        by_place.setdefault((plan, position), []).append((segment, cell))
-    explained, left, whole = [], 0.0, 0.0
+    """Readings that are another segment's of the same plan and position.
+
+    Where one of the wrong readings of a plan and position is no other's, its segments were not mistaken for
+    one another.
+    """
+    by_place: dict[tuple[str, str], list[tuple[str, Cell]]] = defaultdict(list)
+    for (plan, segment, position), cell in cells(made).items():
+        by_place[plan, position].append((segment, cell))
+    groups: dict[tuple[str, str], _Group] = defaultdict(_Group)
     for one in judged:
         if one.verdict != WRONG or one.taken.pointed:
             continue
         place = (one.taken.plan, one.taken.position)
-        near = [
-            (abs(apart(one.found, amount(cell, one.taken))), segment)
-            for segment, cell in by_place.get(place, [])
-            if segment != one.taken.segment and _due(cell, one) is not None
-        ]
-        nearest, other = min(near, default=(float("inf"), one.taken.segment))
-        own = spread[one.taken.key, one.taken.in_mm]
-        limit = spread.get(((one.taken.plan, other, one.taken.position), one.taken.in_mm), own)
-        whole += one.deviation**2
-        left += min(nearest, abs(one.deviation)) ** 2
+        group, own = groups[place], spread[one.taken.at]
+        nearest, other = _nearest(one, by_place[place])
+        limit = spread.get(((place[0], other, place[1]), one.taken.in_mm), own)
+        unit = _unit(own, one)
+        group.whole += (one.deviation / unit) ** 2
+        group.left += (min(nearest, abs(one.deviation)) / unit) ** 2
         if nearest <= 0.5 * limit.wrong:
-            explained.append(Explained(one.taken.line, NOWHERE, 0.0))
-    says = SEGMENT[2 if language == "ru" else 1]
+            group.explained.append(Explained(one.taken.line, NOWHERE, 0.0))
+        else:
+            group.belied += 1
+    said = [group for group in groups.values() if not group.belied]
+    explained = tuple(reading for group in said for reading in group.explained)
+    whole = sum(group.whole for group in groups.values())
+    left = sum(group.whole if group.belied else group.left for group in groups.values())
     score = 0.55 * len(explained)  # some segment or other is near by chance
-    return Tried(SEGMENT[0], says, tuple(explained), score, left / whole if whole else 1.0)
+    says = SEGMENT[2 if language == "ru" else 1]
+    return Tried(SEGMENT[0], says, explained, score, left / whole if whole else 1.0)
+
+
+def _nearest(one: Judged, others: Sequence[tuple[str, Cell]]) -> tuple[float, str]:
+    """Return how far a reading is from the nearest of other segments' figures, and that segment."""
+    near = [
+        (abs(apart(one.found, amount(cell, one.taken))), segment)
+        for segment, cell in others
+        if segment != one.taken.segment and _due(cell, one) is not None
+    ]
+    return min(near, default=(float("inf"), one.taken.segment))

@@ -1,148 +1,123 @@
 """The error that each step of a hand-made plan made itself: earlier readings are taken as they were found.
 
-The log is run once more at the positions that have readings; every segment that was read replaces what the log
-measured, every point that was read the point that the log marked: a later step starts from what was found.
+The log is run once more; every segment that was read replaces what the log measured or calculated, every point
+that was read the point that the log marked: a later step starts from what was found. All values are arrays
+(trial, position), so that one run judges a sheet of readings, or all drawings of a hand.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import needed
-from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.geometry import along, wedge
 from graphic_tmm.board.operations import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Arc, Length, Line, Point
+from graphic_tmm.board.values import Arc, Line, Point, Reals, Side
 from graphic_tmm.board.values import given as as_value
-from graphic_tmm.checking.cells import POINTED
-from graphic_tmm.checking.records import Taken
-from graphic_tmm.studio import Made
-from graphic_tmm.tables.columns import segment_name
+from graphic_tmm.work import Work
 
 MET = (meet, cut, cross)
 """Operations that mark where two lines or arcs meet."""
+Found = Mapping[Mark, Any]
+"""What was read of marks: arrays (trial, position), of a point x + iy; NaN where it was not read."""
+
+
+class Grain(NamedTuple):
+    """How far a figure may be off by rounding alone, (1, position).
+
+    As it was ``read``, and as it was ``used`` to calculate others.
+    """
+
+    read: Reals
+    used: Reals
 
 
 class Own(NamedTuple):
-    """The error of one step, mm: of a length how much too long, of a point or a line how far it is off."""
+    """The error of one step: of a length or a rate how much too large, of a point or a line how far it is off.
+
+    All are arrays (trial, position), in mm, of a rate in its unit. ``usual``: by what the usual size of the
+    error is told; ``grain``: so much of it may be the rounding of what was read.
+    """
 
     step: Step
-    error: float
+    error: Reals
+    usual: Reals
+    grain: Reals | float = 0.0
 
 
-class OwnErrors:
-    """Own errors of the readings in mm, and of the points, of a mechanism's plans."""
+class Run(NamedTuple):
+    """A log run with what was read: the errors by mark, and what each mark that was read should have been."""
 
-    def __init__(self, made: Made, readings: Sequence[Taken]) -> None:
-        self.made = made
-        self._found: dict[tuple[str, str, str], tuple[Own, ...]] = {}
-        self._steps: dict[tuple[str, str], Step] = {}
-        if made.work is None:
-            return
-        for step in _alone(made.work.project.construction):
-            if step.it.view in POINTED and step.it.kind is Length:
-                self._steps.setdefault((step.it.view, segment_name(step.it.letter)), step)
-            if step.it.view in POINTED and step.it.kind is Point:
-                self._steps.setdefault((step.it.view, step.it.letter), step)
-        by_position: dict[str, dict[Mark, complex]] = {}
-        for taken in readings:
-            of = self.step(taken)
-            if of is None:
-                continue
-            if of.it.kind is Point and taken.x is not None and taken.y is not None:
-                spot = complex(taken.x, taken.y)
-                by_position.setdefault(taken.position, {})[of.it] = spot
-            elif of.it.kind is Length and taken.mm is not None:
-                by_position.setdefault(taken.position, {})[of.it] = taken.mm
-        for position, found in by_position.items():
-            self._at(position, found)
-
-    def of(self, taken: Taken) -> tuple[Own, ...]:
-        """Return the errors of the steps that led to a reading; none where they cannot be told.
-
-        A point where two lines meet has the errors of both: how far it is off either of them.
-        """
-        return self._found.get(taken.key, ())
-
-    def step(self, taken: Taken) -> Step | None:
-        """Return the step that a reading is of; None where it is no length or point of a plan."""
-        return self._steps.get((taken.plan, taken.segment))
-
-    def named(self, step: Step | None) -> str:
-        """Return a step as a report names it: its number in its plan, its letter; empty for none."""
-        if step is None:
-            return ""
-        assert self.made.work is not None
-        return f"{step_number(self.made.work.project.construction, step)} {step.it.name}"
-
-    def _at(self, position: str, found: dict[Mark, complex]) -> None:
-        work = self.made.work
-        assert work is not None
-        if position not in work.project.names:
-            return
-        place = work.project.names.index(position)
-        log = work.project.construction
-        values: dict[int, Any] = {}
-        for mark in log.given:
-            if mark in work.given:
-                value = as_value(work.given[mark], mark.kind)
-                values[mark.slot] = value if value.shape[1] == 1 else value[:, place : place + 1]
-        with np.errstate(all="ignore"):
-            for step in needed(log, found):
-                run = partial(step.op.run, **step.choice) if step.choice else step.op.run
-                value = run(*[values[mark.slot] for mark in step.uses])
-                if step.it in found:
-                    values[self._as_measured(step.it)] = value
-                    value = self._taken(step, position, found[step.it], value, values)
-                values[step.it.slot] = value
-
-    def _taken(
-        self, step: Step, position: str, found: complex, value: Any, values: dict[int, Any]
-    ) -> Any:
-        """Note the errors of a step whose result was read; return what was read."""
-        if step.it.kind is Point:
-            key = (step.it.view, step.it.letter, position)
-            self._found[key] = tuple(self._parts(step, found, complex(value[0, 0]), values))
-            return np.full_like(value, found)
-        due = float(value[0, 0])
-        key = (step.it.view, segment_name(step.it.letter), position)
-        self._found[key] = (Own(step, found.real - abs(due)),)
-        return np.full_like(value, -found.real if due < 0.0 else found.real)
-
-    @staticmethod
-    def _as_measured(mark: Mark) -> int:
-        """Return the key under which the log's own value of a mark is kept, where a reading took its place."""
-        return -1 - mark.slot
-
-    def _parts(
-        self, step: Step, found: complex, due: complex, values: dict[int, Any]
-    ) -> Iterator[Own]:
-        """Yield how far a point is off each line and arc that it should lie on, or off its own place."""
-        assert self.made.work is not None
-        log = self.made.work.project.construction
-        drawn = [(log.step(mark), values[mark.slot]) for mark in step.uses]
-        if step.op in MET:
-            for by, value in drawn:
-                if isinstance(value, Line | Arc):
-                    yield Own(by or step, _off(value, found))
-        elif step.op is lay_off:
-            by, line = drawn[0]
-            yield Own(by or step, _off(line, found))
-            long = float(along(np.asarray(found - line.at), line.along)[0, 0])
-            # whether the length was laid off right, and read wrongly, or the other way round
-            lengths = (drawn[1][1], values.get(self._as_measured(step.uses[1])))
-            off = [abs(long - float(length[0, 0])) for length in lengths if length is not None]
-            yield Own(step, min(off))
-        else:
-            yield Own(step, abs(found - due))
+    errors: Mapping[Mark, tuple[Own, ...]]
+    due: Mapping[Mark, Any]
 
 
-def _alone(log: Construction) -> Iterator[Step]:
+def run(work: Work, found: Found, grain: Mapping[Mark, Grain]) -> Run:
+    """Run a log with what was read in the place of what it measured, calculated and marked.
+
+    Parameters
+    ----------
+    work
+        The scene as the exact hand draws it.
+    found
+        What was read.
+    grain
+        How far each figure that was read may be from what was meant, by rounding alone.
+    """
+    log = work.project.construction
+    values: dict[int, Any] = {
+        mark.slot: as_value(work.given[mark], mark.kind) for mark in log.given if mark in work.given
+    }
+    errors: dict[Mark, tuple[Own, ...]] = {}
+    due: dict[Mark, Any] = {}
+    lines = {step.it: step for step in log.steps}
+    with np.errstate(all="ignore"):
+        for step in needed(log, found):
+            drawn = [values[mark.slot] for mark in step.uses]
+            value = _of(step)(*drawn)
+            if (read := found.get(step.it)) is not None:
+                due[step.it] = value
+                if step.it.kind is Point:
+                    parts = _parts(work, lines, step, read, value, values, due)
+                    whole = grain[step.it].read if step.it in grain else 0.0
+                    errors[step.it] = tuple(part._replace(grain=whole) for part in parts)
+                else:
+                    error = apart(read, value)
+                    errors[step.it] = (Own(step, error, error, _grain(step, value, drawn, grain)),)
+                    read = np.where(read < 0.0, read, np.copysign(read, value))
+                value = np.where(np.isnan(read), value, read)
+            values[step.it.slot] = value
+    return Run(errors, due)
+
+
+def apart(found: Any, due: Any) -> Any:
+    """Return by how much a figure exceeds its due; a segment without a sign is a magnitude."""
+    return np.where(np.asarray(found) < 0.0, found - due, found - np.abs(due))
+
+
+def read_of(log: Construction, step: Step, found: Found) -> tuple[Mark, ...]:
+    """Return the marks that were read and that a step starts from, nothing read being between."""
+    steps = {one.it: one for one in log.steps}
+    seen: dict[Mark, None] = {}
+    ahead, looked = list(step.uses), set()
+    while ahead:
+        mark = ahead.pop(0)
+        if mark in looked:
+            continue
+        looked.add(mark)
+        if mark in found:
+            seen[mark] = None
+        elif mark in steps:
+            ahead += steps[mark].uses
+    return tuple(seen)
+
+
+def alone(log: Construction) -> Iterator[Step]:
     """Yield the steps whose results follow from their own position only."""
     tied: set[int] = set()
     for step in log.steps:
@@ -152,8 +127,80 @@ def _alone(log: Construction) -> Iterator[Step]:
             yield step
 
 
-def _off(figure: Line | Arc, found: complex) -> float:
+def _of(step: Step) -> Any:
+    return partial(step.op.run, **step.choice) if step.choice else step.op.run
+
+
+def _grain(step: Step, value: Any, drawn: list[Any], grain: Mapping[Mark, Grain]) -> Any:
+    """Return how far a figure may be off by the rounding of what it was found from, and by its own."""
+    whole = np.asarray(grain[step.it].read if step.it in grain else 0.0)
+    for k, mark in enumerate(step.uses):
+        if mark in grain and mark.kind is not Point:
+            moved = [*drawn[:k], drawn[k] + grain[mark].used, *drawn[k + 1 :]]
+            whole = whole + np.nan_to_num(np.abs(_of(step)(*moved) - value))
+    return whole
+
+
+def exact(work: Work, mark: Mark) -> Any:
+    """Return the numbers of a mark as drawn, along all positions (1, position); NaN where it is not drawn."""
+    reading, places = work.reading, tuple(range(len(work.project.names)))
+    if mark.view == "accelerations" and work.accelerated is not None:
+        reading, places = work.accelerated, work.project.accelerated
+    value = reading[mark]
+    row = np.full((value.shape[0], len(work.project.names)), np.nan, value.dtype)
+    row[:, list(places)] = value
+    return row
+
+
+def _parts(
+    work: Work,
+    lines: Mapping[Mark, Step],
+    step: Step,
+    found: Any,
+    due: Any,
+    values: dict[int, Any],
+    measured: Mapping[Mark, Any],
+) -> Iterator[Own]:
+    """Yield how far a point is off each line and arc that it should lie on, or off its own place."""
+    drawn = [(lines.get(mark), values[mark.slot]) for mark in step.uses]
+    if step.op in MET:
+        for by, value in drawn:
+            if isinstance(value, Line | Arc):
+                yield _even(by or step, _off(value, found))
+        if Side in step.op.takes:
+            yield _met(step, found, due, [value for _, value in drawn])
+    elif step.op is lay_off:
+        by, line = drawn[0]
+        yield _even(by or step, _off(line, found))
+        long = along(found - line.at, line.along)
+        # whether the length was laid off right, and read wrongly, or the other way round
+        off = np.abs(long - drawn[1][1])
+        if (mark := step.uses[1]) in measured:
+            for length in (measured[mark], exact(work, mark)):
+                off = np.fmin(off, np.abs(long - length))
+        yield _even(step, off)
+    else:
+        yield _even(step, np.abs(found - due))
+
+
+def _even(step: Step, error: Reals) -> Own:
+    return Own(step, error, error)
+
+
+def _met(step: Step, found: Any, due: Any, drawn: list[Any]) -> Own:
+    """Return how far a point is off the due meeting of two lines or arcs, where it is nearer to the other.
+
+    Its usual size is told by how far a hand is off that meeting: where the two are near, a hand takes one for
+    the other.
+    """
+    off = np.abs(found - due)
+    place = step.op.takes.index(Side)
+    other = _of(step)(*drawn[:place], -drawn[place], *drawn[place + 1 :])
+    return Own(step, np.where(np.abs(found - other) < off, off, 0.0), off)
+
+
+def _off(figure: Line | Arc, found: Any) -> Any:
     """Return how far a point is off a line or an arc, mm."""
     if isinstance(figure, Line):
-        return abs(float(wedge(figure.along, found - figure.at)[0, 0]))
-    return abs(float((np.abs(found - figure.centre) - figure.radius)[0, 0]))
+        return np.abs(wedge(figure.along, found - figure.at))
+    return np.abs(np.abs(found - figure.centre) - figure.radius)

@@ -8,8 +8,8 @@ from typing import NamedTuple, NoReturn
 
 from graphic_tmm.checking.csv_cells import HEADS, SEPARATORS, Head, Row, table
 from graphic_tmm.checking.decoding import text_of
-from graphic_tmm.checking.figures import decimal_comma, millimetres, value_of
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.figures import decimal_comma, half_unit, millimetres, value_of
+from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.checking.writing import template, write_readings
 from graphic_tmm.errors import Fault, SceneError, first_of
 
@@ -186,7 +186,8 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
         empty = "y" if one.x else "x"
         faults.append(Fault(head.title(empty), line, "a point needs both x and y; this is empty"))
     mm, x, y = numbers
-    return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line)
+    last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
+    return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
 
 
 def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None:

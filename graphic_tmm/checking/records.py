@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 FINE, DOUBTFUL, WRONG = "fine", "doubtful", "wrong"
 VERDICTS = (FINE, DOUBTFUL, WRONG)
 
 
+class Last(NamedTuple):
+    """Half a unit of the last digit that was written of each figure, in its own unit; 0 where none is known."""
+
+    mm: float = 0.0
+    value: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+
+
 class Taken(NamedTuple):
     """A reading as somebody took it: of a segment (mm on paper, or a quantity with its unit) or of a point.
 
     ``position`` is "" for a result of the whole project. ``mm``; ``value`` with ``unit``; ``x``, ``y`` (mm on
-    the plan, from its pole): None where not given. ``line`` of the file it stands in.
+    the plan, from its pole): None where not given. ``line`` of the file it stands in; ``last``: how finely it
+    was written.
     """
 
     plan: str
@@ -24,6 +35,7 @@ class Taken(NamedTuple):
     x: float | None = None
     y: float | None = None
     line: int = 0
+    last: Last = Last()
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -40,13 +52,29 @@ class Taken(NamedTuple):
         """Whether it gives the coordinates of a point."""
         return self.mm is None and self.x is not None and self.y is not None
 
+    @property
+    def at(self) -> tuple[tuple[str, str, str], bool]:
+        """Which figure it is of, and whether it was measured on paper: by what its yardstick is known."""
+        return self.key, self.in_mm
+
+    def parts(self) -> Iterator[Taken]:
+        """Yield a reading for each kind of figure that its row gives: mm, a quantity, a place."""
+        bare = self._replace(mm=None, value=None, x=None, y=None)
+        if self.mm is not None:
+            yield bare._replace(mm=self.mm)
+        if self.value is not None:
+            yield bare._replace(value=self.value)
+        if self.x is not None and self.y is not None:
+            yield bare._replace(x=self.x, y=self.y)
+
 
 class Judged(NamedTuple):
-    """A reading with its due: both in mm (or in the unit of ``value`` where nothing is drawn of it).
+    """A reading with its due: both in mm, or in the unit of ``value`` where it was given as a quantity.
 
-    ``percent``: of the longest vector of the plan; ``quantile``: how many of the hand's own drawings are
-    farther off (0 … 1, small for a reading that the hand would hardly make); ``step``: which step of its plan
-    is blamed, "" for none; ``own``: the error that this step made itself, mm.
+    ``percent``: of the longest vector of the plan, NaN where nothing is drawn of it; ``quantile``: how many of
+    the hand's own drawings are farther off (0 … 1, small for a reading that the hand would hardly make);
+    ``step``: which step of its plan is blamed, "" for none; ``own``: the error that this step made itself, mm
+    (None of a rate). ``follows``: the earlier reading whose deviation it has, though it is right itself.
     """
 
     taken: Taken
@@ -59,6 +87,7 @@ class Judged(NamedTuple):
     unit: str = "mm"
     step: str = ""
     own: float | None = None
+    follows: Taken | None = None
 
 
 class Likely(NamedTuple):

@@ -15,8 +15,9 @@ def json_report(report: Report) -> str:
     r"""Return the report as JSON text.
 
     ``readings``: {plan, position, segment, mm, due_mm, deviation_mm, percent_of_plan, verdict, step, quantile};
-    where nothing is drawn of it the mm are null and value, due_value, deviation_value and unit follow; x and y
-    (mm) where a point was read; own_error_mm where a step is blamed with its own error; line of the file.
+    where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x
+    and y (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
+    segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
     ``mistakes``: {name, says, like, lines, explains, wrong, rest}. ``unexplained``: how many of the wrong
     readings no mistake explains. Figures have 12 significant digits; one that is not finite is null.
     Text is whole, what is not printable in it as \\u escapes.
@@ -56,6 +57,8 @@ def _reading(one: Judged) -> dict[str, Any]:
     if taken.x is not None or taken.y is not None:
         told |= {"x": tidy(taken.x), "y": tidy(taken.y)}
     told |= {"own_error_mm": tidy(one.own)} if one.own is not None else {}
+    if one.follows is not None:
+        told |= {"follows_from": one.follows.segment, "follows_from_line": one.follows.line}
     return told | ({"line": taken.line} if taken.line else {})
 
 

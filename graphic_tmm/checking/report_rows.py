@@ -26,7 +26,7 @@ RUNS = 12
 """So many runs of lines are listed; the JSON has all of them."""
 FIGURES = frozenset({"line", "found", "due", "deviation", "percent", "farther", "own", "rest"})
 """Columns of figures, set to the right."""
-OPTIONAL = frozenset({"line", "position", "unit", "step", "own", "lines"})
+OPTIONAL = frozenset({"line", "position", "unit", "step", "own", "follows", "lines"})
 """Columns left out where nothing stands in them."""
 
 
@@ -195,7 +195,17 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
         "verdict": verdict_name(one.verdict, language),
         "step": shown(one.step),
         "own": "" if one.own is None else signed(one.own, 2, language),
+        "follows": _source(one, language),
     }
+
+
+def _source(one: Judged, language: str) -> str:
+    """Return the earlier reading that a deviation follows from; "" for none."""
+    if one.follows is None:
+        return ""
+    line, words = one.follows.line, WORDS[language]
+    told = words["follows from line" if line else "follows from"]
+    return told.format(segment=shown(one.follows.segment), line=line)
 
 
 def _place(one: Judged, language: str) -> str:

@@ -49,6 +49,10 @@ WORDS: dict[str, dict[str, str]] = {
         "verdict": "verdict",
         "step": "step",
         "own": "own, mm",
+        "follows": "follows from",
+        "follows from": "{segment}",
+        "follows from line": "{segment} (line {line})",
+        "not sure": "Line {line}: {segment} is not judged: no digit of the figure due is sure.",
         "mistakes": "Likely mistakes",
         "mistake": "mistake",
         "says": "what was done",
@@ -63,6 +67,7 @@ WORDS: dict[str, dict[str, str]] = {
         "% of plan: of its longest vector. "
         "Farther: so many of the hand's own drawings are farther off. Step: where the error was made. "
         "Own: the error that this step made itself. "
+        "Follows from: the earlier reading whose deviation it has, though it is found from it rightly. "
         "Left: what the mistake leaves of the deviations that it explains.",
     },
     "ru": {
@@ -93,6 +98,10 @@ WORDS: dict[str, dict[str, str]] = {
         "verdict": "вывод",
         "step": "шаг",
         "own": "своя, мм",
+        "follows": "следует из",
+        "follows from": "{segment}",
+        "follows from line": "{segment} (№ {line})",
+        "not sure": "Строка {line}: {segment} не проверяется: у должной величины нет ни одной верной цифры.",
         "mistakes": "Вероятные ошибки",
         "mistake": "ошибка",
         "says": "что сделано",
@@ -107,6 +116,7 @@ WORDS: dict[str, dict[str, str]] = {
         "% плана: от его наибольшего вектора. "
         "Дальше: столько собственных чертежей этой руки отклоняются сильнее. "
         "Шаг: где сделана ошибка. Своя: ошибка, внесённая самим этим шагом. "
+        "Следует из: более ранний отсчёт, отклонение которого перешло сюда, хотя найдено из него верно. "
         "Остаток: сколько отклонений, которые ошибка объясняет, после неё остаётся.",
     },
 }

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from graphic_tmm.checking.cells import POINTED, RESULTS, points, position_names
+from graphic_tmm.checking.cells import POINTED, RESULTS, position_names
+from graphic_tmm.checking.cells import points as spots
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.readings import read_readings
@@ -31,18 +32,25 @@ def template_of(scene: Scene) -> str:
     rows = list(scene_columns(made))
     for name, (value, unit) in scene_results(made).items():
         rows.append(Column(RESULTS, name, name, unit, (None,), (value,)))
-    letters = dict.fromkeys((plan, letter) for plan, letter, _ in points(made) if plan in POINTED)
+    letters = dict.fromkeys((plan, letter) for plan, letter, _ in spots(made) if plan in POINTED)
     return template(rows, names, tuple(letters), language=scene.language)
 
 
 def checked(
-    scene: Scene, readings: str, hand: str, limits: tuple[float, float], trials: int
+    scene: Scene,
+    readings: str,
+    hand: str,
+    limits: tuple[float, float],
+    trials: int,
+    points: str = "paper",
 ) -> Report:
-    """Return the report on a file of readings."""
+    """Return the report on a file of readings; ``points``: how their x and y were read."""
     taken = read_readings(Path(readings))
     doubtful, wrong = limits
     bounds = Limits(doubtful=doubtful, wrong=wrong)
-    return check(scene, taken, hand=hand, trials=trials, limits=bounds, source=readings)
+    return check(
+        scene, taken, hand=hand, points=points, trials=trials, limits=bounds, source=readings
+    )
 
 
 def told(report: Report, form: str) -> str | list[Any]:

@@ -2,71 +2,150 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.hand import Hand
-from graphic_tmm.checking.cells import Key, cells, points
-from graphic_tmm.checking.own import Own, OwnErrors
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Length, Point, Reals
+from graphic_tmm.checking.own import Found, Own, exact, run
 from graphic_tmm.checking.scatter import Limits, Scatter, limited
-from graphic_tmm.studio import Made, drawings
+from graphic_tmm.checking.tolerance import Reader
+from graphic_tmm.work import Work
 
-TRIALS = 150
-"""How often the hand draws to tell what errors its steps make by themselves."""
 LEAST = 1e-9
 """Errors of a step are never taken for smaller than this, mm."""
+FEW = 20
+"""Fewer errors of points do not tell how finely points were read."""
+MOST = 0.8
+"""The share of the errors of a drawing that tells how finely it was read: fewer are gross."""
+SURE = 2.2
+"""That quantile of normal errors is off by 1.1 of it by the root of their number: twice that."""
+SHARES = (0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
+"""Of the slip of reading coordinates that was counted upon."""
 
 
 class Usual(NamedTuple):
     """The hand's own errors of what led to a reading: their root mean squares, mm, step by step.
 
-    ``scatter``: of the largest error measured by these.
+    ``sharp``: the same, if coordinates were read without a slip. ``scatter``: of the largest error measured by
+    its size; ``most``: what `MOST` of the errors, so measured, are below. ``even``: which of the errors are
+    counted for that: not those that a hand makes now and then.
     """
 
     sizes: tuple[float, ...]
+    sharp: tuple[float, ...]
     scatter: Scatter
+    most: float
+    even: tuple[bool, ...]
 
-    def worst(self, errors: Sequence[Own]) -> tuple[float, Own]:
-        """Return the error that is the largest as the hand goes, and how many times its usual one it is."""
-        times = [abs(own.error) / size for own, size in zip(errors, self.sizes, strict=True)]
+    def at(self, share: float) -> tuple[float, ...]:
+        """Return the sizes if coordinates were read with this share of the slip that was counted upon."""
+        pairs = zip(self.sizes, self.sharp, strict=True)
+        return tuple(math.sqrt(b * b + share * share * max(a * a - b * b, 0.0)) for a, b in pairs)
+
+    def worst(
+        self, errors: Sequence[tuple[Step, float, float]], share: float
+    ) -> tuple[float, Step, float]:
+        """Return how many times its usual size the largest error is as the hand goes, its step, and it.
+
+        ``errors``: each a step, its error, and how much of it may be rounding; ``share``: as in `at`.
+        """
+        times = [
+            max(abs(error) - grain, 0.0) / size
+            for (_, error, grain), size in zip(errors, self.at(share), strict=True)
+        ]
         k = times.index(max(times))
-        return times[k], errors[k]
+        return times[k], errors[k][0], errors[k][1]
+
+
+def share_of_slip(seen: Sequence[tuple[Usual, Sequence[float]]]) -> float:
+    """Return with which share of the slip that was counted upon the coordinates of a drawing were read.
+
+    What most of the errors of a drawing are below tells, whatever a few gross ones are. It is counted with what
+    it may be off by, and is never more than all.
+
+    Parameters
+    ----------
+    seen
+        What is usual of each point, and its errors, mm.
+    """
+    rows = [
+        (usual, k, abs(error))
+        for usual, errors in seen
+        for k, error in enumerate(errors)
+        if usual.even[k]
+    ]
+    if len(rows) < FEW:
+        return 1.0
+    wide = 1.0 + SURE / math.sqrt(len(rows))
+    most = float(np.median([usual.most for usual, _ in seen]))
+    for share in SHARES:
+        times = [error / usual.at(share)[k] for usual, k, error in rows]
+        if float(np.quantile(times, MOST)) * wide <= most:
+            return share
+    return 1.0
 
 
 def usual_errors(
-    made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits
-) -> dict[Key, Usual]:
-    """Return how far off the hand's own steps are, by reading."""
-    rows: dict[Key, list[list[float]]] = {}
-    for drawn in drawings(made, hand._replace(trials=min(hand.trials, TRIALS))):
-        again = _as_drawn(drawn, readings)
-        errors = OwnErrors(made, again)
-        for taken in again:
-            if mine := errors.of(taken):
-                key = taken.key
-                rows.setdefault(key, []).append([abs(own.error) for own in mine])
-    return {key: _usual(np.array(row), limits) for key, row in rows.items()}
+    work: Work, found: Found, by: Reader, limits: Limits
+) -> dict[tuple[Mark, int], Usual]:
+    """Return how far off the hand's own steps are, by mark and position (its index), where they were read."""
+    if not found:
+        return {}
+    drawn = work.drawn_by(by.hand)
+    blunt, sharp = (
+        run(
+            work, {mark: _read(drawn, mark, there, who) for mark, there in found.items()}, {}
+        ).errors
+        for who in (by, by.sharp)
+    )
+    return {
+        (mark, int(place)): _usual(blunt[mark], sharp[mark], int(place), limits)
+        for mark, there in found.items()
+        for place in np.flatnonzero(~np.isnan(there[0]))
+    }
 
 
-def _usual(errors: np.ndarray, limits: Limits) -> Usual:
-    """Return what is usual of errors (trial, step)."""
-    sizes = np.maximum(np.sqrt(np.mean(errors**2, axis=0)), LEAST)
-    largest = np.sort(np.max(errors / sizes, axis=1))
-    return Usual(tuple(map(float, sizes)), limited(largest, limits))
+def _usual(errors: Sequence[Own], sharp: Sequence[Own], place: int, limits: Limits) -> Usual:
+    sizes, least = (tuple(_size(own, place) for own in some) for some in (errors, sharp))
+    times = [
+        np.nan_to_num(np.abs(own.error[:, place])) / size
+        for own, size in zip(errors, sizes, strict=True)
+    ]
+    even = tuple(own.usual is own.error for own in errors)
+    most = np.quantile([row for row, counts in zip(times, even, strict=True) if counts], MOST)
+    return Usual(sizes, least, _limited(np.array(times), limits), float(most), even)
 
 
-def _as_drawn(drawn: Made, readings: Sequence[Taken]) -> list[Taken]:
-    """Return the same readings as they would be of another drawing."""
-    figures, where = cells(drawn), points(drawn)
-    again = []
-    for taken in readings:
-        key = taken.key
-        if taken.pointed and key in where:
-            z = where[key]
-            again.append(taken._replace(x=z.real, y=z.imag))
-        elif taken.mm is not None and key in figures and figures[key].mm is not None:
-            again.append(taken._replace(mm=abs(figures[key].mm or 0.0)))
-    return again
+def _limited(times: Reals, limits: Limits) -> Scatter:
+    """Return the limits of the largest of errors (step, trial), each measured by its own root mean square."""
+    found = limited(np.sort(np.max(times, axis=0)), limits)
+    wrong = max(limits.wrong, limits.beyond * float(found.sorted[-1]), found.doubtful)
+    return found._replace(wrong=wrong)
+
+
+def _size(own: Own, place: int) -> float:
+    usual = _at(own.usual, place)
+    return max(float(np.sqrt(np.mean(usual**2))), LEAST) if usual.size else LEAST
+
+
+def _at(values: Reals, place: int) -> Reals:
+    row = values[:, place]
+    return row[np.isfinite(row)]
+
+
+def _read(drawn: Work, mark: Mark, there: Any, by: Reader) -> Any:
+    """Return what the hand would read of a mark, (trial, position); NaN where it was not read."""
+    row = exact(drawn, mark)
+    row = np.broadcast_to(row, (drawn.hand.trials, row.shape[1]))
+    key = f"{mark.view}|{mark.letter}"
+    if mark.kind is Point:
+        row = by.pointed(row, key)
+    elif mark.kind is Length:
+        log = drawn.project.construction
+        step = next(step for step in log.steps if step.it == mark)
+        row = np.abs(row) if step.op.reads else by.measured(np.abs(row), key)
+    return np.where(np.isnan(there), np.nan, row)

@@ -77,7 +77,8 @@ class Bound:
             Which says what is wanted.
         """
         if not self.holds(value):
-            told = f"{value:g}" if isinstance(value, int | float) else str(value)
+            plain = isinstance(value, bool) or not isinstance(value, int | float)
+            told = str(value) if plain else f"{value:g}"
             raise OrderError(section, key, f"{key} = {told}: {self.wanted} is wanted")
 
 

@@ -1,8 +1,8 @@
-"""The mass centre of a link: the point that its scene declares; no letter means it by itself."""
+"""The mass centre of a link: the point that its scene declares, or its only one in no pair; never a letter."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Link, Mechanism
@@ -23,6 +23,11 @@ def pins(mechanism: Mechanism) -> frozenset[str]:
     return shared(link.points for link in mechanism.by_number.values())
 
 
+def free_points(points: Iterable[str], joined: Collection[str]) -> tuple[str, ...]:
+    """Return the letters of a link that are no turning pair."""
+    return tuple(letter for letter in points if letter not in joined)
+
+
 def mass_centre(mechanism: Mechanism, link: Link) -> str:
     """Return the letter of a link's mass centre.
 
@@ -33,7 +38,7 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
     """
     if link.centre is not None and link.centre in link.points:
         return link.centre
-    free = [letter for letter in link.points if letter not in pins(mechanism)]
+    free = free_points(link.points, pins(mechanism))
     meant = next(iter((*free, *link.points)), f"S{link.number}")
     points = f"its points are {', '.join(link.points)}" if link.points else "it has no point yet"
     raise StructureError(

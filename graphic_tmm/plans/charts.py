@@ -16,7 +16,7 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.mechanism.orders import Drawn
 from graphic_tmm.plans.draft import Draft
 
-HEIGHT = {"A1": 130.0, "A4": 45.0}
+HEIGHT = {"A1": 120.0, "A4": 45.0}
 """Of the graphs of moment, work and energy by format: how high one may be, mm; three stand in a column."""
 
 

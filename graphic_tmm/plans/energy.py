@@ -39,7 +39,7 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         )
     total: Mark | None = None
     for part in parts.values():
-        total = part if total is None else draft.board.draw(added, "T", total, part, unit="J")
+        total = part if total is None else draft.board.draw(added, "T_{L}", total, part, unit="J")
     assert total is not None
     return Energies(parts, total)
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import GRAVITY, ForcesOrder
+from collections.abc import Collection
+from dataclasses import replace
+
+from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.scene import build_cam, build_forces, build_orders, build_wheels, geometry
 from graphic_tmm.scene import models as m
+from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.force_tables import EffectsTable
-from graphic_tmm.scene.quantities import KGF
 from graphic_tmm.scene.records import (
     PART_PLACES,
     PLAN_PLACES,
@@ -25,7 +29,7 @@ DIVISIONS = {"exact": 0.1, "cad": 0.01, "careful": 0.1, "student": 0.5}
 """Divisions of the rulers of named hands, mm."""
 
 
-def scene(parts: Parts, source: str, *, kgf: bool = False) -> Scene:
+def scene(parts: Parts, source: str) -> Scene:
     """Return the scene of sections in which no fault was found.
 
     Parameters
@@ -73,18 +77,6 @@ def scene(parts: Parts, source: str, *, kgf: bool = False) -> Scene:
         sheets=tuple(SheetOrder(sheet.format, sheet.place or usual) for sheet in sheets),
         title_block={key: text for key, text in block if text},
         task=_task(parts.task) if parts.task else None,
-        assumed=_assumed(parts) if kgf else (),
-    )
-
-
-def _assumed(parts: Parts) -> tuple[str, ...]:
-    """Return that weights and kgf speak of two accelerations of gravity, if they do."""
-    effects = parts.effects
-    if parts.forces is None or effects is None or not effects.gravity or effects.g is not None:
-        return ()
-    return (
-        f"effects.g is left out: weights are taken with {GRAVITY} m/s², while a kgf is {KGF} N; "
-        f'write g = "{KGF} m/s^2", or the one that is meant',
     )
 
 
@@ -126,11 +118,20 @@ def _mechanism(frame: m.FrameTable, links: list[m.LinkTable], drive: m.DriveTabl
     bodies[frame.number] = frame
     fixed = Link(frame.number, dict(frame.points), _guides(frame.guides))
     sign = _sign(drive)
+    pins = shared(body.points for body in bodies.values())
     return Mechanism(
         frame=fixed,
-        links=tuple(_link(link, bodies, frame.number) for link in links),
+        links=tuple(
+            replace(_link(link, bodies, frame.number), centre=_centre(link, pins)) for link in links
+        ),
         drive=Drive(drive.link, sign * drive.speed, sign * drive.acceleration),
     )
+
+
+def _centre(table: m.LinkTable, pins: Collection[str]) -> str | None:
+    """Return the mass centre that a link declares; of one that has a mass, else its only point in no pair."""
+    found = centres_of(table, pins)
+    return found[0] if len(found) == 1 else None
 
 
 def _sign(drive: m.DriveTable) -> int:
@@ -151,7 +152,6 @@ def _link(table: m.LinkTable, bodies: dict[int, m.FrameTable | m.LinkTable], fra
         name=table.name,
         mass=table.mass,
         inertia=table.J,
-        centre=table.centre,
         side=side,
     )
 

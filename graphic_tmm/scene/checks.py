@@ -7,7 +7,7 @@ import math
 from collections.abc import Collection, Iterator, Mapping
 from itertools import chain
 
-from graphic_tmm.mechanism.masses import shared
+from graphic_tmm.mechanism.masses import free_points, shared
 from graphic_tmm.scene import geometry
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.lines import Path
@@ -23,9 +23,10 @@ def check(parts: Parts) -> Iterator[Found]:
     bodies = [body.points for body in (parts.frame, *parts.links) if body is not None]
     pins = shared(bodies)
     for path, link in pairing(parts.links, "link"):
-        centres = _centres(link, pins)
+        centres = centres_of(link, pins)
         yield from _places((*path, "points"), link.points, centres)
-        yield from _masses(path, link, centres)
+        if parts.forces is not None or parts.flywheel is not None:
+            yield from _masses(path, link, centres)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
@@ -64,18 +65,16 @@ def _places(
             cells.setdefault((x, y), []).append((letter, place))
 
 
-def _centres(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:
-    """Return the mass centre of a link; where a mass has none, the points that seem to be meant.
-
-    An S that joins the link to nothing seems to be; that is asked, and never taken for granted.
-    """
+def centres_of(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:
+    """Return the mass centre of a link; where a mass has none, the points that may be meant: in no pair."""
     if link.centre is not None or not link.mass:
         return (link.centre,) if link.centre is not None else ()
-    return tuple(k for k in link.points if k.startswith("S") and k not in pins)
+    return free_points(link.points, pins)
 
 
 def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[Found]:
-    if link.centre is None and centres:
+    """A mass without its centre, where more than one point may be meant."""
+    if link.centre is None and len(centres) > 1:
         listed = " or ".join(f'centre = "{letter}"' for letter in centres)
         says = f"it is missing, and link {link.number} has a mass"
         yield Found(

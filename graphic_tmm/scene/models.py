@@ -110,7 +110,9 @@ class LinkTable(Table):
     mass: v.Mass | None = key("its mass", "25 kg", None)
     J: v.Inertia | None = key("its moment of inertia about the mass centre", "0.02 kg*m^2", None)
     centre: v.Text | None = key(
-        "the letter of its mass centre: no letter is one by itself", "S2", None
+        "the letter of its mass centre; left out, its only point that is no turning pair",
+        "S2",
+        None,
     )
 
     @property

@@ -12,7 +12,6 @@ from graphic_tmm.scene import build, checks, force_checks, order_checks, referen
 from graphic_tmm.scene.document import document
 from graphic_tmm.scene.faults import Found, fault
 from graphic_tmm.scene.lines import line_of, locate
-from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import Document, understand
@@ -53,7 +52,7 @@ def read(path: Path | str, *, missing: Callable[[str], str] = lambda text: "") -
     found.extend(force_checks.check(doc, parts))
     if found:
         raise SceneError(str(file), _in_order(text, doc, found))
-    made = build.scene(parts, str(file), kgf=in_kgf(doc))
+    made = build.scene(parts, str(file))
     return replace(made, remarks=remarks(doc, parts), told=_told(doc))
 
 

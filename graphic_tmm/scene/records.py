@@ -84,10 +84,9 @@ class Scene:
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
-    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train. ``assumed``:
-    in words, which keys were left out whose defaults matter. ``remarks``: what of the file comes to nothing,
-    and defaults that matter, a line each. ``told``: the keys that the file writes in its sections, as
-    section.key.
+    drawn in heavy lines. ``behind``: the teeth of the pair of gears behind the planetary train. ``remarks``:
+    what of the file comes to nothing, and defaults that matter, a line each. ``told``: the keys that the file
+    writes in its sections, as section.key.
     """
 
     source: str
@@ -114,7 +113,6 @@ class Scene:
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     task: Task | None = None
-    assumed: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
     told: frozenset[str] = frozenset()
 

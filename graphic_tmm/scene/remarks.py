@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.mechanism.loads import GRAVITY
+from graphic_tmm.mechanism.masses import shared
+from graphic_tmm.scene.checks import centres_of
+from graphic_tmm.scene.quantities import KGF, in_kgf
 from graphic_tmm.scene.records import SECTIONS, Scene
 from graphic_tmm.scene.sections import Document, Parts
 
@@ -34,10 +38,31 @@ def _idle(doc: Document, parts: Parts) -> Iterator[str]:
 
 
 def _defaults(doc: Document, parts: Parts) -> Iterator[str]:
+    effects = parts.effects
+    weights = parts.forces is not None and effects is not None and effects.gravity
+    if weights and effects is not None and effects.g is None and in_kgf(doc):
+        yield (
+            f"effects.g: it is left out, so weights are taken with {GRAVITY} m/s², while a kgf is {KGF} N; "
+            f'write g = "{KGF} m/s^2", or the one that is meant'
+        )
+    if parts.forces is not None or parts.flywheel is not None:
+        yield from _centres(parts)
     if parts.flywheel is not None and "constant" not in doc.get("flywheel", {}):
         yield (
             f"flywheel.constant: it is left out, so the {parts.flywheel.constant} moment is taken as constant; "
             'write constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives'
+        )
+
+
+def _centres(parts: Parts) -> Iterator[str]:
+    pins = shared(body.points for body in (parts.frame, *parts.links) if body is not None)
+    bare = [link for link in parts.links if link is not None and link.centre is None]
+    lone = {link.number: found[0] for link in bare if len(found := centres_of(link, pins)) == 1}
+    if lone:
+        first, letter = next(iter(lone.items()))
+        yield (
+            f"centre: it is left out of link {', '.join(map(str, lone))}; taken for the mass centre is "
+            f'{", ".join(lone.values())}, the link\'s only point in no pair; write centre = "{letter}" in link {first}'
         )
 
 

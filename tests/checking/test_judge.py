@@ -13,6 +13,7 @@ from trials import honest, made
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.scatter import Limits, scatter
+from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import drawings, make
 
@@ -40,7 +41,7 @@ def test_scatter_goes_to_zero_with_the_hand() -> None:
             ruler=None, digits=None, prick=0.15 * share, compass=0.15 * share,
             swing=0.6 * share, reading=0.75 * share, trials=200,
         )  # fmt: skip
-        found = scatter(made("engine"), hand, {key: {True}}, Limits())
+        found = scatter(made("engine"), Reader(hand), {key: {True}}, Limits())
         wide.append(float(np.sqrt(np.mean(found[key, True].sorted ** 2))))
     assert wide[1] == pytest.approx(0.1 * wide[0], rel=0.05)
     assert wide[2] == pytest.approx(0.01 * wide[0], rel=0.05)

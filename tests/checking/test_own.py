@@ -6,10 +6,12 @@ import pytest
 from gallery import SHEETS
 from trials import blamed, made, readings
 
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.bench import Bench, yardstick
 from graphic_tmm.checking.cells import cells, cells_and_points, points
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.own import OwnErrors
 from graphic_tmm.checking.records import FINE, WRONG, Taken
+from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.read import read
 
 SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-crank", "lever")
@@ -20,10 +22,11 @@ SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-cra
 def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
     due = cells_and_points(made(name)) if pointed else cells(made(name))
     rows = readings(due, due)
-    own = OwnErrors(made(name), rows)
+    by = yardstick(made(name), rows, HANDS["student"]._replace(trials=2), Limits())
+    own = Bench(made(name), rows, by)
     drawn = [t for t in rows if t.plan == "velocities" and (t.pointed or t.mm is not None)]
-    assert all(own.of(taken) for taken in drawn)
-    assert max(abs(one.error) for taken in rows for one in own.of(taken)) < 1e-9
+    assert all(own.errors(taken) for taken in drawn)
+    assert max(abs(error) for taken in rows for _, error, _ in own.errors(taken)) < 1e-9
 
 
 def test_a_ray_turned_by_four_degrees_is_blamed() -> None:

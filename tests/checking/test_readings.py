@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from graphic_tmm.checking.readings import TOLD, read_readings, write_readings
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import SceneError
 
 HEADS = ("plan", "position", "segment", "mm", "value", "unit", "x", "y")
@@ -59,7 +59,12 @@ READINGS = st.lists(taken(), max_size=6, unique_by=lambda one: one[:3])
 def read_bytes(folder, data, name="readings.csv"):
     file = folder / name
     file.write_bytes(data)
-    return read_readings(file)
+    return without_digits(read_readings(file))
+
+
+def without_digits(rows):
+    """How finely figures were written is another test's."""
+    return tuple(one._replace(last=Last()) for one in rows)
 
 
 def read_text(folder, text):
@@ -243,7 +248,7 @@ def test_order_and_number_of_100_000_rows_are_kept(tmp_path):
     text = "план;положение;отрезок;мм;величина;единица;x;y\n" + "".join(many)
     file = tmp_path / "many.csv"
     file.write_text(text, "utf-8")
-    back = read_readings(str(file))
+    back = without_digits(read_readings(str(file)))
     assert [one.mm for one in back] == [k % 997 + 0.25 for k in range(100_000)]
     last = ("velocities", "99999", "pb", 99999 % 997 + 0.25, 99999.0, "m/s", 1.5, -2.5)
     assert back[-1] == Taken(*last, line=100_001)

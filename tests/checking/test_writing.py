@@ -9,7 +9,7 @@ import pytest
 from gallery import NAMES, SHEETS
 
 from graphic_tmm.checking.readings import read_readings
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.checking.writing import result_columns, template, write_readings
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make, table, table_columns
@@ -111,5 +111,5 @@ def test_the_table_of_a_scene_is_a_file_of_readings(tmp_path):
     back = read_readings(saved(tmp_path, text))
     assert len(back) == len(text.splitlines()) - 1
     assert Taken("velocities", "3", "pb", 65.3, 16.325, "m/s") in [
-        one._replace(line=0) for one in back
+        one._replace(line=0, last=Last()) for one in back
     ]

@@ -19,10 +19,11 @@ from graphic_tmm.board.operations import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.checking.alterations import Figures
+from graphic_tmm.checking.bench import Yardstick, yardstick
 from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, READING
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
-from graphic_tmm.checking.judge import Yardstick, judge, yardstick
+from graphic_tmm.checking.judge import judge
 from graphic_tmm.checking.mistakes import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.checking.scatter import Limits
@@ -63,10 +64,17 @@ def readings(found: Figures, due: Figures, *, valued: bool = False) -> list[Take
 
 
 @cache
-def usual(name: str, hand: str, *, pointed: bool = False, valued: bool = False) -> Yardstick:
+def usual(
+    name: str, hand: str, *, pointed: bool = False, valued: bool = False, points: str = "paper"
+) -> Yardstick:
     due = cells_and_points(made(name)) if pointed else cells(made(name))
     rows = readings(due, due, valued=valued)
-    return yardstick(made(name), rows, HANDS[hand]._replace(trials=TRIALS), Limits())
+    drawing = HANDS[hand]._replace(trials=TRIALS)
+    return yardstick(made(name), rows, drawing, Limits(), points)
+
+
+WRITTEN = frozenset(mistake.name for mistake in CATALOGUE if mistake.reach == READING)
+"""Mistakes of single figures: made when what was read is written down."""
 
 
 class Honest(NamedTuple):
@@ -113,7 +121,7 @@ def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mappin
         valued = all(cell.mm == due[key].mm for key, cell in figures.items() if key in due)
         by = usual(name, "student", pointed=True, valued=valued)
         for drawn in slipped:
-            rows = readings(_noisy(figures, drawn, due), due, valued=valued)
+            rows = readings(_noisy(figures, drawn, due, called in WRITTEN), due, valued=valued)
             judged = judge(made(name), rows, by)
             if not any(one.verdict == WRONG for one in judged):
                 continue
@@ -173,11 +181,16 @@ def _times(cell: Cell, key: Key) -> Cell:
     return cell._replace(mm=mm, value=value)
 
 
-def _noisy(figures: Figures, drawn: Figures, due: Figures) -> dict[Key, Cell]:
-    """What a hand reads whose figures are those of a mistake: with its own deviations from what is due."""
+def _noisy(figures: Figures, drawn: Figures, due: Figures, written: bool) -> dict[Key, Cell]:
+    """What a hand reads whose figures are those of a mistake: with its own deviations from what is due.
+
+    ``written``: what was read is written down wrongly, and its deviation with it.
+    """
 
     def plus(a: Any, b: Any, c: Any) -> Any:
-        return None if a is None or b is None or c is None else a + (b - c)
+        if a is None or b is None or c is None:
+            return None
+        return a + (b - c) * (abs(a / c) if written and c else 1.0)
 
     found = {}
     for key, cell in due.items():
@@ -203,9 +216,12 @@ class Blamed(NamedTuple):
 
 
 def blamed(name: str, trials: int, seed: int = FRESH) -> Blamed:
-    """Turn every ray of the plans of velocities and accelerations in honest student drawings."""
+    """Turn every ray of the plans of velocities and accelerations in honest student drawings.
+
+    Their points are read as they stand, as by a cursor on a screen.
+    """
     total = ray = some = 0
-    by = usual(name, "student", pointed=True)
+    by = usual(name, "student", pointed=True, points="screen")
     for step in _rays(made(name)):
         for drawn in drawings(
             _turned(made(name), step), HANDS["student"]._replace(trials=trials, seed=seed)

@@ -1,0 +1,108 @@
+"""Readings that were made without the package get the verdict that they deserve, and no wrong name."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+from gallery import SHEETS
+
+from graphic_tmm.checking.check import check
+from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
+from graphic_tmm.scene.read import read
+
+CASES = Path(__file__).resolve().parent.parent / "cases" / "check"
+SCENES = ("sc", "fb", "rpr", "six")
+SURE = frozenset({"fine", "wrong"})
+BLAMED = {
+    "Coriolis_turned_six": ("Coriolis turned",),
+    "coriolis_left_out_six": ("Coriolis left out",),
+    "coriolis_along_rpr": (),
+    "coriolis_half_rpr": (),
+    "eps_total_sc": (),
+    "normal_forgotten_sc": (),
+    "normal_from_the_wrong_end_sc": ("normal from the wrong end",),
+    "normal_pb_sc": (),
+    "normal_v_over_l_rpr": (),
+    "normal_wrong_link_sc": ("normal of the wrong link",),
+    "one_position_15deg_rpr": (),
+    "other_assembly_fb": ("other assembly",),
+    "other_dead_centre_sc": ("numbering from the opposite position", "other assembly"),
+    "mirrored_positions_fb": ("other assembly",),
+    "mirrored_positions_sc": ("other assembly",),
+    "mirrored_positions_six": ("other assembly",),
+    "rowshift_sc": (),
+    "similarity_mirrored_fb": (),
+    "tangent_from_a_sc": (),
+    "velocity_along_rod_sc": (),
+    "wrong_length_sc": (),
+}
+"""Drawings with a mistake, and what it may be named; nothing where the catalogue does not hold it."""
+
+
+@cache
+def report(case: str) -> Report:
+    last = case.rsplit("_", 1)[-1]
+    scene = CASES / f"{last}.toml"
+    if case.startswith("honest"):
+        scene = CASES / "six.toml"
+    elif last not in SCENES:
+        scene = SHEETS / last
+    return check(read(scene), read_readings(CASES / f"{case}.csv"))
+
+
+def verdicts(case: str, verdict: str) -> set[tuple[str, str]]:
+    rows = report(case).readings
+    return {(one.taken.position, one.taken.segment) for one in rows if one.verdict == verdict}
+
+
+@pytest.mark.parametrize("case", ["honest_six_mm", "honest_six_points"])
+def test_an_honest_drawing_is_fine(case: str) -> None:
+    assert not verdicts(case, WRONG)
+    assert len(verdicts(case, DOUBTFUL)) <= 0.05 * len(report(case).readings)
+
+
+@pytest.mark.parametrize("case", ["pa_engine", "pa_sc"])
+def test_a_length_half_a_division_off_what_is_calculated_is_fine(case: str) -> None:
+    assert {one.verdict for one in report(case).readings} == {FINE}
+
+
+def test_calculated_figures_are_judged_for_slips_not_for_rounding() -> None:
+    """39.8 for 39.79 1/s, 78.4 for 78.48 N, 373 for 372.78 N; but no length of another μ, no other speed."""
+    assert {s for _, s in verdicts("calc_windrower", FINE)} == {"omega1", "G1", "G3", "G5", "F5"}
+    assert verdicts("calc_windrower", WRONG) == {("1", "pa")}  # 82.5 mm for 54.35
+    assert {s for _, s in verdicts("calc_engine", FINE)} == {"omega1", "pa"}
+    assert verdicts("calc_engine", WRONG) == {("2", "πa")}  # 60 mm for 75
+    assert verdicts("calc_lever", WRONG) == {("1", "omega1")}  # 10.5 1/s for 31.4
+
+
+@pytest.mark.parametrize("case", BLAMED)
+def test_a_mistake_is_blamed_and_called_by_no_wrong_name(case: str) -> None:
+    found = report(case)
+    assert found.wrong
+    named = {name for one in found.mistakes for name in (one.name, *one.like)}
+    allowed = set(BLAMED[case])
+    assert bool(named) == bool(allowed)
+    assert not found.mistakes or {found.mistakes[0].name, *found.mistakes[0].like} & allowed
+    assert named <= allowed | {"wrong scale or pole distance"}
+
+
+@pytest.mark.parametrize("scene", ["sc", "fb", "six"])
+def test_the_point_that_is_mirrored_is_blamed_at_every_position(scene: str) -> None:
+    point = "D" if scene == "six" else "B"
+    wrong = verdicts(f"mirrored_positions_{scene}", WRONG)
+    assert {position for position, segment in wrong if segment == point} == set("01234567")
+
+
+def test_a_rate_found_from_another_segment_is_wrong() -> None:
+    assert verdicts("eps_total_sc", WRONG) == {(k, "epsilon2") for k in "135"}
+
+
+def test_what_follows_from_a_wrong_reading_names_it() -> None:
+    """The normal component is wrong; what is drawn from it says so."""
+    rows = report("normal_pb_sc").readings
+    assert {one.taken.segment for one in rows if one.verdict == WRONG} == {"nab"}
+    followed = {one.taken.segment: one.follows.segment for one in rows if one.follows is not None}
+    assert followed["πb"] == "nab"

@@ -1,0 +1,102 @@
+"""A scene's own printed table, fed back as somebody's readings, passes its check: for every hand and ruler."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from gallery import SHEETS
+
+from graphic_tmm.checking.cells import cells, position_names
+from graphic_tmm.checking.check import checks
+from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.records import DOUBTFUL, WRONG, Report
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import Made, make, scene_columns, scene_results, table
+from graphic_tmm.words import fixed, number
+
+HANDS = ("cad", "careful", "student")
+RULERS = (0.1, 0.5, 1.0)
+NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
+HEAD = ("plan", "position", "segment", "mm", "value", "unit")
+RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
+EVERYDAY = (
+    ("engine", "careful", 0.5),
+    ("shaper", "student", 1.0),
+    ("oscillating-cylinder", "cad", 0.1),
+)
+"""One scene for each hand and ruler; the slow test takes them all."""
+
+
+def typed(figure: str) -> str:
+    """A figure as the table prints it, as a keyboard has it: 2.5·10⁻⁷ is 2.5e-7."""
+    return figure.translate(RAISED).replace("·10", "e").replace("—", "")
+
+
+def printed(made: Made) -> Iterator[list[str]]:
+    """Every figure with the digits that the table prints for people."""
+    names = position_names(made)
+    for column in scene_columns(made):
+        for name, mm, value in zip(names, column.mm, column.value, strict=True):
+            length = typed(fixed(mm, 1, "en"))
+            figure = "" if value is None else typed(number(value, "en"))
+            if length or figure:
+                yield [column.plan, name, column.segment, length, figure, column.unit or "1"]
+    yield from results(made)
+
+
+def results(made: Made) -> Iterator[list[str]]:
+    for name, (value, unit) in scene_results(made).items():
+        if value == value:
+            yield ["results", "", name, "", typed(number(value, "en", 6)), unit or "1"]
+
+
+def exported(made: Made) -> Iterator[list[str]]:
+    """Every figure as the table is written for machines."""
+    for row in csv.DictReader(io.StringIO(str(table(made, "csv")))):
+        yield [row[head] or ("1" if head == "unit" else "") for head in HEAD]
+    yield from results(made)
+
+
+def fed_back(name: str, hand: str, ruler: float, folder: Path, trials: int) -> Iterator[Report]:
+    scene = replace(read(SHEETS / name), ruler=ruler)
+    made = make(scene)
+    files = []
+    for form in (printed, exported):
+        path = folder / f"{form.__name__}.csv"
+        with path.open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([HEAD, *form(made)])
+        files.append((path.name, read_readings(path)))
+    if cells(made):
+        yield from checks(scene, files, hand=hand, trials=trials)
+
+
+def passes(name: str, hand: str, ruler: float, folder: Path, trials: int) -> None:
+    for report in fed_back(name, hand, ruler, folder, trials):
+        wrong = [
+            (*one.taken.key, one.found, one.due) for one in report.readings if one.verdict == WRONG
+        ]
+        assert wrong == []
+        doubtful = sum(one.verdict == DOUBTFUL for one in report.readings)
+        assert doubtful <= 0.03 * len(report.readings)
+
+
+@pytest.mark.parametrize(("name", "hand", "ruler"), EVERYDAY)
+def test_a_printed_table_passes_its_own_check(
+    name: str, hand: str, ruler: float, tmp_path: Path
+) -> None:
+    passes(name, hand, ruler, tmp_path, 100)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ruler", RULERS)
+@pytest.mark.parametrize("hand", HANDS)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_printed_table_passes_its_own_check(
+    name: str, hand: str, ruler: float, tmp_path: Path
+) -> None:
+    passes(name, hand, ruler, tmp_path, 100)
