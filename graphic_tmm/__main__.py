@@ -261,27 +261,30 @@ def check(
     if template:
         click.echo(road.template_of(task), nl=False)
         return
+    _refuse_half_asked(readings, photo, sheet, corners)
+    report = None
+    if readings is not None:
+        report = road.checked(task, readings, hand, (doubtful, wrong), trials, points)
+    photograph = (photo, corners or "", sheet or 1) if photo is not None else None
+    written, warnings = road.pictured(task, report, overlay, enlarge, photograph)
+    for warning in warnings:
+        say(f"graphic-tmm: warning: {warning}")
+    for path in written:
+        click.echo(str(path), err=report is not None)  # a report has the other stream to itself
+    if report is None:
+        return
+    show(road.told(report, form), 160)
+    if report.wrong:
+        raise SystemExit(WRONG)
+
+
+def _refuse_half_asked(
+    readings: str | None, photo: str | None, sheet: int | None, corners: str | None
+) -> None:
     if photo is None and (sheet is not None or corners is not None):
         raise click.UsageError("--sheet and --corners go with a photograph: add --photo FILE")
     if readings is None and photo is None:
         raise click.UsageError("name the file of READINGS, or ask for --template")
-    report = None
-    if readings is not None:
-        report = road.checked(task, readings, hand, (doubtful, wrong), trials, points)
-    if photo is not None:
-        place = overlay or "photo.svg"
-        written, told = road.underlay(task, photo, corners or "", place, sheet or 1)
-        for warning in told:
-            say(f"graphic-tmm: warning: {warning}")
-        for path in written:
-            click.echo(str(path), err=report is not None)  # a report has the other stream to itself
-    if report is None:
-        return
-    if overlay is not None and photo is None:
-        say(str(road.overlaid(task, report, overlay, enlarge)))
-    show(road.told(report, form), 160)
-    if report.wrong:
-        raise SystemExit(WRONG)
 
 
 @main.command()

@@ -65,7 +65,7 @@ def _ended(error: BaseException) -> int:
     if isinstance(error, BrokenPipeError):
         return _hushed()
     if isinstance(error, SystemExit):
-        return error.code if isinstance(error.code, int) else BAD
+        return error.code if isinstance(error.code, int) else FINE if error.code is None else BAD
     if isinstance(error, (KeyboardInterrupt, click.Abort)):
         return BROKEN_OFF
     if isinstance(error, click.ClickException):

@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 from click.testing import CliRunner, Result
 
-from graphic_tmm import studio
 from graphic_tmm.__main__ import main
+from graphic_tmm.scene import read as reading
 
 ROOT = Path(__file__).parent.parent
 ALL = (
@@ -54,7 +54,7 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_a_fault_of_the_program_is_told_in_one_line_and_is_never_1(
     arguments: tuple[str, ...], error: Exception, home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(studio, "draw_parts", failing(error))
+    monkeypatch.setattr(reading, "read", failing(error))
     monkeypatch.delenv("GRAPHIC_TMM_TRACEBACK", raising=False)
     done = run(*arguments)
     assert (done.exit_code, done.stdout) == (70, "")
@@ -71,19 +71,19 @@ def test_a_fault_of_the_program_is_told_in_one_line_and_is_never_1(
 
 
 def test_where_the_program_is_at_fault_is_shown_on_request(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(studio, "draw_parts", failing(ValueError("of numpy")))
+    monkeypatch.setattr(reading, "read", failing(ValueError("of numpy")))
     monkeypatch.setenv("GRAPHIC_TMM_TRACEBACK", "1")
     done = run("table", "cam")
     assert done.exit_code == 70
     assert "Traceback" in done.stderr
-    assert "studio.py" in done.stderr
+    assert "options.py" in done.stderr
 
 
 @pytest.mark.parametrize("arguments", ALL, ids=" ".join)
 def test_ctrl_c_ends_with_130_and_says_nothing(
     arguments: tuple[str, ...], home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(studio, "draw_parts", failing(KeyboardInterrupt()))
+    monkeypatch.setattr(reading, "read", failing(KeyboardInterrupt()))
     done = run(*arguments)
     assert (done.exit_code, done.stdout, done.stderr.strip()) == (130, "", "")
     assert list(home.iterdir()) == []

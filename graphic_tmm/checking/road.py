@@ -60,6 +60,25 @@ def told(report: Report, form: str) -> str | list[Any]:
     return {"md": markdown_report, "json": json_report, "html": html_report}[form](report)
 
 
+def pictured(
+    scene: Scene,
+    report: Report | None,
+    file: str | None,
+    enlarge: float,
+    photograph: tuple[str, str, int] | None,
+) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+    """Write what is to be seen of a check: the photograph under its sheet, else the points over their plans.
+
+    ``photograph``: its file, corners, and the number of the sheet. Return the files and the warnings.
+    """
+    if photograph is not None:
+        photo, corners, number = photograph
+        return underlay(scene, photo, corners, file or "photo.svg", number)
+    if report is None or file is None:
+        return (), ()
+    return (overlaid(scene, report, file, enlarge),), ()
+
+
 def overlaid(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
     """Write the exact plans thin under the points that were read; deviations ``enlarge`` times as large."""
     from graphic_tmm.paper.svg import svg

@@ -39,7 +39,6 @@ def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
     [
         ("crank-press", '"90 mm"', '"90000000.0 mm"', "the stroke has no length"),
         ("engine", 'r  = "0.3 m"', 'r  = "3e-07 m"', ""),
-        ("windrower", 'mu_l = "0.004 m/mm"', 'mu_l = "4000.0 m/mm"', "warning"),
     ],
 )
 def test_what_the_fuzzer_found_is_drawn(
@@ -54,6 +53,16 @@ def test_what_the_fuzzer_found_is_drawn(
     assert (result.exit_code, result.exception) == (0, None), result.output
     assert says in result.stderr
     assert "nan" not in next(out.glob("*.svg")).read_text(encoding="utf-8")
+
+
+def test_a_plan_too_small_to_measure_is_refused(tmp_path: Path) -> None:
+    text = (SHEETS / "windrower" / "scene.toml").read_text(encoding="utf-8")
+    scene, out = tmp_path / "scene.toml", tmp_path / "out"
+    scene.write_text(text.replace('mu_l = "0.004 m/mm"', 'mu_l = "4000.0 m/mm"'), encoding="utf-8")
+    result = CliRunner().invoke(main, ["draw", str(scene), "-o", str(out)])
+    assert (result.exit_code, out.exists()) == (2, False), result.output
+    assert "scales.mu_l: " in result.stderr
+    assert "too small to measure" in result.stderr
 
 
 def test_a_case_is_told_by_its_seed_and_number() -> None:
