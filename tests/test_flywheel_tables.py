@@ -57,9 +57,9 @@ def test_the_protocol_tells_the_flywheel_as_a_student_would_do_it() -> None:
         "Индикаторная диаграмма, положение 3",
         "μ_A = μ_M·μ_φ·H = 8·0,05236·40 = 16,76 Дж/мм",
         "ΔT",
-        "J_F = cd·μ_A/(δ·ω_1²) = 60,82·16,76/(0,23·50²) = 1,772 кг·м²",
-        "T_2t = m_2·(ps2·μ_v)²/2",
-        "b = 16·J_F/(π·ρ·(D_e² − D_i²)·D_m²)",
+        "J_м = cd·μ_A/(δ·ω_1²) = 60,82·16,76/(0,23·50²) = 1,772 кг·м²",
+        "T_2пост = m_2·(ps2·μ_v)²/2",
+        "b = 16·J_м/(π·ρ·(D_e² − D_i²)·D_ср²)",
     ):
         assert part in text, part
     english = "\n".join(protocol(drawn(), ("flywheel",), "3", "en"))

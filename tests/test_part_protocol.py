@@ -1,4 +1,4 @@
-"""The protocol of a part tells every step where it has a value: a cam's rise where it rises, its return where not."""
+"""The protocol of a part tells every step where it has a value: a cam's rise where it rises."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ from graphic_tmm.scene.read import read
 
 HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'
 PARTS = {
-    "an offset roller": ("cam", 'stroke = "20 mm"\nrise = 90\nfall = 100\nupper_dwell = 30\noffset = "8 mm"\n'),
+    "an offset roller": (
+        "cam",
+        'stroke = "20 mm"\nrise = 90\nfall = 100\nupper_dwell = 30\noffset = "8 mm"\n',
+    ),
     "a rocker": (
         "cam",
         'stroke = "20 deg"\nrise = 110\nfall = 80\nlaw = "3-4-5"\nfollower = "rocker"\nlever = "80 mm"\n'
@@ -25,14 +28,22 @@ PARTS = {
     ),
     "a flat face": (
         "cam",
-        'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\nleast_curvature = "8 mm"\n',
+        'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\n'
+        'least_curvature = "8 mm"\n',
     ),
     "a law by its diagram": (
         "cam",
-        'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\nlaw_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]\n',
+        'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\n'
+        "law_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]\n",
     ),
-    "a pair of gears": ("gears", 'z1 = 14\nz2 = 31\nm = "6 mm"\nx1 = 0.4\nx2 = -0.1\nstations = ["20 mm"]\n'),
-    "a train": ("planetary", 'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n'),
+    "a pair of gears": (
+        "gears",
+        'z1 = 14\nz2 = 31\nm = "6 mm"\nx1 = 0.4\nx2 = -0.1\nstations = ["20 mm"]\n',
+    ),
+    "a train": (
+        "planetary",
+        'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n',
+    ),
 }
 
 
@@ -79,7 +90,9 @@ def test_rise_and_return_are_told_in_the_middle_of_each(tmp_path: Path) -> None:
     found = lines(part, "ru")
     assert found[0].endswith(", положение 6")  # of twelve parts of the rise
     told = {line.strip() for line in found if line.startswith("      [положение")}
-    rows = [undefined(part.reading[s.it])[0] for s in part.construction.steps if s.it.kind is not Curve]
+    rows = [
+        undefined(part.reading[s.it])[0] for s in part.construction.steps if s.it.kind is not Curve
+    ]
     there = np.array([~row for row in rows if row.size == part.reading.positions])
     places = [int(re.sub(r"\D", "", text)) for text in told]
     covered = there[:, [6, *places]].any(axis=1)

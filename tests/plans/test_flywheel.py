@@ -254,8 +254,8 @@ def bare(mechanism: Mechanism) -> Mechanism:
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"delta": 0.0}, "δ = 0 is not greater than 0"),
-        ({"delta": -0.1}, "δ = -0.1"),
+        ({"delta": 0.0}, "delta = 0: a number greater than 0 and less than 2"),
+        ({"delta": -0.1}, "delta = -0.1: "),
         ({"pole": 0.0}, "H = 0 mm"),
         ({"pole": -5.0}, "H = -5 mm"),
     ],
