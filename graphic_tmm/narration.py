@@ -178,7 +178,7 @@ def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[st
     point = kinematic.order.point if kinematic is not None else ""
     flywheel = project.flywheel
     constant = flywheel.order.constant if flywheel is not None else ""
-    title = view_name(plan, language).replace("{point}", point)
+    title = view_name(plan, language, point)
     title = flywheel_title(plan, constant, language) if plan == "moment" else title
     yield f"{title}{at}"
     yield from _polygon(work, plan, language)

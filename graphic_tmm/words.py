@@ -146,8 +146,11 @@ def flywheel_title(view: str, constant: str, language: str) -> str:
     return CAPTIONS[language]["moment driving" if varying else view]
 
 
-def view_name(view: str, language: str) -> str:
-    """Return what a view is called, as plain text; figures and polygons of forces by their group."""
+def view_name(view: str, language: str, point: str = "") -> str:
+    """Return what a view is called, as plain text; figures and polygons of forces by their group.
+
+    ``point``: of which the diagrams are.
+    """
     words = CAPTIONS[language]
     kind, _, name = view.partition(" ")
     keys = {
@@ -158,7 +161,8 @@ def view_name(view: str, language: str) -> str:
         name, _, tried = name.partition(" ")
         title = words[keys[kind][0 if "-" in name else 1]].format(name=name)
         return title + (words["pass"].format(number=tried) if tried else "")
-    return plain(words.get(f"diagram {view}", words.get(view, view)))
+    title = words.get(f"diagram {view}", words.get(view, view))
+    return plain(title.replace("{point}", point)).strip()
 
 
 def calculation(

@@ -82,7 +82,11 @@ def told(result: Result) -> list[str]:
     return [line.partition("warning: ")[2] for line in result.stderr.splitlines()]
 
 
-@pytest.mark.parametrize("section", PLANS)
+SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k for k in PLANS]
+"""Of the long ones one of the parts in the everyday run."""
+
+
+@pytest.mark.parametrize("section", SLOW)
 def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     section: str, tmp_path: Path
 ) -> None:
@@ -106,7 +110,7 @@ def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     assert not [line for line in told(done) if line.startswith(f"{section}: ")]
 
 
-@pytest.mark.parametrize("section", PLANS)
+@pytest.mark.parametrize("section", SLOW)
 def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
     section: str, tmp_path: Path
 ) -> None:

@@ -16,6 +16,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from loaded import order_of, solve, weighed
 from mechanisms import assemble
+from test_called import written
+from test_part_protocol import PARTS
+from test_part_protocol import drawn as part_of
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
@@ -37,17 +40,18 @@ PLANS = (
 )  # fmt: skip
 
 LATIN = re.compile(
+    r"[ntkr]_[a-zπ][0-9]?[a-zπ][0-9]?$|"  # segments of plans of velocities and accelerations
     r"[^\W\d_]_("
     r"[0-9*]+′?|[A-Z][A-Z0-9′]*|[A-Z]?max|[A-Z]?min[0-9]?|"  # numbers, points, max and min
     r"[0-9][A-Za-zϑ]′?|[0-9]min|I+′?|S[0-9]?|"
     r"[GRFNPQTKMHSVJLA][0-9]*′?|ϑ|"  # the force or the graph that an ordinate or an arm belongs to
-    r"[a-eπp]{1,2}[0-9]?[a-e]?[0-9]?|oa|[0-9]x|"  # segments of plans of velocities and accelerations
-    r"[wabflpFs][0-9]?|[xyntlvakdeoirg][0-9]?|k0|v0|SE|S2B"  # circles of wheels, axes, the n-th, t, l, v, a
+    r"[0-9]x|[a-e]|"
+    r"[wabflpFs][0-9]?|[xyntlvakdeoirgm][0-9]?|k0|v0|SE|S2B"  # circles of wheels, axes, the n-th, t, l, v, a
     r")$"
 )
 """Latin indices of the field: numbers of links, letters of points and segments, quantities, max and min."""
 WORDS = re.compile(
-    r"[PM]_b\b|_\{?(?:bl|in|red|mean|dr|ser|fA|fB|L|drv|res)\b|\b[PM]_?i\d|[yh]_P(?:b|i|in)\b"
+    r"[PM]_b\b|[TJ]_[LFr]\b|_\{?(?:bl|in|red|mean|dr|ser|fA|fB|drv|res)\b|\b[PM]_?i\d|[yh]_P(?:b|i|in)\b"
 )
 """Latin words that stood in indices."""
 MACHINE = re.compile(r"[#{}\\∃]|∠[A-Z]|′′|\(1\) (?:или|or)|&(?:lt|gt|amp);")
@@ -219,6 +223,40 @@ def test_random_mechanisms_under_loads_are_told_in_names_of_the_field(
             assert TALLY not in whole
 
 
+SCENES = {
+    "a machine under loads": ("effects", "load", "forces", "flywheel", "diagrams"),
+    "an engine": ("effects", "indicator", "flywheel", "engine"),
+    "friction": (
+        "load",
+        "[effects]\nfriction = true\n",
+        '[friction]\nf = 0.1\nradius = "12 mm"\n',
+        "forces",
+    ),
+}
+
+
+@pytest.mark.parametrize("what", SCENES)
+def test_other_machines_are_told_in_names_of_the_field(what: str, tmp_path: Path) -> None:
+    made = make(read(written(tmp_path, *SCENES[what])))
+    for log, _ in logs(made):
+        assert not {n: list(russian_faults(n)) for n in names(log, "ru") if any(russian_faults(n))}
+        assert not {n for n in names(log, "en") if any(faults(n))}
+        assert {(op, n) for op, n in _collisions(log) if op != "measure_along"} == set()
+    assert made.work is not None
+    for language in ("ru", "en"):
+        for line in told(made.work, PLANS, None, language):
+            assert not MACHINE.search(line), line
+
+
+@pytest.mark.parametrize("what", PARTS)
+def test_other_parts_are_told_in_names_of_the_field(what: str, tmp_path: Path) -> None:
+    log = part_of(tmp_path, what).construction
+    assert not {n: list(russian_faults(n)) for n in names(log, "ru") if any(russian_faults(n))}
+    assert not {n for n in names(log, "en") if any(faults(n))}
+    # the stretches of a law by its diagram share the letters of their points
+    assert set(_collisions(log)) == set() or "diagram" in what
+
+
 def _collisions(log: Construction) -> Iterator[tuple[str, str]]:
     """Sentences in which two different marks of one view bear one name; sums and units apart."""
     for step in log.steps:
@@ -289,6 +327,13 @@ def test_loads_of_one_link_are_told_apart_and_directions_by_their_value(tmp_path
     assert isinstance(text, str)
     assert {"F3", "F3(2)", "F3(3)"} <= {row.split(",")[3] for row in text.splitlines()}
     assert not MACHINE.search(lines)
+
+
+def test_a_diagram_is_called_by_its_point(tmp_path: Path) -> None:
+    lines = scene("slider-diagrams", "en").lines
+    assert "Velocity diagram of B, position 1" in lines
+    assert "Диаграмма скоростей точки B, положение 1" in scene("slider-diagrams", "ru").lines
+    assert not [line for line in lines if "point," in line]
 
 
 def test_a_sum_of_many_terms_is_one_line_that_counts_its_steps(tmp_path: Path) -> None:

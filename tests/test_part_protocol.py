@@ -1,4 +1,4 @@
-"""The protocol of a part tells every step where it has a value: a cam's rise where it rises, its return where not."""
+"""The protocol of a part tells every step where it has a value: a cam's rise where it rises."""
 
 from __future__ import annotations
 
@@ -28,11 +28,21 @@ PARTS = {
     ),
     "a flat face": (
         "cam",
-        'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\nleast_curvature = "8 mm"\n',
+        'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\n'
+        'least_curvature = "8 mm"\n',
     ),
     "a law by its diagram": (
         "cam",
-        'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\nlaw_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]\n',
+        'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\n'
+        "law_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]\n",
+    ),
+    "a pair of gears": (
+        "gears",
+        'z1 = 14\nz2 = 31\nm = "6 mm"\nx1 = 0.4\nx2 = -0.1\nstations = ["20 mm"]\n',
+    ),
+    "a train": (
+        "planetary",
+        'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n',
     ),
     "a pair of gears": (
         "gears",

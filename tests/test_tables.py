@@ -85,7 +85,7 @@ def test_the_document_has_its_shape(name: str) -> None:
         assert isinstance(place["number"], str)
         assert 0 <= place["angle_deg"] < 360
     for one in made["columns"]:
-        assert list(one) == ["plan", "segment", "unit", "mm", "value"]
+        assert list(one) == ["plan", "segment", "unit", "positions", "mm", "value"]
         assert one["unit"] in {
             "m",
             "m/s",

@@ -116,7 +116,7 @@ def step_name(study: Study, steps: Steps, share: Share) -> str:
     places = [step.it for step in steps.log.steps if step.it.view == view]
     point = study.scene.diagrams.point if study.scene.diagrams is not None else ""
     return WORDS[language]["step of"].format(
-        view=view_name(view, language).replace("{point}", point),
+        view=view_name(view, language, point),
         number=places.index(share.step.it) + 1,
         text=sentence(share.step, language, steps.reading, min(1, steps.reading.positions - 1)),
     )

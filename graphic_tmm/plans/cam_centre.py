@@ -210,7 +210,7 @@ def _path(
     board = draft.board
     if offset == 0.0:
         return board.draw(parallel, "(O)", lowest, up, sense=-1), None
-    e = board.draw(to_board, "e", draft.take(Number, "e", offset, "m"), mu)
+    e = board.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"), mu)
     out = board.draw(square, "(e)", lowest, up, sense=sense)
     foot = board.draw(lay_off, "E", out, e)
     return board.draw(parallel, "(O)", foot, up, sense=-1), e

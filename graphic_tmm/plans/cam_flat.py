@@ -72,14 +72,14 @@ def draw_convexity(
         curves.append(board.draw(smooth_stretch, "(E–E)", own, first=first, last=last))
     half = draft.direction(45.0)
     limit = None
-    for curve in curves:
-        line = board.draw(touch_curve, "(τ)", curve, across, half, sense=-1, left=-1)
+    for k, curve in enumerate(curves, 1):
+        line = board.draw(touch_curve, f"(τ_{k})", curve, across, half, sense=-1, left=-1)
         limit = line if limit is None else board.draw(outer_parallel, "(τ)", limit, line, left=-1)
     assert limit is not None
     cut = board.draw(meet, "M", up, limit)
     need = board.draw(measure_along, "MO", cut, origin, up)
     rho = board.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"), mu)
-    low = board.draw(total, "r_{min}", need, rho)
+    low = board.draw(total, "R_{min}", need, rho)
     least = board.draw(in_si, "r_{min}", low, mu, unit="m")
     r0, radius = choose_radius(draft, order, least, mu)
     radii = tuple(

@@ -167,9 +167,9 @@ def _polynomial(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple
     """Lay off calculated ordinates."""
     board, (share,) = draft.board, ground.shares
     if which == "S":
-        long = board.draw(law.polynomial_S, "h_S", share, height)
+        long = board.draw(law.polynomial_S, "y", share, height)
     else:
         op = law.polynomial_V if which == "V" else law.polynomial_A
-        long = board.draw(op, f"h_{which}", share, ground.stroke, ground.phase, ground.mu)
+        long = board.draw(op, "y", share, ground.stroke, ground.phase, ground.mu)
     over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
     return (board.draw(lay_off, board.free(which.lower()), over, long),)

@@ -144,11 +144,11 @@ def _rocker(
 ) -> _Inverted:
     """Turn the line of centres back by the angle of the cam; lay off the lever's angle and its length."""
     board = draft.board
-    begin = board.draw(parallel, "(O_1)", origin, of.line, sense=-1)
+    begin = board.draw(parallel, "(OO_1)", origin, of.line, sense=-1)
     centres = board.draw(slew, "(O_1)", origin, begin, diagrams.angle, sense=-sense)
     pivots = board.draw(lay_off, "O_1", centres, of.centres)
     back = board.draw(parallel, "(O)", pivots, centres, sense=-1)
-    angle = board.draw(advance, "ψ", of.start, of.swing)
+    angle = board.draw(advance, "ψ_0+ψ", of.start, of.swing)
     levers = board.draw(slew, "(l)", pivots, back, angle, sense=of.sense)
     points = board.draw(lay_off, "B", levers, of.lever)
     paths = board.draw(square, "(t)", points, levers, sense=of.sense)

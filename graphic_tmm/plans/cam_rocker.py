@@ -9,6 +9,7 @@ on the curve.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import count
 
 from graphic_tmm.board import cam_formulas as f
 from graphic_tmm.board.calculations import in_si, to_board
@@ -82,8 +83,8 @@ def draw_rocker_centre(
         Number, "μ_l", order.mu_l or standard_length(max(of.centres, of.lever), ROOM), "m/mm"
     )
     board.lay_out(None, mu)
-    lever = board.draw(to_board, "l", draft.take(Number, "l", of.lever, "m"), mu)
-    centres = board.draw(to_board, "a", draft.take(Number, "a", of.centres, "m"), mu)
+    lever = board.draw(to_board, "O_1B", draft.take(Number, "l", of.lever, "m"), mu)
+    centres = board.draw(to_board, "O_1O", draft.take(Number, "a", of.centres, "m"), mu)
     pivot = draft.take(Point, "O_1", 0j)
     begin = board.draw(ray, "(l_0)", pivot, draft.direction(0.0 if rocks > 0 else 180.0))
     lowest = board.draw(lay_off, "B_0", begin, lever)
@@ -98,7 +99,7 @@ def draw_rocker_centre(
         for _, first, last in diagrams.stretches
     )
     paths = board.draw(square, "(t)", points, levers, sense=rocks)
-    circle = board.draw(strike, "(a)", pivot, centres)
+    circle = board.draw(strike, "(O_1O)", pivot, centres)
     limits, angles = _limits(draft, order, (points, paths, circle, pivot, begin), alike, sense)
     highest, chart = _limit_diagram(draft, diagrams, angles)
     board.open(VIEW)
@@ -164,13 +165,14 @@ def _limit_diagram(
     axes = graphs.draw_axes(draft, LIMITS, diagrams.base, mu)
     lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
     readings: list[Mark] = []
+    numbers = count(1)
     top: Mark | None = None
     for phase, angle in zip(diagrams.turn.phases, angles, strict=True):
         high = board.draw(f.on_protractor, "y", angle, mu)
         spots = board.draw(lay_off, board.free("β"), lines, high)
         for first, last in phase.stretches:
             curve = board.draw(graph_of_stretch, "(β–β)", spots, first=first, last=last)
-            own = board.draw(crest_of_curve, board.free("k"), curve, above=1)
+            own = board.draw(crest_of_curve, f"k_{next(numbers)}", curve, above=1)
             top = (
                 own
                 if top is None

@@ -110,6 +110,6 @@ def test_the_table_of_a_scene_is_a_file_of_readings(tmp_path):
     assert isinstance(text, str)
     back = read_readings(saved(tmp_path, text))
     assert len(back) == len(text.splitlines()) - 1
-    assert Taken("velocities", "3", "pb", 65.3, 16.325, "m/s") in [
+    assert Taken("velocities", "3", "pb", 65.3, 16.32, "m/s") in [
         one._replace(line=0, last=Last()) for one in back
     ]

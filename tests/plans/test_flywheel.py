@@ -275,8 +275,8 @@ def bare(mechanism: Mechanism) -> Mechanism:
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"delta": 0.0}, "delta = 0: a number greater than 0"),
-        ({"delta": -0.1}, "delta = -0.1: a number greater than 0"),
+        ({"delta": 0.0}, "delta = 0: a number greater than 0 and less than 2"),
+        ({"delta": -0.1}, "delta = -0.1: "),
         ({"A": Drawn(pole=0.0)}, "H = 0 mm"),
         ({"A": Drawn(pole=-5.0)}, "H = -5 mm"),
     ],

@@ -221,7 +221,7 @@ def test_a_pair_of_wheels_behind_the_train_multiplies_its_ratio() -> None:
     reading = execute(draft.board.construction(), draft.given)
     assert value(reading, overall) == pytest.approx(7.6, rel=1e-14)
     for teeth in ((0, 25), (15, 2.5)):
-        with pytest.raises(StructureError, match="behind = .*: a whole number"):
+        with pytest.raises(StructureError, match=r"behind = .*: a whole number"):
             draw_overall(draft, made, *teeth)  # type: ignore[arg-type]
 
 
