@@ -44,14 +44,6 @@ PARTS = {
         "planetary",
         'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n',
     ),
-    "a pair of gears": (
-        "gears",
-        'z1 = 14\nz2 = 31\nm = "6 mm"\nx1 = 0.4\nx2 = -0.1\nstations = ["20 mm"]\n',
-    ),
-    "a train": (
-        "planetary",
-        'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n',
-    ),
 }
 
 

@@ -13,6 +13,7 @@ from graphic_tmm.board.curve import natural, neighbours, stationary
 from graphic_tmm.board.geometry import along, cis, degrees, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.graph_curves import free_ends
+from graphic_tmm.board.graphs import EVEN
 from graphic_tmm.board.values import (
     Angle,
     Arc,
@@ -174,21 +175,26 @@ def crest_of_curve(curve: Curve, *, above: int) -> Point:
 def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
     """Of the points {first} and {second} take the {above}; this is {it}.
 
-    ``above``: 1 for the higher, −1 for the lower.
+    ``above``: 1 for the higher, −1 for the lower. Of two that are as high but for rounding it is the first.
     """
+    even = EVEN * np.fmax(np.abs(first.imag), np.abs(second.imag))
     there = np.isfinite(first) & np.isfinite(second)
-    found = np.where(above * (second - first).imag > 0, second, first)
+    found = np.where(above * (second - first).imag > even, second, first)
     return Point(np.where(there, found, np.nan))
 
 
 def _farthest(curve: Curve, way: Complexes) -> Complexes:
-    """Return the point of an open curve farthest along directions (trial or 1, 1); missing if any of it is."""
+    """Return the point of an open curve farthest along directions (trial or 1, 1); missing if any of it is.
+
+    Of points that are as far but for rounding it is the first of its knots, else of its crests.
+    """
     spots = []
     for trial in range(max(curve.knots.shape[0], way.shape[0])):
         own = min(trial, curve.knots.shape[0] - 1)
         p, m = curve.knots[own], curve.tangents[own]
         turned = np.conj(way[min(trial, way.shape[0] - 1), 0])
         found = np.concatenate([p, *stationary(p, m, turned)])
-        best = found[np.argmax(np.nan_to_num((found * turned).real, nan=-np.inf))]
+        heights = np.nan_to_num((found * turned).real, nan=-np.inf)
+        best = found[np.argmax(heights >= heights.max() - EVEN * np.abs(heights.max()))]
         spots.append(best if (np.isfinite(p) & np.isfinite(m)).all() else np.nan)
     return np.array(spots, dtype=np.complex128)[:, None]
