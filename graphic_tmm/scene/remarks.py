@@ -60,9 +60,10 @@ def _centres(parts: Parts) -> Iterator[str]:
     lone = {link.number: found[0] for link in bare if len(found := centres_of(link, pins)) == 1}
     if lone:
         first, letter = next(iter(lone.items()))
+        numbers, letters = ", ".join(map(str, lone)), ", ".join(lone.values())
         yield (
-            f"centre: it is left out of link {', '.join(map(str, lone))}; taken for the mass centre is "
-            f'{", ".join(lone.values())}, the link\'s only point in no pair; write centre = "{letter}" in link {first}'
+            f"centre: it is left out of link {numbers}, so the link's only point in no pair is taken for its mass "
+            f'centre: {letters}; write centre = "{letter}" in link {first}'
         )
 
 
