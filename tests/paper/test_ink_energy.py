@@ -102,7 +102,7 @@ def test_the_tangents_leave_the_points_on_one_side_and_end_in_a_and_b() -> None:
         above = sign * ((points - a) * np.conj(1j * (b - a) / abs(b - a))).real
         assert above.max() == pytest.approx(0.0, abs=1e-9)
     texts = {label.text for label in view("energy-mass").labels}
-    assert {"a", "b", "ΔT", "J_{r}"} <= texts
+    assert {"a", "b", "ΔT", "J_{red}"} <= texts
 
 
 def test_the_engine_stands_complete_on_one_sheet() -> None:
