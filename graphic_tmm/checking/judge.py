@@ -145,7 +145,7 @@ def _own(bench: Bench, taken: Taken) -> _Own | None:
     step = bench.step(taken)
     usual = None if step is None else bench.by.usual.get((step.it, bench.place(taken)))
     errors = bench.errors(taken)
-    if not errors or usual is None:
+    if not errors or usual is None or _other_sense(bench, taken):
         return None
     if bench.calculated(taken):
         (by, error, grain), digits = errors[0], bench.by.reader.rounding(taken.mm or 0.0)
@@ -184,6 +184,14 @@ def _strict(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:
     if bench.beside(taken) is None and not (_rate(bench, taken) or bench.calculated(taken)):
         return False
     return all(verdicts.get(one) == FINE for one in bench.sources(taken))
+
+
+def _other_sense(bench: Bench, taken: Taken) -> bool:
+    """Whether a rate has the other sense than is due: lengths are read without one, so they do not tell it."""
+    if not _rate(bench, taken):
+        return False
+    cell = bench.due[taken.key]
+    return taken_figure(taken, cell) < 0.0 < amount(cell, taken)
 
 
 def _rate(bench: Bench, taken: Taken) -> bool:

@@ -15,8 +15,8 @@ from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
 from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.studio import Made, drawings
 
-ABSURD = float(np.log(2.0))
-"""A figure is not called absurd that is no more than twice what is due, and no less than half of it."""
+NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
+"""A figure an order of magnitude off is absurd where no drawing of the hand is off by four times."""
 READ = 0.8
 """A figure that scatters by this share of the slip of reading, or more, has it in it already."""
 
@@ -62,7 +62,7 @@ class Scatter(NamedTuple):
             return WRONG
         if deviation <= self.doubtful:
             return FINE
-        return WRONG if times > self.times else DOUBTFUL
+        return WRONG if times > self.times * (1.0 - 1e-9) else DOUBTFUL
 
 
 def scatter(
@@ -123,10 +123,8 @@ def _limited(
     assert goal is not None
     figures = _read(figures, goal, key, due, by, in_mm)
     found = limited(np.sort(np.abs(apart(figures, goal))), limits)
-    times = np.sort(times_off(figures, goal))
-    if not times.size or not np.isfinite(times[-1]):
-        return found
-    return found._replace(times=max(limited(times, limits).wrong, ABSURD))
+    near = figures.size > 0 and float(np.max(times_off(figures, goal))) <= NEAR
+    return found._replace(times=ABSURD) if near else found
 
 
 def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: bool) -> Reals:

@@ -46,6 +46,10 @@ def test_the_command(tmp_path: Path) -> None:
         )
         assert done.exit_code == 1
         assert done.stdout
+    path.write_text("plan,position,segment,x,y\nvelocities,1,a,0,58.5\n", "utf-8")
+    for points, status in (("paper", 0), ("screen", 1)):
+        arguments = ["check", "engine", str(path), "--points", points, "--trials", "40"]
+        assert CliRunner().invoke(main, arguments).exit_code == status
     missing = CliRunner().invoke(main, ["check", "engine", str(tmp_path / "none.csv")])
     assert missing.exit_code == 2
     assert "Traceback" not in missing.stderr
