@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import shapely
 
-from graphic_tmm.errors import ViewError
+from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.placing import box, shape
 
@@ -35,12 +35,17 @@ class Room(NamedTuple):
 
 
 def bounds(drawing: Drawing) -> Box:
-    """Return the cell of a drawing, or the box of its ink, mm: strokes without their width, letters with it."""
+    """Return the cell of a drawing, or the box of its ink, mm: strokes without their width, letters with it.
+
+    Raises SheetError if nothing of it can be drawn.
+    """
     if drawing.cell is not None:
         return drawing.cell
     shapes = [shape(stroke) for stroke in drawing.strokes] + [
         box(label) for label in drawing.labels
     ]
+    if not shapes:
+        raise SheetError(f"nothing of the view '{drawing.title}' can be drawn: change its data")
     left, bottom, right, top = shapely.total_bounds(shapes)
     return float(left), float(bottom), float(right), float(top)
 

@@ -49,7 +49,8 @@ class Unit(NamedTuple):
 
 
 NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
-LARGEST = 1e12
+LARGEST, SMALLEST = 1e12, 1e-15
+"""No figure of a machine is larger, or smaller and not 0, in SI units."""
 KGF = "9.80665"
 LONGEST_MEANT, MOST_MEANT = 60, 200
 """A word of more letters is nothing misspelt; so many known words are looked through for what it may mean."""
@@ -202,11 +203,13 @@ def parse(value: object, dimension: Dimension) -> float:
 
 
 def bounded(value: float, text: str, dimension: Dimension) -> float:
-    """Return ``value`` as a float, or refuse ``text`` if it is not finite or far too large."""
+    """Return ``value`` as a float, or refuse ``text`` if it is not finite, or far too large or small."""
     if isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"{_short(text)} is not a finite number; {wanted(dimension)}")
     if abs(value) > LARGEST:
         raise ValueError(f"{_short(text)} is too large a number; {wanted(dimension)}")
+    if 0 < abs(value) < SMALLEST:
+        raise ValueError(f"{_short(text)} is too small a number; {wanted(dimension)}")
     return float(value)
 
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from graphic_tmm.errors import ViewError
+from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.paper.drawing import Drawing, line
 from graphic_tmm.paper.layout import GAP, Room, bounds, pack, settled
 
@@ -74,3 +74,10 @@ def test_a_sheet_offers_its_largest_free_rectangles() -> None:
     for size in ROOM.within.sizes:
         pack([view("velocities-1", *size)], (ROOM, ROOM), "A1")
         assert ROOM.within.share(size[0] + 1, size[1] + 1) < 1
+
+
+def test_a_view_without_ink_is_told_and_not_measured() -> None:
+    with pytest.raises(
+        SheetError, match="nothing of the view 'План' can be drawn: change its data"
+    ):
+        bounds(Drawing("a", "План"))

@@ -174,3 +174,11 @@ def test_decimal_factors_are_correctly_rounded():
         parse(f"{n}.{n % 10} mm", "length") == float(Decimal(f"{n}.{n % 10}") / 1000)
         for n in range(1000)
     )
+
+
+@pytest.mark.parametrize("value", [1e-16, -1e-300, 5e-324, "1e-20 m", "0.0000000000000001 mm"])
+def test_what_is_too_small_for_any_machine_is_told(value):
+    with pytest.raises(ValueError, match="is too small a number; a length is wanted here"):
+        parse(value, "length")
+    assert parse(0, "length") == 0.0
+    assert parse("1e-9 mm", "length") == 1e-12
