@@ -62,8 +62,8 @@ def _centres(parts: Parts) -> Iterator[str]:
         first, letter = next(iter(lone.items()))
         numbers, letters = ", ".join(map(str, lone)), ", ".join(lone.values())
         yield (
-            f"centre: it is left out of link {numbers}, so the link's only point in no pair is taken for its mass "
-            f'centre: {letters}; write centre = "{letter}" in link {first}'
+            f"centre: it is left out of link {numbers}, so the link's only point in no pair is taken for its "
+            f'mass centre: {letters}; write centre = "{letter}" in link {first}'
         )
 
 
