@@ -9,11 +9,13 @@ from click.testing import CliRunner
 from gallery import SHEETS
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.checking.cells import points as spots
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.frame import drawing_area
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 
 def test_an_unknown_segment_is_named_with_its_line() -> None:
@@ -46,7 +48,9 @@ def test_the_command(tmp_path: Path) -> None:
         )
         assert done.exit_code == 1
         assert done.stdout
-    path.write_text("plan,position,segment,x,y\nvelocities,1,a,0,58.5\n", "utf-8")
+    spot = spots(make(read(SHEETS / "engine"), exact=True))["velocities", "a", "1"] * (1 - 1.5 / 60)
+    row = f"velocities,1,a,{spot.real:.1f},{spot.imag:.1f}"
+    path.write_text(f"plan,position,segment,x,y\n{row}\n", "utf-8")
     for points, status in (("paper", 0), ("screen", 1)):
         arguments = ["check", "engine", str(path), "--points", points, "--trials", "40"]
         assert CliRunner().invoke(main, arguments).exit_code == status
