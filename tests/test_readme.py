@@ -81,3 +81,15 @@ def test_links_lead_somewhere(page: Path) -> None:
     links = re.findall(r"\]\(([^)#:]+)[^)]*\)", page.read_text(encoding="utf-8"))
     lost = [link for link in links if not (page.parent / link).exists()]
     assert not lost
+
+
+def test_the_gallery_shows_every_scene() -> None:
+    text = (ROOT / "sheets" / "README.md").read_text(encoding="utf-8")
+    shown = set(re.findall(r'<a href="([^"/]+)/">', text))
+    assert shown == {path.parent.name for path in (ROOT / "sheets").glob("*/scene.toml")}
+    lost = [
+        src
+        for src in re.findall(r'<img src="([^"]+)"', text)
+        if not (ROOT / "sheets" / src).exists()
+    ]
+    assert not lost
