@@ -102,6 +102,7 @@ VALUES = [
     ('"0.1 m"', "nan", ["lengths.r", "not a finite number"]),
     ('"0.1 m"', "1e13", ["lengths.r", "too large a number"]),
     ('"0.1 m"', '"0 m"', ["link 1, points.A", "OA is zero", "move"]),
+    ('["r", 0] }', '[0, 0] }\nmass = "1 kg"\ncentre = "O"', ["link 1, points.A", "OA is zero"]),
     ('"0.1 m"', '"1 000 mm"', ["lengths.r", "two ways", "in one piece"]),
     ('"0.1 m"', '"1,000 mm"', ["lengths.r", "a thousand or a decimal comma"]),
     ('"0.1 m"', '"1/10 m"', ["lengths.r", "is a fraction; write it as a decimal"]),

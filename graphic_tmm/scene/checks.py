@@ -24,7 +24,7 @@ def check(parts: Parts) -> Iterator[Found]:
     pins = shared(bodies)
     for path, link in pairing(parts.links, "link"):
         centres = centres_of(link, pins)
-        yield from _places((*path, "points"), link.points, centres)
+        yield from _places((*path, "points"), link.points, set(centres) - pins)
         if parts.forces is not None or parts.flywheel is not None:
             yield from _masses(path, link, centres)
         yield from _flips(path, link)
@@ -49,7 +49,7 @@ def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
 def _places(
     path: Path, points: Mapping[str, complex], centres: Collection[str] = ()
 ) -> Iterator[Found]:
-    """Two letters of one link at one place; its mass centre may lie on another letter."""
+    """Two letters of one link at one place; a mass centre that is no pin may lie on another letter."""
     cells: dict[tuple[int, int], list[tuple[str, complex]]] = {}
     for letter, place in points.items():
         if letter in centres or not cmath.isfinite(place):
