@@ -46,7 +46,8 @@ def test_numbers_are_those_of_the_table(name: str, found: list[str]) -> None:
         mine = quantity(drawn, one)
         value = mine.read(execute(drawn.log, drawn.given, mine.marks), 1)
         key = {"contact_ratio": "contact_ratio_drawn"}.get(one, one)
-        assert value[0, 0] == pytest.approx(table[key][0], rel=1e-12)
+        # the table tells the digits that rounding leaves sure, here twelve
+        assert value[0, 0] == pytest.approx(table[key][0], rel=5e-12)
 
 
 def test_diagrams_and_their_plans_are_those_of_the_table() -> None:
