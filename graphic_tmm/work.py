@@ -30,7 +30,7 @@ from graphic_tmm.scaling import (
     force_scales,
     polygon_scales,
 )
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, NEEDS, Scene
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene, with_plans
 
 NARROW = {"A4": 140.0}
 """Room for the plan of positions on a format that has less than the usual one, mm."""
@@ -150,8 +150,7 @@ def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
             "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
         )
         raise SceneError(scene.source, (Fault("", 0, says),))
-    wanted = scene.called if wanted is None else wanted
-    wanted = {*wanted, *(plan for place in wanted for plan in NEEDS.get(place, ()))}
+    wanted = with_plans(scene.called if wanted is None else wanted)
     try:
         return draw_project(
             scene.mechanism,

@@ -28,6 +28,7 @@ number = 2
 points = { A = [0, 0], B = ["0.35 m", 0], S2 = ["0.12 m", 0] }
 mass = "2 kg"
 J = "0.02 kg*m^2"
+centre = "S2"
 [[link]]
 number = 3
 points = { B = [0, 0] }
@@ -62,7 +63,7 @@ PLANS = {
     "gears": {"gear", "sliding"},
     "planetary": {"planetary", "planetary-velocities", "planetary-rates"},
 }
-NEEDS = {"flywheel": ("forces", "load"), "engine": ("indicator",)}
+NEEDS = {"forces": ("load",), "flywheel": ("forces", "load"), "engine": ("indicator",)}
 
 
 def written(

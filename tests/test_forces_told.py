@@ -175,7 +175,7 @@ def test_weights_are_taken_with_the_g_of_the_scene(tmp_path: Path) -> None:
 def test_that_kgf_and_weights_differ_is_told_once_if_nobody_decides(tmp_path: Path) -> None:
     weights = SLIDER.replace("inertia = true", "gravity = true")
     kgf = weights.replace('"50 N"', '"5 кгс"')
-    assert _run(tmp_path, kgf, "table")[1].count("effects.g is left out") == 1
+    assert _run(tmp_path, kgf, "table")[1].count("effects.g: it is left out") == 1
     assert "9.81" in _run(tmp_path, kgf, "table")[1]
     for text in (
         weights,

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
+from itertools import chain
 
 from graphic_tmm.mechanism.cam_orders import CamOrder
 from graphic_tmm.mechanism.gear_orders import GearOrder
@@ -40,9 +41,15 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "acceleration table": ("accelerations",),
     **dict.fromkeys(("equations", "results"), ("velocities", "accelerations")),
 }
-"""The plans without which a place shows nothing."""
+"""The plans of which a place shows something."""
 ALL_PLACES = (*PLAN_PLACES, *PART_PLACES)
 """What stands on a sheet that does not say what does, of what the scene calls for."""
+
+
+def with_plans(places: Set[str]) -> set[str]:
+    """Return places, with the plans of those that would else show nothing."""
+    lone = [plans for place, plans in NEEDS.items() if place in places and not places & set(plans)]
+    return {*places, *chain.from_iterable(lone)}
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,10 @@ def drawn(name: str, count: int = 0, **order: object) -> Work:
         row = replace(row, accelerations=())
     wanted = KinematicOrder(POINTS[name], **order)  # type: ignore[arg-type]
     sheets = (SheetOrder("A1", ("positions", "velocities", "accelerations", "diagrams")),)
-    return work(replace(scene, row=row, diagrams=wanted, sheets=sheets, flywheel=None), exact=True)
+    return work(
+        replace(scene, row=row, diagrams=wanted, sheets=sheets, flywheel=None, forces=None),
+        exact=True,
+    )
 
 
 def kinematic(made: Work) -> Kinematic:

@@ -176,7 +176,7 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
             try:
                 project = draw_project(mechanism, row, plans=["positions", "velocities"])
             except StructureError as error:
-                assert "does not stand still" in str(error)  # noqa: PT017
+                assert "does not come to an extreme position" in str(error)  # noqa: PT017
                 continue
             low, high = project.assembly.ranges[0]
             angle = project.angles[0]
