@@ -18,9 +18,9 @@ from graphic_tmm.studio import sheets
 
 VERDICTS = {
     "forces beyond their limit": (
-        "windrower",
-        ("[forces]", "[forces]\nlimit = 0.000001"),
-        {" > 0,000001 %", " > 1·10⁻⁶ %"},
+        "lever",
+        ("[forces]", "[forces]\nlimit = 0.5"),
+        {" > 0,5 %"},
     ),
     "a pair of gears that is undercut": ("gear-pair", ("x1 = 0.83", "x1 = 0.0"), {" < "}),
 }
