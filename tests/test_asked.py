@@ -174,6 +174,7 @@ SEVERAL = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SEVERAL)
 def test_several_places_and_several_formats_go_together(name: str, tmp_path: Path) -> None:
     sheets_, pole = SEVERAL[name]
@@ -223,6 +224,7 @@ def randomly(count: int, seed: int, format: str) -> None:
         sensible(made, paper)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("format", "count"), [("A1", 5), ("A4", 2)])
 def test_random_mechanisms_are_not_refused_for_size(format: str, count: int) -> None:
     randomly(count, 3, format)
@@ -252,6 +254,7 @@ FIXED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scales", FIXED)
 def test_a_fixed_scale_that_no_sheet_holds_is_told_with_a_value_that_fits(
     scales: str, tmp_path: Path
@@ -284,6 +287,7 @@ def test_no_command_reads_a_plan_that_is_too_small(command: str, tmp_path: Path)
     assert "scales.mu_l" in result.stderr
 
 
+@pytest.mark.slow
 def test_lengths_that_a_scene_writes_are_kept(tmp_path: Path) -> None:
     """The base of graphs gives way to a narrow sheet, but not one that the file itself writes."""
     text = asked.mechanism("six", 6, [("A4", ("flywheel",))])
@@ -309,6 +313,7 @@ def base(work: Work) -> float:
     return float(work.reading[flywheel.base.length][0, 0])
 
 
+@pytest.mark.slow
 def test_a_plan_that_the_ruler_makes_larger_is_held_too() -> None:
     """Near a singular position readings of 0.1 mm make this plan of accelerations twice as large as it is."""
     one = sample(19, 9)[18]

@@ -87,6 +87,7 @@ SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k
 """Of the long ones one of the parts in the everyday run."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("section", SLOW)
 def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     section: str, tmp_path: Path
@@ -111,6 +112,7 @@ def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     assert not [line for line in told(done) if line.startswith(f"{section}: ")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("section", SLOW)
 def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
     section: str, tmp_path: Path

@@ -88,6 +88,7 @@ def unbalanced(loaded: Loaded, state: State, found: Statics) -> float:
     return max(sums) / scale
 
 
+@pytest.mark.slow
 def test_links_are_in_equilibrium_and_loads_do_no_work() -> None:
     """Rounding: some tens of terms to a sum, and velocities as good as their condition."""
     for _, loaded, state in drawn_loads(200, seed=3):
@@ -161,6 +162,7 @@ def test_friction_of_guides_is_that_of_one_choice_of_senses(
     assert 0 < refused < 5
 
 
+@pytest.mark.slow
 def test_digits_tell_how_good_float64_is() -> None:
     for drawn, loaded, state in drawn_loads(12, seed=6):
         fine = solve(drawn.mechanism, drawn.phi, drawn.poses)

@@ -89,6 +89,7 @@ def test_ctrl_c_ends_with_130_and_says_nothing(
     assert list(home.iterdir()) == []
 
 
+@pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize("when", ["os.replace", "files.Path.write_bytes", "files.Path.mkdir"])
 def test_a_process_broken_off_while_it_writes_leaves_nothing_half_written(
@@ -111,6 +112,7 @@ def test_a_process_broken_off_while_it_writes_leaves_nothing_half_written(
         assert (tmp_path / "out" / "cam.svg").read_text("utf-8").endswith("</svg>\n")
 
 
+@pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize(
     "arguments",
@@ -135,6 +137,7 @@ def test_a_reader_who_is_gone_ends_it_quietly(arguments: tuple[str, ...]) -> Non
     assert (done.returncode, done.stderr) == (128 + signal.SIGPIPE, b"")
 
 
+@pytest.mark.slow
 def test_only_a_check_that_found_something_ends_with_1(tmp_path: Path) -> None:
     csv = tmp_path / "r.csv"
     told = json.loads(run("table", "crank-rocker", "--exact", "-f", "json").stdout)
@@ -150,6 +153,7 @@ def test_only_a_check_that_found_something_ends_with_1(tmp_path: Path) -> None:
     assert run("--version").exit_code == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [("table", "cam"), ("draw", "cam"), ("steps", "cam")])
 def test_without_its_docstrings_the_program_refuses_to_speak(
     arguments: tuple[str, ...], tmp_path: Path
@@ -168,6 +172,7 @@ def test_without_its_docstrings_the_program_refuses_to_speak(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_without_asserts_the_program_says_the_same(tmp_path: Path) -> None:
     """-O leaves the docstrings; nothing that is told may hang on an assert."""
     said = []

@@ -89,6 +89,7 @@ def inked(text: str) -> dict[str, np.ndarray]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 3, 5])
 @pytest.mark.parametrize("ruler", [RULER, 'ruler = "0.1 mm"', 'ruler = "0.5 mm"'])
 def test_the_number_is_what_the_ink_shows(tmp_path: Path, seed: int, ruler: str) -> None:

@@ -140,6 +140,7 @@ def test_a_page_holds_text_and_ink_and_nothing_that_acts(
     assert labels.count(meant) >= 1  # the name of a link
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", SEEN)
 def test_a_pdf_acts_on_nothing_and_points_nowhere(what: str, tmp_path: Path) -> None:
     pdfplumber = pytest.importorskip("pdfplumber")
@@ -198,6 +199,7 @@ def test_what_acts_in_a_pdf_would_be_found() -> None:
         assert acting(file.doc) >= {"URI", "Annots"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", SEEN)
 def test_a_dxf_holds_ink_only(what: str, tmp_path: Path) -> None:
     ezdxf = pytest.importorskip("ezdxf")
@@ -325,6 +327,7 @@ NAMES = [
 PLACES = [(name, stands) for stands in ("folder", "file") for name in NAMES]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "stands"), [p for p in PLACES if p != ("..", "folder")])
 def test_files_bear_the_name_of_the_scene_and_stay_in_their_folder(
     name: str, stands: str, tmp_path: Path

@@ -171,6 +171,7 @@ COMMANDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["windrower", "engine"])
 @pytest.mark.parametrize("what", COMMANDS)
 def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path: Path) -> None:
@@ -187,6 +188,7 @@ def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path:
     assert bool(said[0][1]) == (what == "draw")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", ["table", "steps", "draw"])
 def test_the_windrower_is_the_scene_left_out(what: str, tmp_path: Path) -> None:
     options = ("-o", str(tmp_path)) if what == "draw" else ()
@@ -216,6 +218,7 @@ MORE_BAD = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", MORE_BAD)
 def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = MORE_BAD[what]

@@ -181,6 +181,7 @@ def indexed(text: str) -> set[str]:
     return {re.sub(r"[_()]", "", n).translate(low) for n in found}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["windrower", "engine", "locomobile", "crank-press"])
 def test_what_a_sheet_calls_a_quantity_the_protocol_or_the_table_calls_it_too(name: str) -> None:
     scene_of = read(SHEETS / name)
@@ -346,6 +347,7 @@ def test_a_sum_of_many_terms_is_one_line_that_counts_its_steps(tmp_path: Path) -
     assert abs(sum(terms) - due) <= 8 * 0.5  # each term is told to a whole N·mm
 
 
+@pytest.mark.slow
 def test_the_protocol_says_which_moment_varies_as_the_sheet_does() -> None:
     scene_of = read(SHEETS / "windrower")
     assert scene_of.flywheel is not None

@@ -123,6 +123,7 @@ def outcome(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
     )
 
 
+@pytest.mark.slow
 def test_a_broken_pipe_leaves_no_traceback() -> None:
     for arguments in (("table", "engine"), ("steps", "engine"), ("table", "engine", "-f", "json")):
         reader, writer = os.pipe()
@@ -139,6 +140,7 @@ def test_a_broken_pipe_leaves_no_traceback() -> None:
         assert done.stderr == b""
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
 def test_a_full_device_is_told() -> None:
     with open("/dev/full", "wb") as full:
@@ -154,6 +156,7 @@ def test_a_full_device_is_told() -> None:
     assert b"No space left" in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "arguments", [["--help"], ["draw", "--help"], ["table", "-h"], ["--version"], ["scenes"]]
 )
@@ -180,6 +183,7 @@ def test_help_is_light() -> None:
     subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [("table", "engine"), ("steps", "engine"), ("scenes",)])
 def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str, ...]) -> None:
     first, second = (
@@ -191,6 +195,7 @@ def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str,
     assert "Двигатель" in first.stdout.decode("utf-8") or arguments[0] == "steps"
 
 
+@pytest.mark.slow
 def test_the_same_bytes_whatever_the_hash_and_the_locale(tmp_path: Path) -> None:
     written = []
     for seed, locale in (("0", "C"), ("1", "C.UTF-8")):
@@ -203,6 +208,7 @@ def test_the_same_bytes_whatever_the_hash_and_the_locale(tmp_path: Path) -> None
     assert len(written[0]) == 3
 
 
+@pytest.mark.slow
 def test_a_name_in_no_encoding_is_told_without_a_traceback(tmp_path: Path) -> None:
     for what in (b"\xff", "\ud83d".encode("utf-8", "surrogatepass")):
         done = outcome("draw", os.fsdecode(what), "-o", str(tmp_path / "out"))

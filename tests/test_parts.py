@@ -71,6 +71,7 @@ def test_the_planetary_results() -> None:
     assert part.made.order.teeth == (25, None, None)  # the others were found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", KINDS)
 @pytest.mark.parametrize("language", ["ru", "en"])
 def test_a_part_speaks_both_languages(name: str, language: str) -> None:
@@ -91,6 +92,7 @@ def test_every_unit_of_a_part_has_its_russian_name(name: str) -> None:
         assert all(s.it.view in CAPTIONS["en"] for s in log.steps)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", KINDS)
 def test_the_commands_take_a_part(name: str) -> None:
     for arguments in (["table", name], ["table", name, "-f", "csv"], ["steps", name]):

@@ -15,6 +15,7 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files, sheets
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_a_scene_redraws_to_the_committed_sheets(
     folder: Path, request: pytest.FixtureRequest
@@ -29,6 +30,7 @@ def test_a_scene_redraws_to_the_committed_sheets(
         assert (folder / name).read_text(encoding="utf-8") == text, f"{name}: redraw with --redraw"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
     for sheet in sheets(read(folder))[1]:
@@ -43,6 +45,7 @@ def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
         assert crossed <= 0.02 * count, (sheet.name, crossed, count)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_no_letter_stands_on_another_and_no_view_on_another(folder: Path) -> None:
     for sheet in sheets(read(folder))[1]:

@@ -56,6 +56,7 @@ def ink(view: Drawing) -> list[Any]:
 # the paper
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_sheet_is_an_svg_in_true_millimetres(name: str) -> None:
     for sheet in drawn(name)[1]:
@@ -89,6 +90,7 @@ def test_nothing_is_inked_beyond_the_paper(name: str) -> None:
                 assert shapely.covers(paper, piece), (view.name, piece.bounds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_views_do_not_overlap(name: str) -> None:
     for _, _, plans in views(name):
@@ -97,6 +99,7 @@ def test_views_do_not_overlap(name: str) -> None:
             assert shared.area <= ROUNDING, (one.name, other.name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_view_keeps_its_ink_within_the_room_it_takes(name: str) -> None:
     for _, _, plans in views(name):
@@ -151,6 +154,7 @@ def test_the_same_scene_gives_the_same_bytes(name: str) -> None:
     assert list(first) == list(second)
 
 
+@pytest.mark.slow
 def test_the_bytes_do_not_depend_on_the_process() -> None:
     code = (
         "import sys; from graphic_tmm.studio import sheet_files, scene_path;"

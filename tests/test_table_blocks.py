@@ -48,6 +48,7 @@ def rows_of(printed: str) -> list[list[str]]:
     return [[cell.strip() for cell in re.split("[│┃]", line)[1:-1]] for line in lines]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [60, 80, 132])
 @pytest.mark.parametrize("name", SCENES)
 def test_no_line_of_a_table_is_wider_than_the_terminal_and_nothing_is_cut(
@@ -60,6 +61,7 @@ def test_no_line_of_a_table_is_wider_than_the_terminal_and_nothing_is_cut(
     assert max(map(len, framed)) <= width
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 def test_a_narrow_table_holds_every_figure_of_a_wide_one(name: str) -> None:
     def figures(width: int) -> list[tuple[str, str, str]]:
@@ -115,6 +117,7 @@ def csv_rows(printed: str, delimiter: str = ",") -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(printed), delimiter=delimiter))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("ruler", [0.1, 0.5])
 def test_csv_tells_lengths_to_the_ruler_and_quantities_to_what_that_stands_for(
@@ -196,6 +199,7 @@ def test_a_division_has_so_many_decimals(division: float, due: int) -> None:
     assert 10.0**-due <= division * 1.000001 or due == 0
 
 
+@pytest.mark.slow
 def test_a_decimal_comma_comes_with_semicolons_and_a_mark_on_request() -> None:
     points = invoke("table", "windrower", "-f", "csv")
     commas = invoke("table", "windrower", "-f", "csv", "--decimal", "comma", "--bom")
@@ -209,6 +213,7 @@ def test_a_decimal_comma_comes_with_semicolons_and_a_mark_on_request() -> None:
     assert invoke("table", "windrower", "-f", "text", "--bom")[0] != "\ufeff"
 
 
+@pytest.mark.slow
 def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -> None:
     path = tmp_path / "own.csv"
     path.write_text(invoke("table", "engine", "-f", "csv", "--decimal", "comma", "--bom"), "utf-8")
@@ -221,6 +226,7 @@ def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -
 # gears and trains
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["gear-pair", "planetary", "cam"])
 def test_a_part_has_columns_in_the_shape_of_all_others(name: str) -> None:
     document = json.loads(invoke("table", name, "-f", "json"))

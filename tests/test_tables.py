@@ -67,6 +67,7 @@ def test_a_segment_is_named_by_its_letters(letter: str, due: str) -> None:
     assert segment_name(letter) == due
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_document_has_its_shape(name: str) -> None:
     made = document(name)
@@ -178,6 +179,7 @@ def test_twelve_digits_are_kept() -> None:
     assert made["columns"][0]["mm"] == [0.333333333333, 0.3, None]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_csv_holds_what_json_holds(name: str) -> None:
     exact = fitted(read(SHEETS / name), exact=True)

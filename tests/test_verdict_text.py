@@ -26,6 +26,7 @@ VERDICTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", VERDICTS)
 def test_a_verdict_is_lettered_as_it_is_meant(what: str, tmp_path: Path) -> None:
     """A sign of mark-up is a character like others until the file is written: there it is escaped once."""

@@ -198,6 +198,7 @@ def calculations(name: str) -> Iterator[str]:
                 yield line.calculation
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_numbers_of_a_calculation_give_its_result(name: str) -> None:
     every = [text for text in calculations(name) if text.count(" = ") > 1]

@@ -262,6 +262,7 @@ def test_a_file_that_is_no_scene(command: tuple[str, ...], what: str, tmp_path: 
     refused(run(tmp_path, command[0], "s.toml", *command[1:]), "s.toml", *words)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -418,6 +419,7 @@ def test_the_tour_is_long_enough() -> None:
     assert sum(map(len, parts)) >= 150
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "arguments",
     [("draw", "windrowr"), ("check", "cam", "/dev/zero"), ("draw", "s.toml", "-o", "out")],

@@ -57,6 +57,7 @@ def test_one_thing_is_varied_at_a_time() -> None:
         assert len(varied) <= 1
 
 
+@pytest.mark.slow
 def test_passes_of_friction_and_steps_of_rolling_change_the_log() -> None:
     for name, axis in (("crank-press", "passes"), ("gear-pair", "steps"), ("cam", "parts")):
         own = by(name, "scene")

@@ -24,6 +24,7 @@ def task(name: str, hand: str | None = None) -> Scene:
     return found if hand is None else replace(found, hand=hand, ruler=DIVISIONS[hand])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hand", ["student", "careful"])
 def test_a_budget_keeps_its_promise_on_the_sheet_that_is_drawn_by_other_drawings_too(
     hand: str,
@@ -40,6 +41,7 @@ def test_a_budget_keeps_its_promise_on_the_sheet_that_is_drawn_by_other_drawings
             assert run.error <= 10.0 + 3.0 * (run.errors.spread**2 + few**2) ** 0.5
 
 
+@pytest.mark.slow
 def test_a_smaller_error_costs_no_less() -> None:
     spent = [choose(task("slider-diagrams"), percent).minutes for percent in (25.0, 3.0, 1.0)]
     assert spent == sorted(spent)
@@ -55,6 +57,7 @@ def test_positions_that_the_scene_names_keep_their_places() -> None:
     assert {int(n) / taken.scene.row.count for n in taken.scene.row.accelerations} == angles
 
 
+@pytest.mark.slow
 def test_no_setting_keeps_within_nothing_and_the_best_is_named() -> None:
     with pytest.raises(SceneError) as refused:
         choose(task("slider-diagrams"), 0.0001)
@@ -64,11 +67,13 @@ def test_no_setting_keeps_within_nothing_and_the_best_is_named() -> None:
     assert "a по диаграмме" in text
 
 
+@pytest.mark.slow
 def test_only_what_stands_on_the_sheets_has_to_keep_within_it() -> None:
     """The scene's sheets show no accelerations; they are drawn only to judge the diagrams."""
     assert set(choose(task("slider-diagrams"), 5.0).errors) == {"v", "V_diagram", "a_diagram"}
 
 
+@pytest.mark.slow
 def test_parts_are_divided_too() -> None:
     taken = choose(task("cam"), 0.5)
     assert taken.scene.cam is not None

@@ -70,6 +70,7 @@ def walked(log: Construction, given: Mapping[Mark, object]) -> Counter[str]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*NAMES, "cam", "gear-pair", "planetary"])
 def test_operations_are_as_many_as_execution_leaves_numbers(name: str) -> None:
     for log, given in logs(name):

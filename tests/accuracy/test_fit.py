@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from graphic_tmm.accuracy.fit import slope, student
 
 
+@pytest.mark.slow
 @given(
     power=st.floats(-4.0, 4.0),
     factor=st.floats(1e-3, 1e3),

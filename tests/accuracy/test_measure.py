@@ -118,6 +118,7 @@ def test_a_larger_drawing_is_the_same_for_an_exact_hand() -> None:
         assert np.abs(one - two).max() < 1e-9 * np.abs(one).max()
 
 
+@pytest.mark.slow
 def test_a_ruler_on_a_drawing_twice_as_large_is_one_of_half_the_division() -> None:
     task = measure("windrower")
     own = by("windrower", "exact")
@@ -147,6 +148,7 @@ def test_a_farther_pole_helps_a_hand_that_slips() -> None:
     assert far.error + 3 * far.errors.spread < near.error
 
 
+@pytest.mark.slow
 def test_the_largest_is_that_of_the_turn_whatever_positions_are_drawn() -> None:
     """The press works in the last third of its way; with 4 positions none of them meets the load."""
     task = measure("crank-press")

@@ -31,6 +31,7 @@ def test_a_scene_has_the_quantities_that_its_sheets_show(name: str, found: str) 
     assert [q.name for q in quantities(drawing(name))] == found.split()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "found"),
     [

@@ -21,6 +21,7 @@ def run(*arguments: str | Path) -> Result:
     return CliRunner().invoke(main, [str(a) for a in arguments])
 
 
+@pytest.mark.slow
 def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"
     file.write_text("".join(f"{name} = 0\n" for name in MINUTES if name != "N1") + "N1 = 2.0\n")
@@ -43,6 +44,7 @@ def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
         assert 0.0 < low <= one["seconds"] <= high
 
 
+@pytest.mark.slow
 def test_accuracy_without_time_speaks_of_no_seconds() -> None:
     found = run("accuracy", "cam", "--trials", "10", "--no-time")
     assert found.exit_code == 0, found.output
@@ -86,6 +88,7 @@ def test_a_table_of_minutes_that_is_not_there_is_told(tmp_path: Path) -> None:
     assert "none.toml" in found.stderr
 
 
+@pytest.mark.slow
 def test_a_table_within_a_budget_says_which_setting_was_taken() -> None:
     found = run("table", "slider-diagrams", "--budget", "3%", "-f", "json")
     assert found.exit_code == 0, found.output
@@ -96,6 +99,7 @@ def test_a_table_within_a_budget_says_which_setting_was_taken() -> None:
     assert len(columns["V"]) == int(taken[1])
 
 
+@pytest.mark.slow
 def test_a_sheet_within_a_budget_is_drawn(tmp_path: Path) -> None:
     found = run("draw", "cam", "--budget", "0,5 %", "-o", tmp_path / "out")
     assert found.exit_code == 0, found.output
@@ -111,6 +115,7 @@ def test_a_budget_is_a_percentage(budget: str, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_budget_that_nothing_keeps_draws_nothing(tmp_path: Path) -> None:
     found = run("draw", "cam", "--budget", "0.0001%", "-o", tmp_path / "out")
     assert found.exit_code == 2

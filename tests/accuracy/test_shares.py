@@ -44,6 +44,7 @@ def test_every_step_that_slips_and_is_needed_has_a_share() -> None:
     assert {share.step.it for share in shares(drawn, HANDS["student"])["v"]} == steps
 
 
+@pytest.mark.slow
 def test_the_reading_itself_has_the_variance_of_its_slip() -> None:
     """Readings of v are pb and ab: that of pb leaves its slip and the ruler's rounding, 0.75² + 0.5²/12 mm².
 

@@ -34,6 +34,7 @@ def printed(found: Study) -> str:
     return out.getvalue()
 
 
+@pytest.mark.slow
 def test_with_an_exact_hand_errors_of_chords_fall_as_the_square_and_work_grows_as_the_number() -> (
     None
 ):
@@ -67,6 +68,7 @@ def test_what_plans_give_does_not_depend_on_the_number_of_positions() -> None:
             assert one.flat
 
 
+@pytest.mark.slow
 def test_the_same_scene_gives_the_same_bytes() -> None:
     again = study(read(SHEETS / NAME), trials=40, clock=False)
     assert json_report(again) == json_report(studied(NAME))
@@ -120,6 +122,7 @@ def test_positions_are_counted_as_russian_counts() -> None:
     )
 
 
+@pytest.mark.slow
 def test_the_figure_has_a_panel_for_each_quantity() -> None:
     from io import BytesIO
 

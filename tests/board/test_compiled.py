@@ -88,6 +88,7 @@ def same(log: Construction, plain: Reading, fast: Reading, within: float = TOLER
                 assert np.abs(one[drawn] - other[drawn]).max() <= within * top, step.it
 
 
+@pytest.mark.slow
 def test_three_plans_of_two_groups() -> None:
     """A crank behind a stone on a rocker: kinds 3 and 2, with their Coriolis terms and readings."""
     drawn = next(d for d in sample(60, seed=4, dyads=(2, 2)) if set(d.kinds) == {"RPR", "RRP"})
@@ -101,6 +102,7 @@ def test_three_plans_of_two_groups() -> None:
     same(one.log, program.run(given), program.compiled().run(given), 1e-11)
 
 
+@pytest.mark.slow
 def test_a_reading_rounds_alike() -> None:
     bar = Fourbar()
     plain, fast = bar.both(hand=Hand(ruler=0.5))
@@ -145,6 +147,7 @@ def test_a_hand_that_slips_draws_the_very_same(hand: Hand, monkeypatch: pytest.M
             np.testing.assert_array_equal(one, other)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_compiled_runs_between_the_loops() -> None:
     """A step across positions, and one whose function is bound to its surroundings."""
     bar = Fourbar(curve=True, closed=True)

@@ -53,6 +53,7 @@ def _seconds(controls: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return 6.0 * (p - 2.0 * a + b), 6.0 * (a - 2.0 * b + q)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(POINTS)
 def test_a_closed_row_is_the_periodic_spline(points: list[complex]) -> None:
@@ -95,6 +96,7 @@ def test_one_or_two_points_make_no_curve(count: int) -> None:
     assert np.abs(made.tangents).max() == 0.0
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(POINTS, st.data())
 def test_what_cannot_be_drawn_splits_the_row_into_natural_runs(

@@ -48,6 +48,7 @@ def _mp(z: complex) -> Any:
     return mp.mpc(z.real, z.imag)
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(r=UNIT, s=UNIT, off=TINY, scale=POWER, turn=TURN, away=AWAY, side=SIDE, inner=st.booleans())
 def test_arcs_tangent_to_the_last_bit(
@@ -81,6 +82,7 @@ def test_arcs_tangent_to_the_last_bit(
         _judge(found, gap, size, exact, bound)
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(r=UNIT, off=TINY, scale=POWER, turn=TURN, far=st.integers(-300, 300), away=AWAY, side=SIDE)
 @example(r=1.0, off=0.0, scale=1.0, turn=cmath.rect(1, 0.3), far=-300, away=0j, side=1.0)
@@ -124,6 +126,7 @@ def test_a_point_that_lies_on_the_circle_has_a_tangent(
         _judge(contact, d - radius, float(d), at, bound * radius + 2 * EPS * abs(at))
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(x=UNIT, y=UNIT, off=TINY, scale=POWER, turn=TURN, back=SIDE)
 def test_lines_parallel_to_the_last_bit(

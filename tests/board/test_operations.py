@@ -307,6 +307,7 @@ def _check(op: Operation, args: list[Any], choice: dict[str, int]) -> None:
             assert off <= bound, (op.name, args, item, true, float(off), float(bound))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("op", BASIC_OPERATIONS, ids=repr)
 @settings(max_examples=100, deadline=None)
 @given(data=st.data())

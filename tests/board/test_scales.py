@@ -129,6 +129,7 @@ def _span(low: Any, high: Any) -> tuple[Any, Any]:
     return np.atleast_2d(np.asarray(low, float)).T, np.atleast_2d(np.asarray(high, float)).T
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(st.floats(-360, 360), st.floats(1e-3, 90), st.floats(1e-3, 90), st.sampled_from([1, -1]))
 def test_a_root_is_found_to_its_last_bit(root: float, left: float, right: float, sign: int) -> None:

@@ -84,6 +84,7 @@ def passes(found: Counter[str]) -> None:
     assert found["doubtful"] <= 0.05 * found["readings"]
 
 
+@pytest.mark.slow
 def test_its_honest_drawings_pass(tmp_path: Path) -> None:
     turns = enumerate((name, MODES[k]) for k, name in enumerate(MACHINES))
     found = [honest(*one, range(12 * k, 12 * k + 12), tmp_path, 150) for k, one in turns]
@@ -100,6 +101,7 @@ def test_hundreds_of_its_honest_drawings_pass(tmp_path: Path) -> None:
     passes(total)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MIRRORED)
 @pytest.mark.parametrize("mode", ["mm", "points"])
 def test_every_mirrored_assembly_is_found(name: str, mode: str, tmp_path: Path) -> None:

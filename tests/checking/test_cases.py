@@ -58,17 +58,20 @@ def verdicts(case: str, verdict: str) -> set[tuple[str, str]]:
     return {(one.taken.position, one.taken.segment) for one in rows if one.verdict == verdict}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", ["honest_six_mm", "honest_six_points"])
 def test_an_honest_drawing_is_fine(case: str) -> None:
     assert not verdicts(case, WRONG)
     assert len(verdicts(case, DOUBTFUL)) <= 0.05 * len(report(case).readings)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", ["pa_engine", "pa_sc"])
 def test_a_length_half_a_division_off_what_is_calculated_is_fine(case: str) -> None:
     assert {one.verdict for one in report(case).readings} == {FINE}
 
 
+@pytest.mark.slow
 def test_calculated_figures_are_judged_for_slips_not_for_rounding() -> None:
     """39.8 for 39.79 1/s, 78.4 for 78.48 N, 373 for 372.78 N; but no length of another μ, no other speed."""
     assert {s for _, s in verdicts("calc_windrower", FINE)} == {"omega1", "G1", "G3", "G5", "F5"}
@@ -78,6 +81,7 @@ def test_calculated_figures_are_judged_for_slips_not_for_rounding() -> None:
     assert verdicts("calc_lever", WRONG) == {("1", "omega1")}  # 10.5 1/s for 31.4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", BLAMED)
 def test_a_mistake_is_blamed_and_called_by_no_wrong_name(case: str) -> None:
     found = report(case)

@@ -30,6 +30,7 @@ def test_an_unknown_segment_is_named_with_its_line() -> None:
     assert "forces" in str(error.value)
 
 
+@pytest.mark.slow
 def test_the_command(tmp_path: Path) -> None:
     template = CliRunner().invoke(main, ["check", "engine", "--template"])
     assert template.exit_code == 0
@@ -59,6 +60,7 @@ def test_the_command(tmp_path: Path) -> None:
     assert "Traceback" not in missing.stderr
 
 
+@pytest.mark.slow
 def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     pytest.importorskip("typst")
     image = pytest.importorskip("PIL.Image")

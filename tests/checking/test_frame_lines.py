@@ -50,6 +50,7 @@ def clicks(camera: Camera, seed: int, by: float = 2.0) -> np.ndarray:
     return corners + random.uniform(-by, by, 4) + 1j * random.uniform(-by, by, 4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("camera", [TILTED, STEEP, UPRIGHT], ids=["tilted", "steep", "upright"])
 def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
     image, worst = seen(camera), []
@@ -63,6 +64,7 @@ def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
     assert max(worst) > CLICKED  # without the lines the clicks would not do
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ink", "width", "noise", "by"),
     [(0.35, 0.5, 4.0, 2.0), (1.0, 0.3, 12.0, 5.0)],
@@ -84,6 +86,7 @@ def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
     assert off(TILTED, found.corners) < EXACT
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("edge", ["lower", "left"])
 def test_an_edge_without_a_line_is_named_and_stays_as_clicked(edge: str) -> None:
     wiped = photographs.sheet().copy()
@@ -104,6 +107,7 @@ def test_an_edge_without_a_line_is_named_and_stays_as_clicked(edge: str) -> None
     assert abs(clicked.corners - camera.seen(CORNERS)).max() < 2 * 2**0.5 * 1.2
 
 
+@pytest.mark.slow
 def test_an_empty_sheet_keeps_its_clicks() -> None:
     image = through_jpeg(photographs.photograph(SMALL, photographs.sheet(0.8, False)))
     clicked = clicks(SMALL, 6)
@@ -126,6 +130,7 @@ def bend(camera: Camera) -> float:
     return max(worst)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lens", [0.003, -0.01, 0.02])
 def test_the_residual_is_the_bend_of_the_lens(lens: float) -> None:
     camera = UPRIGHT._replace(lens=lens)
@@ -135,6 +140,7 @@ def test_the_residual_is_the_bend_of_the_lens(lens: float) -> None:
     assert abs(found.residual - bend(camera)) < EXACT / 2 + 0.03 * bend(camera)
 
 
+@pytest.mark.slow
 def test_any_quadrilateral_on_any_picture_gives_numbers() -> None:
     random = np.random.default_rng(8)
     image = random.integers(0, 255, (300, 400, 3), dtype=np.uint8)
@@ -146,6 +152,7 @@ def test_any_quadrilateral_on_any_picture_gives_numbers() -> None:
         assert np.isfinite(found.corners).all()
 
 
+@pytest.mark.slow
 def test_the_frame_of_a_sheet_drawn_by_the_package() -> None:
     resvg = pytest.importorskip("resvg_py")
     text = (Path(__file__).parents[2] / "sheets/engine/engine.svg").read_text("utf-8")

@@ -18,6 +18,7 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.studio import drawings, make
 
 
+@pytest.mark.slow
 def test_honest_drawings_are_fine() -> None:
     """At most 5 % of readings doubtful, at most 1 % of drawings with a wrong one: 500 with fresh streams."""
     rows = [
@@ -32,6 +33,7 @@ def test_honest_drawings_are_fine() -> None:
     assert sum(one.broken for one in rows) <= 0.01 * drawings_made
 
 
+@pytest.mark.slow
 def test_scatter_goes_to_zero_with_the_hand() -> None:
     due = cells(made("engine"))
     key = ("velocities", "ab", "2")
@@ -48,6 +50,7 @@ def test_scatter_goes_to_zero_with_the_hand() -> None:
     assert math.isfinite(due[key].mm or math.nan)
 
 
+@pytest.mark.slow
 def test_the_same_seed_is_the_same_hand() -> None:
     scene = replace(read(SHEETS / "lever"), hand="student", seed=7, ruler=0.5)
     one, other = make(scene), make(scene)

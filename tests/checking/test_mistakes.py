@@ -30,6 +30,7 @@ def total(found: Iterable[tuple[str, Planted]], part: bool) -> Planted:
     return sum((one for label, one in found if (PART in label) == part), Planted())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 def test_a_planted_mistake_is_named_first(name: str) -> None:
     found = planted(name, 1).items()
@@ -46,6 +47,7 @@ def test_every_mistake_of_the_catalogue_is_planted_somewhere() -> None:
     assert {mistake.name for mistake in CATALOGUE} <= names
 
 
+@pytest.mark.slow
 def test_an_inertia_force_that_is_not_reversed_is_named_first() -> None:
     one = total(planted("lever", 1, only="inertia not reversed").items(), False)
     assert one.first == one.seen == 1

@@ -29,6 +29,7 @@ def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
     assert max(abs(error) for taken in rows for _, error, _ in own.errors(taken)) < 1e-9
 
 
+@pytest.mark.slow
 def test_a_ray_turned_by_four_degrees_is_blamed() -> None:
     found = [blamed(name, 2) for name in ("engine", "crank-rocker", "offset-slider")]
     drawings = sum(one.drawings for one in found)

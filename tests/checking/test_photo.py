@@ -43,6 +43,7 @@ def corners(name: str) -> np.ndarray:
     return photographs.pairs(CAMERAS[name].seen(CORNERS))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("refined", [True, False])
 @pytest.mark.parametrize(
     ("file", "name"), [("tilted", "tilted"), ("steep", "steep")], indirect=["file"]
@@ -56,6 +57,7 @@ def test_exact_corners_bring_every_point_back(file: Path, name: str, refined: bo
     assert photo.residual < EXACT if refined else math.isnan(photo.residual)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "name"), [("tilted", "tilted"), ("steep", "steep")], indirect=["file"]
 )
@@ -68,6 +70,7 @@ def test_clicked_corners_bring_every_point_back(file: Path, name: str) -> None:
     assert photo.warnings == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", ["lens"], indirect=True)
 def test_a_bent_frame_is_warned_of(file: Path) -> None:
     photo = flatten(file, corners("lens"), FRAME, dots_per_mm=1.0)
@@ -94,6 +97,7 @@ def test_a_sheet_lying_on_its_side_is_warned_of(tmp_path: Path) -> None:
     assert "quarter" in photo.warnings[0]
 
 
+@pytest.mark.slow
 def test_the_png_lies_at_true_millimetres(file: Path) -> None:
     photo = flatten(file, corners("tilted"), FRAME, dots_per_mm=2.0)
     assert photo.area == (0.0, 0.0, 841.0, 594.0)
@@ -146,6 +150,7 @@ def test_a_fine_photograph_keeps_its_thin_lines(tmp_path: Path) -> None:
         assert ink[near].sum() / 255 / 4 == pytest.approx(5 / 24, rel=0.2)
 
 
+@pytest.mark.slow
 def test_a_camera_held_upright_tells_so(tmp_path: Path, file: Path) -> None:
     upright = Image.open(file)
     said = Image.Exif()

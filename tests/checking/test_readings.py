@@ -243,6 +243,7 @@ def test_a_comma_before_three_digits_is_a_decimal_sign_if_another_cell_shows_it(
     assert "can be read in two ways" in str(refused(tmp_path, text.format("17")))
 
 
+@pytest.mark.slow
 def test_order_and_number_of_100_000_rows_are_kept(tmp_path):
     many = [f"velocities;{k};pb;{k % 997},25;{k};m/s;1,5;-2,5\n" for k in range(100_000)]
     text = "план;положение;отрезок;мм;величина;единица;x;y\n" + "".join(many)

@@ -84,6 +84,7 @@ for form in FORMS:
 """
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_the_run() -> None:
     here = os.path.dirname(os.path.abspath(__file__))
     root = os.path.dirname(os.path.dirname(here))

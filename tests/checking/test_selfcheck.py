@@ -85,6 +85,7 @@ def passes(name: str, hand: str, ruler: float, folder: Path, trials: int) -> Non
         assert doubtful <= 0.03 * len(report.readings)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "hand", "ruler"), EVERYDAY)
 def test_a_printed_table_passes_its_own_check(
     name: str, hand: str, ruler: float, tmp_path: Path

@@ -97,6 +97,7 @@ def test_noughts_that_were_left_out_were_meant(
     assert [one.last.value for one in read_readings(path)] == pytest.approx(halves, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_every_way_a_ruler_gives_a_calculated_length_is_fine(tmp_path: Path) -> None:
     """pa is 54.347 mm: on a ruler of 0.1 mm it is 54.3 or 54.4, for the surest hand."""
     found = replace(read(SHEETS / "windrower"), ruler=0.1)

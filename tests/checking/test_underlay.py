@@ -94,6 +94,7 @@ def check(*arguments: object) -> Result:
     return CliRunner().invoke(main, ["check", *map(str, arguments)])
 
 
+@pytest.mark.slow
 def test_the_photograph_is_seen_and_the_ink_fits_it(
     given: tuple[Path, Path], tmp_path: Path
 ) -> None:
@@ -175,6 +176,7 @@ def test_what_goes_with_a_photograph_is_not_passed_over_without_one(
     assert "add --photo FILE" in done.stderr
 
 
+@pytest.mark.slow
 def test_a_report_has_the_output_to_itself(given: tuple[Path, Path], tmp_path: Path) -> None:
     scene, photo = given
     csv = tmp_path / "readings.csv"

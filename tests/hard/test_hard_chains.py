@@ -49,6 +49,7 @@ def _solved(mechanism: Mechanism, degrees: float) -> Verdict:
         return judge(mechanism, degrees, exact_of(mechanism, found))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("angle", "frame"), [(0.0, FRAMES[3]), (200.0, FRAMES[4])])
 def test_eight_groups_in_a_row(angle: float, frame: Frame) -> None:
     found = _solved(put(chain(8), frame), frame.angle(angle))

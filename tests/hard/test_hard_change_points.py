@@ -36,6 +36,7 @@ def _all(name: str, frame: Frame) -> list[tuple[float, Verdict]]:
     return [(off, judge(there, frame.angle(a + math.degrees(off)))) for a in angles for off in OFFS]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 4)])
 @pytest.mark.parametrize("name", CASES)
 def test_right_within_the_condition_or_named(name: str, frame: Frame) -> None:
@@ -51,6 +52,7 @@ def test_at_the_change_point_itself_the_plan_says_so(name: str) -> None:
         assert found.kinds & {"touching", "undrawn"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_a_position_that_lost_its_digits_is_named(name: str) -> None:
     """Where a pin could be a thousandth of the mechanism off, or more, a finding says why."""

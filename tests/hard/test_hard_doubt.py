@@ -16,6 +16,7 @@ import dynamics
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 import oracle
+import pytest
 from drawn import board
 from hard_judge import DIGITS, Verdict, exact_of, judge
 from loaded import Solved, errors, order_of, places, solve, weighed
@@ -136,6 +137,7 @@ def near(count: int, seed: int, most: int = 2) -> list[tuple[Drawn, float, float
     return found
 
 
+@pytest.mark.slow
 def test_far_from_a_change_point_nothing_is_named() -> None:
     for drawn in sample(15, seed=0, dyads=(1, 3)):
         found = moved(drawn.mechanism, drawn.phi)
@@ -144,6 +146,7 @@ def test_far_from_a_change_point_nothing_is_named() -> None:
         assert found.off <= 1e-10
 
 
+@pytest.mark.slow
 def test_near_to_where_it_locks_what_is_not_named_is_right() -> None:
     counts = [0, 0]
     for drawn, angle, _ in near(30, 100):
@@ -154,10 +157,12 @@ def test_near_to_where_it_locks_what_is_not_named_is_right() -> None:
     assert min(counts) >= 5, counts
 
 
+@pytest.mark.slow
 def test_forces_that_are_not_named_are_right() -> None:
     _forces_right(near(20, 200), 0.0)
 
 
+@pytest.mark.slow
 def test_forces_with_friction_that_are_not_named_are_right() -> None:
     """A tenth of the friction that would lock the mechanism: its lines meet at √off or so."""
     _forces_right(near(9, 300, most=1), 0.1)

@@ -55,6 +55,7 @@ def _all_right(count: int, seed: int, most: int) -> Counter[str]:
     return counts
 
 
+@pytest.mark.slow
 def test_figures_of_random_rows_are_right_or_left_out_and_named() -> None:
     counts = _all_right(20, 4000, 2)
     assert counts["far"] > 300
@@ -81,6 +82,7 @@ def test_figures_beside_a_dead_centre_are_right_and_all_there() -> None:
     assert noughts
 
 
+@pytest.mark.slow
 def test_a_row_gives_what_its_positions_give_alone() -> None:
     """To the digits that both have; where a digit is hardly sure, one of them may leave the figure out."""
     figures_, flips = 0, 0

@@ -26,6 +26,7 @@ QUICK = (
 """Scenes that are drawn in a fraction of a second."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("first", range(0, 300, 25))
 def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
     found = [case(number, 1, QUICK) for number in range(first, first + 25)]

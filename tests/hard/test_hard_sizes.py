@@ -57,6 +57,7 @@ def told(work: Callable[[], object]) -> str:
     return ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", SCENES)
 def test_a_large_scene_is_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "scene.toml"
@@ -66,6 +67,7 @@ def test_a_large_scene_is_refused_in_few_words(what: str, tmp_path: Path) -> Non
     assert "too large" not in said
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", READINGS)
 def test_many_readings_are_read_or_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "r.csv"

@@ -35,6 +35,7 @@ def _equal(found: Any, due: Any) -> bool:
     return bool(found == due or (np.isnan(found) and np.isnan(due)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("k", range(0, len(DRAWN), 10))
 def test_a_mirrored_mechanism_is_drawn_mirrored_to_the_last_bit(k: int) -> None:
     for drawn in DRAWN[k : k + 10]:
@@ -62,6 +63,7 @@ def test_a_crank_run_backward_reverses_velocities_and_keeps_accelerations(k: int
                 assert _equal(second[plan][key], sign * value), (plan, key, drawn.kinds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("power", [-20, -3, 1, 20])
 def test_a_scaled_mechanism_is_the_same_drawing(power: int) -> None:
     """A power of two, and μ with it: nothing is rounded otherwise, so every millimetre is the same."""
@@ -77,6 +79,7 @@ def test_a_scaled_mechanism_is_the_same_drawing(power: int) -> None:
                 assert _equal(second[rate][number], value), (rate, number, drawn.kinds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turn", [90.0, 180.0, -90.0])
 def test_a_mechanism_turned_by_right_angles_is_turned(turn: float) -> None:
     """The direction of a guide is rounded after it is turned: equal within rounding, not to the bit."""
@@ -108,6 +111,7 @@ def _shuffled(text: str, seed: int) -> str:
 QUICK = [n for n in NAMES if (SHEETS / n / "scene.toml").read_text("utf-8").count("[[link]]") > 1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", QUICK)
 def test_links_in_another_order_give_the_same_bytes(name: str, tmp_path: Any) -> None:
     text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")

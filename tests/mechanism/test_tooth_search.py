@@ -43,6 +43,7 @@ def listed(found: Solutions, scheme: str) -> list[tuple[oracle.Four, int]]:
     return [(oracle.four(scheme, row), k) for row, k in zip(rows, ks, strict=True)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS, ids=lambda o: f"{o.scheme} {o.ratio}")
 def test_the_search_finds_what_brute_force_finds(order: PlanetaryOrder) -> None:
     found = search(order)
@@ -154,6 +155,7 @@ def test_wide_searches_find_many() -> None:
         assert len(search(order)) > 10
 
 
+@pytest.mark.slow
 def test_every_neighbour_that_only_touches_is_refused() -> None:
     """k = 2 and 6 are the only numbers at which tips may touch exactly."""
     from graphic_tmm.mechanism.tooth_conditions import in_two_rows, neighbours

@@ -26,6 +26,7 @@ def document(sheet):
     return ezdxf.read(io.StringIO(dxf(sheet)))
 
 
+@pytest.mark.slow
 def test_no_faults_and_millimetres(document) -> None:
     auditor = document.audit()
     assert not auditor.errors
@@ -56,6 +57,7 @@ def test_everything_stands_on_the_sheet(document, sheet) -> None:
             assert -1e-6 <= y <= sheet.height + 1e-6
 
 
+@pytest.mark.slow
 def test_the_same_bytes(sheet) -> None:
     assert dxf(sheet) == dxf(sheet)
 

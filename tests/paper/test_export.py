@@ -24,6 +24,7 @@ def drawn(request):
     return sheets(read(HOME / request.param))[1]
 
 
+@pytest.mark.slow
 def test_one_page_a_sheet_of_exactly_its_size(drawn) -> None:
     pdfplumber = pytest.importorskip("pdfplumber")
     with pdfplumber.open(io.BytesIO(export.pdf(drawn))) as file:
@@ -48,6 +49,7 @@ def head(png: bytes) -> tuple[int, int]:
     return width, height
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ppi", [50.8, 96.0, 100.0, 101.6, 137.0])
 def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
     for sheet in drawn:
@@ -55,6 +57,7 @@ def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
         assert head(export.png(sheet, ppi=ppi)) == size
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ppi", [96.0, 150.0, 300.0])
 def test_a_png_is_printed_as_large_as_its_sheet(drawn, ppi: float) -> None:
     """Half a dot of the width, half a dot to the metre of the chunk: no more can be lost."""
@@ -72,6 +75,7 @@ def test_a_png_is_printed_as_large_as_its_sheet(drawn, ppi: float) -> None:
 NASTY = 'Лист "1" \\ #read("/etc/passwd") $x$ \\"'
 
 
+@pytest.mark.slow
 def test_a_pdf_bears_the_title_and_the_language_of_its_sheets(drawn) -> None:
     pdfplumber = pytest.importorskip("pdfplumber")
     for title, language in ((drawn[0].title, drawn[0].language), (NASTY, "en"), (NASTY, "ru")):

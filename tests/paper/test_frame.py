@@ -268,6 +268,7 @@ def test_a_date_is_never_cut(date: str) -> None:
     assert date in words(free)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(
     st.dictionaries(

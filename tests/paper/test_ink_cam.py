@@ -91,6 +91,7 @@ def sheet(of: list[Drawing]) -> str:
     return svg(Sheet("x", "x", "A1", 841.0, 594.0, tuple(of)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_letters_stand_clear_of_each_other_and_number_every_position(name: str) -> None:
     for view in views(drawn(name)):
@@ -102,6 +103,7 @@ def test_letters_stand_clear_of_each_other_and_number_every_position(name: str) 
         assert set(positions(drawn(name))) <= set(texts), view.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_unlettered_views_have_room_for_their_ink(name: str) -> None:
     for bare, view in zip(views(drawn(name), False), views(drawn(name)), strict=True):
@@ -110,6 +112,7 @@ def test_unlettered_views_have_room_for_their_ink(name: str) -> None:
         assert all(room.covers(shape(stroke)) for stroke in view.strokes), view.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_the_same_cam_gives_the_same_ink_and_all_of_it_is_finite(name: str) -> None:
     first = sheet(views(drawn(name)))
@@ -135,6 +138,7 @@ def test_the_diagrams_are_drawn_over_the_whole_turn(name: str) -> None:
         assert min(z.real for z in ends) == pytest.approx(0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_the_profiles_in_ink_are_those_that_were_proven(name: str) -> None:
     of = drawn(name)
@@ -185,6 +189,7 @@ def test_a_semicircle_is_divided_at_its_points(name: str) -> None:
                     assert whole.distance(shapely.Point(z.real, z.imag)) < 1.0
 
 
+@pytest.mark.slow
 def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     """No centre, no profile; the diagrams stand, and no coordinate is missing on the sheet."""
     of = made(

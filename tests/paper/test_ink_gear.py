@@ -50,6 +50,7 @@ def main(of: Drawing) -> list[shapely.Geometry]:
     return [shape(s) for s in of.strokes if s.pen == "main"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize("name", VIEWS)
 def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: GearOrder) -> None:
@@ -59,6 +60,7 @@ def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: G
     assert "nan" not in svg(Sheet("s", "X", "A1", 841.0, 594.0, (made,)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS[:2])
 @pytest.mark.parametrize("name", VIEWS)
 def test_an_unlettered_view_has_room_for_its_ink(name: str, order: GearOrder) -> None:
@@ -68,6 +70,7 @@ def test_an_unlettered_view_has_room_for_its_ink(name: str, order: GearOrder) ->
     assert all(room.covers(shape(s)) for s in view(name, order).strokes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS)
 def test_the_outline_is_that_of_the_board(order: GearOrder) -> None:
     of = drawn(order)

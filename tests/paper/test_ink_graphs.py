@@ -46,6 +46,7 @@ def length(work: Work, symbol: str) -> float:
     return float(work.reading[marks.length][0, 0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 @pytest.mark.parametrize("symbol", ["S", "V", "a"])
 def test_the_curve_stands_over_the_base_and_passes_through_the_readings(

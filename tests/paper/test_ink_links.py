@@ -311,6 +311,7 @@ def run(count: int, seed: int, folder: Path) -> tuple[int, int]:
     return plans, positions
 
 
+@pytest.mark.slow
 def test_random_links_are_inked_as_what_they_are(tmp_path: Path) -> None:
     plans, positions = run(40, 7, tmp_path)
     assert plans >= 38
@@ -336,6 +337,7 @@ def case(name: str) -> Seen:
     return Seen(made.work, paper)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["bug-bell-crank-rocker", "hydraulic", "rotary", "whitworth-pin-S"]
 )
@@ -383,6 +385,7 @@ def look_at(text: str) -> Seen:
     return Seen(made.work, paper)
 
 
+@pytest.mark.slow
 def test_a_detached_group_holds_the_same_links() -> None:
     scene = replace(read(CASES / "hydraulic.toml"), ruler=None)
     made, paper = sheets(scene)

@@ -57,6 +57,7 @@ def test_vectors_of_the_engine_are_those_of_its_plans() -> None:
     assert [v.absolute for v in vectors(log, "velocities")] == [True, False, True, True]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "which"), PLANS)
 def test_a_vector_runs_between_its_points_as_long_as_its_segment(name: str, which: str) -> None:
     work = drawn(name)

@@ -37,6 +37,7 @@ def rubbing(drawn: Drawn, f: float, passes: int) -> Friction:
     return Friction({pair.name: f for pair in pairs}, pins, passes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_friction_settles_at_the_judges_equilibrium(seed: int) -> None:
     for k, drawn in enumerate(sample(50, seed=2000 + seed, dyads=(1, 2))):
@@ -47,6 +48,7 @@ def test_friction_settles_at_the_judges_equilibrium(seed: int) -> None:
         assert max(errors(solved).values()) <= RATIO, (k, drawn.kinds)
 
 
+@pytest.mark.slow
 def test_after_two_passes_the_rest_is_within_what_is_reported() -> None:
     told = 0
     for k, drawn in enumerate(sample(150, seed=77, dyads=(1, 2))):
@@ -75,6 +77,7 @@ def test_no_friction_equals_none() -> None:
         assert without.number(without.forces.balance) == with_.number(with_.forces.balance)
 
 
+@pytest.mark.slow
 def test_friction_opposes_and_costs_power() -> None:
     for k, drawn in enumerate(sample(60, seed=9, dyads=(1, 2))):
         one = weighed(drawn, k)
@@ -88,6 +91,7 @@ def test_friction_opposes_and_costs_power() -> None:
             assert more >= -1e-9 * top, (k, drawn.kinds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("f", [0.05, 0.3, 0.8, 1.2, 2.0])
 def test_near_self_locking_the_answer_is_the_judges_or_none(f: float) -> None:
     """Where the judge finds no equilibrium the plan has none either; where both find one it is the same."""

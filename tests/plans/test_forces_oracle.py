@@ -27,12 +27,14 @@ def check(drawn: Drawn, seed: int) -> None:
     assert max(found.values()) <= RATIO, (found, drawn.kinds, seed, solved.judge.condition)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_one_group_of_each_kind(kind: str) -> None:
     for k, drawn in enumerate(sample(60, seed=KINDS.index(kind), dyads=(1, 1), kinds=[kind])):
         check(drawn, k)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_chains_of_groups(seed: int) -> None:
     for k, drawn in enumerate(sample(50, seed=1000 + seed, dyads=(2, 3))):

@@ -142,6 +142,7 @@ def cut(order: GearOrder, k: int) -> shapely.Geometry:
     return shapely.union_all(places)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [*CASES[:4], *CASES[5:], *UNDERCUT])
 @pytest.mark.parametrize("k", [0, 1])
 def test_flank_and_fillet_are_what_a_rack_cuts(order: GearOrder, k: int) -> None:
@@ -159,6 +160,7 @@ def test_flank_and_fillet_are_what_a_rack_cuts(order: GearOrder, k: int) -> None
     assert root == pytest.approx(1000 * of.real(made.sizes.r_f) / M, abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", CASES)
 def test_turned_through_a_pitch_flanks_touch_and_never_overlap(order: GearOrder) -> None:
     of = drawn(order)
@@ -179,6 +181,7 @@ def worst(of: Pair, count: int) -> float:
     return far
 
 
+@pytest.mark.slow
 def test_any_pair_is_right_or_its_fault_has_a_name() -> None:
     rng = np.random.default_rng(6)
     told, right = set(), 0

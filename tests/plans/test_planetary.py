@@ -74,6 +74,7 @@ def valid(draw: random.Random, scheme: str) -> PlanetaryOrder:
             return order
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_random_trains_move_as_rolling_contacts_say(scheme: str) -> None:
     """250 of each scheme: ω of all bodies and the ratio measured off the plan, to 1e-9 of the largest."""
@@ -100,6 +101,7 @@ def test_random_trains_move_as_rolling_contacts_say(scheme: str) -> None:
         assert speeds["B"] == pytest.approx(carrier * unit * float(b) * 0.004, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_one_log_serves_many_trains_at_once(scheme: str) -> None:
     """Tooth numbers are given marks: 60 trains as trials of one log are 60 logs."""

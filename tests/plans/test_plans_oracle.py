@@ -15,6 +15,7 @@ def _within(drawn: Drawn, turned: bool) -> None:
     assert max(found.values()) <= RATIO, (found, drawn.kinds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 @settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
 @given(drawn=mechanisms())
@@ -28,6 +29,7 @@ def test_one_group_of_each_kind(kind: str) -> None:
         _within(drawn, turned=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_chains_of_groups(seed: int) -> None:
     for drawn in sample(100, seed=1000 + seed, dyads=(2, 3)):

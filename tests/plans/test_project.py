@@ -130,6 +130,7 @@ CARRIED = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [1.0, -1.0])
 @pytest.mark.parametrize(("make", "zero"), CARRIED)
 def test_the_right_flips_follow_the_mechanism_through_its_change_points(
@@ -186,6 +187,7 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
 # whatever is drawn, nothing but a TmmError comes out
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), way=st.sampled_from(["left", "right", "top", "bottom"]))
 def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
 from drawn import board
 from hypothesis import HealthCheck, given, settings
 from mechanisms import Drawn, mechanisms
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
 @given(drawn=mechanisms())
 def test_images_of_a_link_are_similar_to_it(drawn: Drawn) -> None:
