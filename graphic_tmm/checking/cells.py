@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
@@ -46,7 +47,7 @@ def cells(made: Made) -> dict[Key, Cell]:
             if mm is not None or value is not None:
                 found[column.plan, column.segment, name] = Cell(mm, value, column.unit)
     for name, (value, unit) in scene_results(made).items():
-        found[RESULTS, name, ""] = Cell(None, value, unit)
+        found[RESULTS, name, ""] = Cell(None, value if math.isfinite(value) else None, unit)
     return found
 
 
