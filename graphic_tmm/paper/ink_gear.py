@@ -160,6 +160,8 @@ def _bands(ink: _Ink) -> Iterator[Stroke]:
         piece = cut(whole, nearest(whole, low), float(len(whole) // 3))
         spots = [complex(z) for z in points(piece, 60)]
         inner = [z + BAND * 1j * (w - z) / abs(w - z) for z, w in pairwise(spots) if w != z]
+        if len(inner) < 2:
+            continue  # the flank works in one point only
         yield line("thin", *inner)
         gone = 0.0
         for k, (z, w) in enumerate(pairwise(spots)):

@@ -40,12 +40,14 @@ def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
     [
         ("crank-press", '"90 mm"', '"90000000.0 mm"', "the stroke has no length"),
         ("engine", 'r  = "0.3 m"', 'r  = "3e-07 m"', ""),
+        ("gear-pair", "x2 = 0.445", "x2 = 4.45", ""),
     ],
 )
 def test_what_the_fuzzer_found_is_drawn(
     name: str, old: str, new: str, says: str, tmp_path: Path
 ) -> None:
-    """Forces that are not there in the position asked for; a rim thinner than any dimension."""
+    """Forces that are not there in the position asked for; a rim thinner than any dimension; a flank that works
+    in one point."""
     text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")
     scene, out = tmp_path / "scene.toml", tmp_path / "out"
     assert old in text
