@@ -11,6 +11,7 @@ from gallery import SHEETS
 from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points as spots
 from graphic_tmm.checking.check import check
+from graphic_tmm.checking.readings import read_readings
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.frame import drawing_area
@@ -82,3 +83,15 @@ def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     bad = CliRunner().invoke(main, [*arguments[:-1], "1,2 3,4"])
     assert bad.exit_code == 2
     assert "four corners" in bad.stderr
+
+
+def test_a_reading_of_what_has_no_figure_is_noted_and_not_judged(tmp_path: Path) -> None:
+    """A train 8 km large is drawn to no scale that leaves a digit of its ratio."""
+    text = (SHEETS / "planetary" / "scene.toml").read_text("utf-8")
+    huge = tmp_path / "scene.toml"
+    huge.write_text(text.replace('"8 mm"', '"8000000.0 mm"'), "utf-8")
+    rows = tmp_path / "readings.csv"
+    rows.write_text("plan,position,segment,mm,value,unit\nresults,,planetary_ratio_drawn,,4.56,\n")
+    found = check(read(huge), read_readings(rows), trials=20)
+    assert not found.readings
+    assert any("planetary_ratio_drawn" in note for note in found.notes)
