@@ -91,7 +91,7 @@ def test_a_reading_of_what_has_no_figure_is_noted_and_not_judged(tmp_path: Path)
     huge = tmp_path / "scene.toml"
     huge.write_text(text.replace('"8 mm"', '"8000000.0 mm"'), "utf-8")
     rows = tmp_path / "readings.csv"
-    rows.write_text("plan,position,segment,mm,value,unit\nresults,,planetary_ratio_drawn,,4.56,\n")
+    rows.write_text("plan,position,segment,mm,value,unit\nresults,,planetary_ratio_drawn,,4.56,1\n")
     found = check(read(huge), read_readings(rows), trials=20)
     assert not found.readings
     assert any("planetary_ratio_drawn" in note for note in found.notes)
