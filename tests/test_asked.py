@@ -277,6 +277,7 @@ def test_a_fixed_scale_that_no_sheet_holds_is_told_with_a_value_that_fits(
         measurable(made, "A4")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["table", "steps"])
 def test_no_command_reads_a_plan_that_is_too_small(command: str, tmp_path: Path) -> None:
     text = asked.mechanism("slider", 8, [("A4", ("positions",))], scales="[scales]\nmu_l = 3")

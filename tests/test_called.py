@@ -129,6 +129,7 @@ def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
     assert unnamed.sheets == scene.sheets
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("section", ["cam", "gears", "planetary"])
 def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> None:
     head = 'title = "T"\nlanguage = "ru"\n'

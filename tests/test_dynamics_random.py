@@ -123,6 +123,7 @@ def test_friction_takes_power_and_none_is_friction_of_nothing() -> None:
             assert lost <= 0
 
 
+@pytest.mark.slow
 def test_friction_of_guides_is_that_of_one_choice_of_senses(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -182,6 +183,7 @@ def test_digits_tell_how_good_float64_is() -> None:
         assert abs(due.balance - quick.balance) <= bound * scale * state.size
 
 
+@pytest.mark.slow
 @settings(max_examples=60, suppress_health_check=list(HealthCheck))
 @given(data=st.data(), drawn=mechanisms())
 def test_any_loads_on_any_mechanism(data: st.DataObject, drawn: Drawn) -> None:

@@ -56,6 +56,7 @@ def views(whole: Scene, effects: set[str]) -> set[str]:
     return {step.it.view for step in record(only(whole, effects)).construction.steps}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FULL)
 def test_a_plan_that_is_not_named_has_no_view(name: str) -> None:
     whole = scene(name)

@@ -39,6 +39,7 @@ def test_the_equations_of_a_crank_and_slider() -> None:
     assert acceleration.directions == "a_{B} ∥ x–x, a_{BA}^{n}: B → A, a_{BA}^{t} ⊥ AB"
 
 
+@pytest.mark.slow
 def test_a_rocker_with_a_stone_has_a_coriolis_term_known_wholly() -> None:
     first, second = found("windrower", "accelerations")
     assert first.text == "a_A3 = a_A + a_A3A^k + a_A3A^r = a_A3B^n + a_A3B^t"

@@ -246,6 +246,7 @@ def test_a_file_that_does_not_tell_its_size_is_cut_at_the_limit() -> None:
         read(Path("/proc/self/maps"), KIND)
 
 
+@pytest.mark.slow
 def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
     result = run("draw", "crank-rocker", "-o", str(tmp_path), "-f", "svg, PDF,png,dxf")
     assert result.exit_code == 0, result.output
@@ -258,6 +259,7 @@ def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
         assert path.read_bytes().startswith(starts[path.suffix[1:]]), path.name
 
 
+@pytest.mark.slow
 def test_a_scene_that_is_a_file_of_another_name_names_its_sheet(tmp_path: Path) -> None:
     path = scene(tmp_path).rename(tmp_path / "мой двигатель.toml")
     assert run("draw", str(path), "-o", str(tmp_path / "out")).exit_code == 0
@@ -265,6 +267,7 @@ def test_a_scene_that_is_a_file_of_another_name_names_its_sheet(tmp_path: Path) 
     assert made(str(path))["scene"] == "мой двигатель"
 
 
+@pytest.mark.slow
 def test_an_unreadable_file_and_an_unwritable_folder(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_bytes(b"\xff\xfe\x00")
     result = run("draw", str(tmp_path), "-o", str(tmp_path / "out"))

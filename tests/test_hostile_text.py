@@ -117,6 +117,7 @@ def refused(folder: Path, path: Path, *words: str) -> str:
 # what is drawn
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["ru", "en"])
 @pytest.mark.parametrize("what", SEEN)
 def test_a_page_holds_text_and_ink_and_nothing_that_acts(
@@ -215,6 +216,7 @@ def test_a_dxf_holds_ink_only(what: str, tmp_path: Path) -> None:
     assert all(re.fullmatch(r"[\w.-]+", layer.dxf.name) for layer in document.layers)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
 @pytest.mark.parametrize("language", ["ru", "en"])
 @pytest.mark.parametrize("word", ["Ж", "слово ", "<&> ", "}_{^\\", "Щ "])

@@ -74,6 +74,7 @@ def test_a_scene_without_a_mechanism_has_no_motion() -> None:
         graphic_tmm.motion(read(SHEETS / "gear-pair"), 0.0)
 
 
+@pytest.mark.slow
 def test_a_hand_that_slips_is_the_same_compiled_or_not() -> None:
     from dataclasses import replace
 

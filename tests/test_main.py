@@ -56,6 +56,7 @@ def test_the_text_table_speaks_the_language_of_the_scene() -> None:
     assert "42,5" in text
 
 
+@pytest.mark.slow
 def test_steps_number_the_protocol_and_put_numbers_in() -> None:
     text = run("steps", "engine", "--plan", "velocities", "--position", "2").stdout
     assert "План скоростей, положение 2" in text
@@ -67,6 +68,7 @@ def test_steps_number_the_protocol_and_put_numbers_in() -> None:
     assert "Where (pb) and (ab) meet, mark b." in english
 
 
+@pytest.mark.slow
 def test_steps_tell_synthesis_and_extremes_of_the_windrower() -> None:
     text = run("steps").stdout
     assert "θ = 180°·(K_v − 1)/(K_v + 1) = 180°·(1,45 − 1)/(1,45 + 1) = 33,06°" in text
@@ -128,6 +130,7 @@ def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> 
     assert not out.exists()
 
 
+@pytest.mark.slow
 def test_lengths_that_assemble_in_part_are_drawn_in_part(tmp_path: Path) -> None:
     path = scene(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'))
     result = run("draw", str(path), "-o", str(tmp_path / "out"))
@@ -139,6 +142,7 @@ def test_lengths_that_assemble_in_part_are_drawn_in_part(tmp_path: Path) -> None
     assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is None] == [3, 4, 5, 9, 10, 11]
 
 
+@pytest.mark.slow
 def test_text_of_a_scene_is_data(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> & [red]../../x[/red] 'quoted'"
     title = ENGINE.replace('title    = "Двигатель одноцилиндровый"', f'title = "{nasty}"')
@@ -296,6 +300,7 @@ def test_a_name_that_is_no_scene(name: str, tmp_path: Path, monkeypatch: Any) ->
 NASTY = "<b onload='x'>&amp; &lt;/svg&gt; [red]r[/red] [/] {0} %s \\\\ ${HOME} ]]> --> \\\"q\\\""
 
 
+@pytest.mark.slow
 def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: Path) -> None:
     edits = [
         ('"Двигатель одноцилиндровый"', f'"{NASTY}"'),

@@ -104,6 +104,7 @@ def russian_faults(name: str) -> Iterator[str]:
             yield f"{part}: an index that the field does not know"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PACKAGED)
 @pytest.mark.parametrize("language", ["ru", "en"])
 def test_no_line_of_a_protocol_holds_what_only_machines_need(name: str, language: str) -> None:
@@ -206,6 +207,7 @@ def _lines(log: Construction, reading: Reading, language: str) -> Iterator[Line]
         yield from protocol(log, view, reading, 0, language)
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6), st.integers(1, 3), st.booleans(), st.booleans())
 @settings(deadline=None, max_examples=10, suppress_health_check=list(HealthCheck))
 def test_random_mechanisms_under_loads_are_told_in_names_of_the_field(

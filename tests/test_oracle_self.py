@@ -171,6 +171,7 @@ def at_time(drawn: Drawn, step: float, start: State) -> Rates:
     return solve_digits(drawn.mechanism, angle, start.pose, dps=45)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("drawn", sample(8, seed=2), ids=lambda drawn: "-".join(drawn.kinds))
 def test_rates_are_differences_of_positions(drawn: Drawn) -> None:
     state = solve(drawn.mechanism, drawn.phi, drawn.poses)
@@ -279,6 +280,7 @@ def test_the_strategy_draws_what_the_oracle_solves(drawn: Drawn) -> None:
     assert state.condition < 1e5
 
 
+@pytest.mark.slow
 def test_digits_and_float64_agree() -> None:
     for drawn in sample(15, seed=5, dyads=(1, 2)):
         quick = solve_fast(drawn.mechanism, drawn.phi, drawn.poses)

@@ -59,6 +59,7 @@ def lines(part: Part, language: str, position: str | None = None) -> list[str]:
     return list(part_protocol((part,), (part.kind,), language, position))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["ru", "en"])
 @pytest.mark.parametrize("what", PARTS)
 def test_every_line_has_its_value(what: str, language: str, tmp_path: Path) -> None:
@@ -101,6 +102,7 @@ def test_rise_and_return_are_told_in_the_middle_of_each(tmp_path: Path) -> None:
     assert "      [Опускание]" in found
 
 
+@pytest.mark.slow
 def test_a_position_of_a_cam_can_be_asked_for(tmp_path: Path) -> None:
     drawn(tmp_path, "an offset roller")
     path = tmp_path / "scene.toml"

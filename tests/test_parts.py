@@ -38,6 +38,7 @@ def results(name: str) -> dict[str, float]:
     return {key: one["value"] for key, one in document(name)["results"].items()}
 
 
+@pytest.mark.slow
 def test_the_cams_results() -> None:
     found = results("cam")
     assert found["r0_min"] == pytest.approx(0.04903, abs=5e-5)
@@ -52,6 +53,7 @@ def test_the_cams_results() -> None:
     assert columns["S"][6] == pytest.approx(0.014, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_gear_pairs_results() -> None:
     found = results("gear-pair")
     assert found["contact_ratio"] == pytest.approx(1.1581, abs=5e-5)
@@ -101,6 +103,7 @@ def test_the_commands_take_a_part(name: str) -> None:
         assert done.stdout
 
 
+@pytest.mark.slow
 def test_a_part_stands_beside_a_mechanism() -> None:
     engine, cam = read(SHEETS / "engine"), read(SHEETS / "cam")
     both = replace(engine, cam=cam.cam, sheets=(*engine.sheets, SheetOrder("A1", ("cam",))))
@@ -161,6 +164,7 @@ def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None
     assert "pressure angle reaches" in done.stderr
 
 
+@pytest.mark.slow
 def test_a_rocker_and_a_flat_face_fill_their_sheets(tmp_path: Path) -> None:
     rocker = scene_of(
         tmp_path,

@@ -147,6 +147,7 @@ def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
     assert [sheet.format for sheet in paper] == due
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SMALL)
 def test_the_same_scene_gives_the_same_bytes(name: str) -> None:
     first, second = (sheet_files(read(SHEETS / name))[1] for _ in range(2))

@@ -90,6 +90,7 @@ def test_a_single_column_that_is_wider_than_the_terminal_is_printed_whole() -> N
     assert all(name in out.getvalue() for name, _ in positions)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(st.integers(1, 40), st.integers(30, 200), st.integers(0, 6))
 def test_blocks_hold_as_many_positions_as_fit(count: int, width: int, digits: int) -> None:
@@ -240,6 +241,7 @@ def test_a_part_has_columns_in_the_shape_of_all_others(name: str) -> None:
     assert list(dict.fromkeys((r["plan"], r["segment"]) for r in rows)) == list(dict.fromkeys(due))
 
 
+@pytest.mark.slow
 def test_what_is_measured_on_a_gear_pair_is_what_its_formulas_give() -> None:
     """An own calculation: line of action and ends of the contact of the pair of the windrower's project."""
     document = json.loads(invoke("table", "gear-pair", "-f", "json", "--exact"))
@@ -261,6 +263,7 @@ def test_what_is_measured_on_a_gear_pair_is_what_its_formulas_give() -> None:
         assert 1000 * found[segment] == pytest.approx(mm, rel=1e-9), segment
 
 
+@pytest.mark.slow
 def test_a_part_beside_a_mechanism_keeps_positions_of_its_own(tmp_path: Path) -> None:
     document = json.loads(
         invoke("table", written(tmp_path, "diagrams", "cam", "gears"), "-f", "json")

@@ -141,6 +141,7 @@ def test_every_turning_link_has_its_rates_with_their_sign() -> None:
     assert "omega3" not in made
 
 
+@pytest.mark.slow
 def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
     exact = table(fitted(read(SHEETS / "windrower"), exact=True), "json")
     assert isinstance(exact, str)
@@ -270,6 +271,7 @@ def test_the_exact_table_of_the_engine_is_the_reference() -> None:
     assert document["results"]["J_fly"]["unit"] == "kg·m²"
 
 
+@pytest.mark.slow
 def test_the_default_table_differs_by_the_rulers_rounding_only() -> None:
     exact, read = made("engine", "--exact"), made("engine")
     for segment in ("pa", "pb", "ps2", "ab"):
@@ -293,6 +295,7 @@ def test_null_where_a_position_has_no_acceleration_plan() -> None:
     assert found["unit"] == "m/s²"
 
 
+@pytest.mark.slow
 def test_the_document_is_as_written_down() -> None:
     document = made("engine")
     assert list(document) == ["scene", "scales", "positions", "columns", "results"]
@@ -338,6 +341,7 @@ def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path)
     assert column(document, "velocities", "pb")["value"][1] == pytest.approx(speed, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_windrower_stands_as_its_task_says() -> None:
     document = made()
     assert document["scene"] == "windrower"

@@ -48,6 +48,7 @@ def test_a_smaller_error_costs_no_less() -> None:
     assert spent[0] < spent[-1]
 
 
+@pytest.mark.slow
 def test_positions_that_the_scene_names_keep_their_places() -> None:
     own = replace(task("offset-slider"), hand="student", ruler=0.5)
     assert own.row.accelerations == ("1", "4", "8")

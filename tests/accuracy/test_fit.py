@@ -102,6 +102,7 @@ def test_there_is_no_t_outside_its_range() -> None:
         assert math.isnan(student(confidence, freedom))
 
 
+@pytest.mark.slow
 def test_the_interval_holds_the_true_slope_as_often_as_it_says() -> None:
     rng = np.random.default_rng(2024)
     x, trials = 2.0 ** np.arange(3, 10), 2000

@@ -65,6 +65,7 @@ def test_a_run_is_timed_warm_and_its_quartiles_stand_in_order() -> None:
     assert (found.low, found.high) == (pytest.approx(0.15), pytest.approx(0.25))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [4, 8, 24])
 def test_velocities_of_a_slider_are_what_one_counts_on_the_fingers(n: int) -> None:
     """Once: [OA], [AB], v_A and pa calculated 4, the guide's ray 5, the line of v_B 3.
@@ -77,6 +78,7 @@ def test_velocities_of_a_slider_are_what_one_counts_on_the_fingers(n: int) -> No
     assert work_of(drawn, quantity(drawn, "v")).simplicity == 12 + 31 * n
 
 
+@pytest.mark.slow
 def test_a_row_twice_as_long_is_twice_the_work_for_readings() -> None:
     drawn = drawing("windrower")
     finer = drawing("windrower", at_count(scene("windrower"), 24))
@@ -91,6 +93,7 @@ def test_minutes_are_those_of_the_table_that_is_told() -> None:
     assert work_of(drawn, v, {**only, "M3": 2.0}).minutes == 2.0 * 8 * 2
 
 
+@pytest.mark.slow
 def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     """A trial takes all that leads to the velocity of E; the bracket of 16 parts is narrowed twice: 17 + 15."""
     own = scene("crank-rocker")
@@ -128,6 +131,7 @@ def test_a_ruler_on_a_drawing_twice_as_large_is_one_of_half_the_division() -> No
         assert one.error == pytest.approx(two.error, rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["windrower", "slider-diagrams"])
 def test_farther_poles_are_the_same_for_an_exact_hand(name: str) -> None:
     task = measure(name)

@@ -14,6 +14,7 @@ SMALL = Hand(prick=0.002, compass=0.002, swing=0.002, reading=0.002, seed=3)
 """Slips so small that what they leave is linear in them."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["slider-diagrams", "crank-rocker"])
 def test_variances_of_single_steps_add_up_to_that_of_all(name: str) -> None:
     """Each variance is the mean of 40 trials at 8 positions or more, the whole of 400: within 10 % at 3 sigma

@@ -17,6 +17,7 @@ def test_a_million_positions_take_less_than_500_mb() -> None:
     assert growth.peak_of_million() < 500
 
 
+@pytest.mark.slow
 def test_memory_beyond_the_results_does_not_grow() -> None:
     import growth
 

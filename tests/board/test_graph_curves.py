@@ -258,6 +258,7 @@ def test_a_rectangle_is_as_large_as_the_figure_below_the_curve(
     np.testing.assert_allclose(found.real, start.real + STEP / 2)
 
 
+@pytest.mark.slow
 def test_an_indicator_diagram_stays_between_its_points_in_both_directions() -> None:
     rng = np.random.default_rng(11)
     for _ in range(200):

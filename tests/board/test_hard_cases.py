@@ -105,6 +105,7 @@ def test_a_line_that_touches_an_arc(
         _judge(found, gap, size, exact, root_bound + EPS * (8 * size + 2 * abs(exact)))
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(r=UNIT, off=TINY, scale=POWER, turn=TURN, away=AWAY, side=SIDE)
 def test_a_point_that_lies_on_the_circle_has_a_tangent(

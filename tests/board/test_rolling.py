@@ -33,6 +33,7 @@ def circle(centre: complex, radius: float, count: int = 24, sweep: float = np.pi
     return r.smooth_through.run((centre + radius * np.exp(1j * turns))[None, :], row=count)
 
 
+@pytest.mark.slow
 @given(spots, st.floats(0.1, 100), st.floats(-3, 3), st.floats(0, 6))
 def test_an_arc_laid_off_is_measured_again(
     centre: complex, radius: float, turn: float, at: float

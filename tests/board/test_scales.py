@@ -44,6 +44,7 @@ def test_below_half_a_division_nothing_is_read() -> None:
     assert not np.signbit(read[0, :4]).any()
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(st.floats(-1e4, 1e4), st.sampled_from([0.1, 0.25, 0.5, 1.0, 0.01]))
 def test_a_reading_is_the_nearest_division(length: float, ruler: float) -> None:
@@ -91,6 +92,7 @@ def test_a_standard_scale_of_lengths(largest: float, room: float, due: float) ->
     assert math.isclose(standard_length(largest, room), due, rel_tol=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(st.floats(1e-9, 1e9), st.floats(10.0, 500.0))
 def test_a_standard_scale_fits_and_the_next_finer_does_not(largest: float, room: float) -> None:

@@ -76,6 +76,7 @@ def test_faint_and_thin_lines_are_found(ink: float, width: float, noise: float, 
     assert off(SMALL, found.corners) < EXACT
 
 
+@pytest.mark.slow
 def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
     image = seen(TILTED).copy()
     image[600:760, 100:260] = (150, 110, 90)

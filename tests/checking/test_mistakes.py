@@ -42,6 +42,7 @@ def test_a_planted_mistake_is_named_first(name: str) -> None:
     assert part.first >= 0.9 * part.seen
 
 
+@pytest.mark.slow
 def test_every_mistake_of_the_catalogue_is_planted_somewhere() -> None:
     names = {called for name in (*SCENES, "lever") for _, called, _ in plants(name)}
     assert {mistake.name for mistake in CATALOGUE} <= names

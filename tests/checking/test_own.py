@@ -52,6 +52,7 @@ def test_a_ray_that_slipped_is_blamed() -> None:
     assert "(ab)" in one.step
 
 
+@pytest.mark.slow
 def test_what_follows_from_a_slip_is_not_punished() -> None:
     """ab is read 6 mm too long; the normal component calculated from it is right for that reading."""
     name = "engine"

@@ -108,6 +108,7 @@ def test_the_png_lies_at_true_millimetres(file: Path) -> None:
     assert png(photo) == png(photo)
 
 
+@pytest.mark.slow
 def test_a_part_of_the_sheet_on_whole_dots(file: Path) -> None:
     photo = flatten(file, corners("tilted"), FRAME, dots_per_mm=3.0, area=(50, 80, 70.1, 100.1))
     assert photo.image.shape == (61, 61, 3)

@@ -97,6 +97,7 @@ def test_text_does_nothing_to_a_terminal(text: str) -> None:
     assert printed(hostile("[red]r[/red] :smile:"), 200).count("[red]r[/red] :smile:") > 5
 
 
+@pytest.mark.slow
 def test_of_very_many_readings_a_terminal_lists_the_worst_and_says_how_many_are_left() -> None:
     readings = [judged(line=k + 2) for k in range(LISTED + 100)]
     readings[LISTED + 50] = readings[LISTED + 50]._replace(verdict=WRONG)

@@ -41,7 +41,8 @@ def printed(made: Made) -> Iterator[list[str]]:
     """Every figure with the digits that the table prints for people."""
     names = position_names(made)
     for column in scene_columns(made):
-        for name, mm, value in zip(names, column.mm, column.value, strict=True):
+        own = [name for name, _ in column.at] or names
+        for name, mm, value in zip(own, column.mm, column.value, strict=True):
             length = typed(fixed(mm, 1, "en"))
             figure = "" if value is None else typed(number(value, "en"))
             if length or figure:

@@ -120,6 +120,7 @@ def test_what_is_given_is_judged_for_slips(tmp_path: Path) -> None:
     assert verdicts(checked("sc", wrong, tmp_path)) == [WRONG] * 3
 
 
+@pytest.mark.slow
 def test_both_figures_of_a_row_are_judged_and_agree(tmp_path: Path) -> None:
     """pb is 68.1 mm and 1.70 m/s in position 1; μ_v = 0.025 (m/s)/mm."""
     report = checked("sc", "velocities,1,pb,68.5,1.7125,m/s,,\n", tmp_path)
@@ -132,6 +133,7 @@ def test_both_figures_of_a_row_are_judged_and_agree(tmp_path: Path) -> None:
     assert verdicts(checked("sc", "velocities,1,pb,,1.665,m/s,,\n", tmp_path)) == [FINE]
 
 
+@pytest.mark.slow
 def test_both_figures_agree_on_plans_that_no_step_measures_too(tmp_path: Path) -> None:
     """μ of the diagram of S is its own; 30 % more than the length says is no reading of it."""
     made = make(read(SHEETS / "slider-diagrams"), exact=True)
@@ -178,6 +180,7 @@ def test_every_report_says_what_a_deviation_follows_from(language: str, tmp_path
     assert '"follows_from": "pb", "follows_from_line": 2' in json_report(report)
 
 
+@pytest.mark.slow
 def test_percent_of_plan_is_the_same_for_mm_and_for_quantities(tmp_path: Path) -> None:
     """10 mm of 80 mm, the longest vector of the plan (pa), are 12.5 %."""
     due = abs(cells(drawn("sc"))["velocities", "pb", "1"].mm or 0.0)
@@ -250,6 +253,7 @@ def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
     assert note in markdown_report(report)
 
 
+@pytest.mark.slow
 def test_many_drawings_are_judged_by_one_yardstick_as_one_by_one(tmp_path: Path) -> None:
     from graphic_tmm.checking.check import checks
 

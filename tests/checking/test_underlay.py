@@ -132,6 +132,7 @@ def near(mask: np.ndarray, reach: int) -> np.ndarray:
     return found
 
 
+@pytest.mark.slow
 def test_the_first_sheet_is_taken_if_none_is_named(tmp_path: Path) -> None:
     scene, photo = tmp_path / "scene.toml", tmp_path / "photo.png"
     scene.write_text(SCENE, encoding="utf-8")

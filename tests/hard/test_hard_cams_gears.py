@@ -45,6 +45,7 @@ def _with(share: float) -> Made:
     return made(order)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [1 + DRAWN, 1.1, 1.15])
 def test_a_roller_larger_than_the_least_radius_undercuts_and_is_named(share: float) -> None:
     of = _with(share)

@@ -56,6 +56,7 @@ def test_eight_groups_in_a_row(angle: float, frame: Frame) -> None:
     assert right(found), (found.shares, found.conditions)
 
 
+@pytest.mark.slow
 def test_errors_of_a_chain_grow_no_faster_than_its_conditions_multiply() -> None:
     """The errors of the last group, absolute: from one group to six, less than κ grows."""
     off, kappa = [], []
@@ -78,6 +79,7 @@ RATIOS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 3, 4)])
 @pytest.mark.parametrize("name", RATIOS)
 def test_lengths_in_the_ratio_of_a_million(name: str, frame: Frame) -> None:

@@ -71,6 +71,7 @@ def test_figures_of_many_random_rows_are_right_or_left_out_and_named() -> None:
     assert 0 < counts["near left out"] < counts["near"] / 10
 
 
+@pytest.mark.slow
 def test_figures_beside_a_dead_centre_are_right_and_all_there() -> None:
     """A speed that is all but zero is itself; at the dead centre, along with what follows, it is zero."""
     noughts = 0

@@ -181,6 +181,7 @@ def _rubbing(q: float, passes: int) -> tuple[Solved, complex, Any]:
     return solved, due, told
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("passes", [2, 4, 12])
 @pytest.mark.parametrize("q", [0.01, 0.1, 0.5, 0.9, 0.99])
 def test_what_the_passes_leave_open_holds_the_truth(q: float, passes: int) -> None:

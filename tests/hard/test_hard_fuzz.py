@@ -58,6 +58,7 @@ def test_what_the_fuzzer_found_is_drawn(
     assert "nan" not in next(out.glob("*.svg")).read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_a_plan_too_small_to_measure_is_refused(tmp_path: Path) -> None:
     text = (SHEETS / "windrower" / "scene.toml").read_text(encoding="utf-8")
     scene, out = tmp_path / "scene.toml", tmp_path / "out"
@@ -73,6 +74,7 @@ def test_a_case_is_told_by_its_seed_and_number() -> None:
     assert task(3, 17) != task(3, 18)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_scene_tells_its_steps(name: str) -> None:
     result = CliRunner().invoke(main, ["steps", str(SHEETS / name)])

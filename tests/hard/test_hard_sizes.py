@@ -75,6 +75,7 @@ def test_many_readings_are_read_or_refused_in_few_words(what: str, tmp_path: Pat
     assert len(told(lambda: read_readings(file))) < 60_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", SCENES)
 def test_a_large_table_of_minutes_is_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"

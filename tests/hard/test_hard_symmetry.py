@@ -127,6 +127,7 @@ def test_links_in_another_order_give_the_same_bytes(name: str, tmp_path: Any) ->
     assert told[0] == told[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker", "scotch-yoke"])
 def test_links_in_another_order_give_the_same_sheets(name: str, tmp_path: Any) -> None:
     text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")

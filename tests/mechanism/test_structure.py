@@ -87,6 +87,7 @@ def test_the_kind_of_a_group_is_told_by_its_pairs(kind: str) -> None:
         assert [group.kind for group in found.groups] == [KINDS.index(kind) + 1]
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(drawn=mechanisms(), seed=st.integers(0, 1000))
 def test_the_order_of_links_is_irrelevant(drawn: Drawn, seed: int) -> None:
@@ -267,6 +268,7 @@ def test_side_does_not_enter_the_structure() -> None:
     assert dissect(mechanism(FOUR_BAR[0], sided, FOUR_BAR[2])).formula == "I(1) → II(2-3)"
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), data=st.data())
 def test_a_pair_taken_away_is_always_refused(drawn: Drawn, data: st.DataObject) -> None:

@@ -80,6 +80,7 @@ def test_the_steps_of_the_synthesis_are_recorded() -> None:
     assert sorted(found.lengths) == ["BC", "OA", "OB"]
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(
     K_v=st.floats(1.02, 3.0),

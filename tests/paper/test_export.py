@@ -39,6 +39,7 @@ def test_one_page_a_sheet_of_exactly_its_size(drawn) -> None:
             assert sheet.drawings[-1].title.split()[0] in page.extract_text()
 
 
+@pytest.mark.slow
 def test_the_same_bytes(drawn) -> None:
     assert export.pdf(drawn) == export.pdf(drawn)
 

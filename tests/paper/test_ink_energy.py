@@ -107,6 +107,7 @@ def test_the_tangents_leave_the_curve_on_one_side_and_end_in_a_and_b() -> None:
     assert {"a", "b", "ΔT", "J_{red}"} <= texts
 
 
+@pytest.mark.slow
 def test_the_engine_stands_complete_on_one_sheet() -> None:
     _, paper = sheets(read(SHEETS / "engine"))
     assert len(paper) == 1

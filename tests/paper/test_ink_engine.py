@@ -77,6 +77,7 @@ def arrows(view: Drawing) -> dict[str, list[tuple[complex, complex]]]:
     return found
 
 
+@pytest.mark.slow
 def test_the_pressure_on_the_guide_ends_where_the_whole_force_does(views: list[Drawing]) -> None:
     triangles = [found for found in map(arrows, views) if {"P′", "N", "Q", "T", "K"} <= set(found)]
     assert (
@@ -114,6 +115,7 @@ def test_pins_bear_the_letters_of_the_scene_and_the_slider_lies_along_its_guide(
         assert abs((corners[1] - corners[0]).real) < 1e-9
 
 
+@pytest.mark.slow
 def test_the_arms_of_the_rod_are_told_by_its_pins_and_not_by_the_order_of_its_letters(
     tmp_path: Path,
 ) -> None:

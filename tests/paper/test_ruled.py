@@ -65,6 +65,7 @@ TEXTS = st.one_of(
 )
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(TEXTS, BOXES)
 def test_no_text_leaves_its_box(text: str, slot: Slot) -> None:

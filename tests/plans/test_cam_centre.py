@@ -96,6 +96,7 @@ def test_the_document_s_radius_passes(turns: str) -> None:
     assert np.abs(alpha).max() < 30.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FOLLOWERS)
 @pytest.mark.parametrize("law", SHAPES)
 def test_the_least_r0_by_brute_force(name: str, law: str) -> None:
@@ -104,6 +105,7 @@ def test_the_least_r0_by_brute_force(name: str, law: str) -> None:
     assert abs(found.one(found.cam.least) - due) < bound(found.cam.order) + 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["central", "offset", "rocker along"])
 def test_the_limits_of_rise_and_return_may_differ(name: str) -> None:
     for pressure, back in ((35.0, 50.0), (50.0, 35.0)):
@@ -112,6 +114,7 @@ def test_the_limits_of_rise_and_return_may_differ(name: str) -> None:
         assert abs(found.one(found.cam.least) - least_radius(of)) < 3 * bound(of) + 1e-6
 
 
+@pytest.mark.slow
 def test_the_least_of_all_stands_where_both_limits_meet() -> None:
     """With the offset of the apex the least r0 is that of the apex; no other offset allows a smaller one."""
     free = made(CamOrder(**C6, divisions=24))

@@ -104,6 +104,7 @@ def test_corners_between_positions_are_met_by_the_ordinates_in_the_middle_of_the
     assert ends[-1][1][-1] == pytest.approx(0.0, abs=1e-12 * h)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*SHAPES, *DIAGRAMS])
 def test_each_diagram_is_the_derivative_of_the_one_before(name: str) -> None:
     """The smooth curves, differentiated where they are drawn, give the next diagram at the positions.
@@ -179,6 +180,7 @@ def test_parts_of_the_turn_go_to_its_phases() -> None:
     assert even.fall.stretches == ((11, 16), (16, 21))
 
 
+@pytest.mark.slow
 def test_a_cam_that_can_be_drawn_leaves_nothing_undrawn() -> None:
     for law in (*LAWS, TRAPEZOID):
         found = drawn(law, law)

@@ -121,6 +121,7 @@ def test_a_rod_shorter_than_the_crank_is_drawn_in_line_too() -> None:
     assert "refine" not in operations(project)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [2.0, -2.0])
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(
@@ -212,6 +213,7 @@ def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str
     assert angles.size > 1000
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), at=st.sampled_from(sorted(OPPOSITE)))
 def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Drawn, at: str) -> None:

@@ -157,6 +157,7 @@ def test_an_effect_that_is_not_called_for_records_no_step(effect: str) -> None:
     assert len(without.steps) < len(with_.steps)
 
 
+@pytest.mark.slow
 def test_a_scene_without_effects_has_the_bytes_of_one_that_never_heard_of_them() -> None:
     plain = replace(WINDROWER, forces=None, flywheel=None)
     places = [sheet for sheet in plain.sheets if "forces" not in sheet.place]

@@ -219,6 +219,7 @@ FAULTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FAULTS)
 def test_each_fault_has_its_name(name: str) -> None:
     of = pair(FAULTS[name])

@@ -39,6 +39,7 @@ def test_twelve_at_once_are_twelve_times_one(drawn: Drawn) -> None:
         _same(whole, single, places=[index])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("block", [1, 2, 7, 4096])
 def test_a_block_boundary_changes_nothing(block: int) -> None:
     for drawn in DRAWN:
@@ -56,6 +57,7 @@ def test_a_subset_of_positions_changes_nothing() -> None:
                 np.testing.assert_allclose(some[name][key], due, rtol=1e-12, atol=0)
 
 
+@pytest.mark.slow
 def test_the_order_of_links_changes_nothing() -> None:
     source = random.Random(5)
     for drawn in DRAWN:

@@ -99,6 +99,7 @@ def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
     work(replace(scene, flywheel=order, row=row, sheets=sheets), exact=True)
 
 
+@pytest.mark.slow
 def test_a_row_that_begins_between_dead_centres_is_refused() -> None:
     with pytest.raises(
         StructureError, match="dead centre of B: begin where B is farthest from the crank"
