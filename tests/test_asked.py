@@ -127,6 +127,7 @@ MATRIX = [
 DAILY = random.Random(12).sample([one for one in MATRIX if one[3] <= 12], 14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "place", "format", "count"), DAILY)
 def test_what_is_asked_for_is_drawn(
     kind: str, place: str, format: str, count: int, tmp_path: Path

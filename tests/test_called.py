@@ -237,6 +237,7 @@ def test_a_table_of_a_plan_needs_no_plan_beside_it(place: str, tmp_path: Path) -
     )  # the frame, the positions, and what was asked for
 
 
+@pytest.mark.slow
 def test_the_constant_moment_of_a_flywheel_is_told_when_it_is_left_out(tmp_path: Path) -> None:
     bare = SECTIONS["flywheel"].replace('constant = "driving"\n', "")
     sheet = '[[sheet]]\nplace = ["positions", "flywheel"]\n'

@@ -114,6 +114,7 @@ def test_no_line_of_a_protocol_holds_what_only_machines_need(name: str, language
         assert "— = " not in line, line  # no value is put in where there is none
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PACKAGED)
 def test_names_are_those_of_the_field_in_the_language_of_the_reader(name: str) -> None:
     for log, _ in logs(scene(name, "ru").made):

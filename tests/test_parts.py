@@ -155,6 +155,7 @@ def test_what_cannot_be_made_is_one_message(
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None:
     scene = read(scene_of(tmp_path, "cam", ('"52.1 mm"', '"40 mm"')))
     (part,) = draw_parts(scene)

@@ -68,6 +68,7 @@ def test_a_sheet_is_an_svg_in_true_millimetres(name: str) -> None:
         assert (sheet.width, sheet.height) == (width, height)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_all_ink_of_a_view_lies_inside_the_frame(name: str) -> None:
     language = drawn(name)[0].scene.language

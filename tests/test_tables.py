@@ -105,6 +105,7 @@ def test_the_document_has_its_shape(name: str) -> None:
     assert len(named) == len(set(named))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_value_is_its_segment_times_mu(name: str) -> None:
     made = document(name)

@@ -207,6 +207,7 @@ def test_the_numbers_of_a_calculation_give_its_result(name: str) -> None:
     assert not wrong, wrong
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_reading_and_result_has_its_unit(name: str) -> None:
     for text in calculations(name):
@@ -300,6 +301,7 @@ def test_a_fixed_number_keeps_its_decimals(value: float, places: int) -> None:
     assert not (back == 0 and text.startswith("−"))
 
 
+@pytest.mark.slow
 def test_every_unit_of_a_log_has_a_russian_name() -> None:
     for name in NAMES:
         log = drawn(name).project.construction

@@ -81,6 +81,7 @@ def test_operations_are_as_many_as_execution_leaves_numbers(name: str) -> None:
         assert work.minutes == pytest.approx(sum(n * MINUTES[e] for e, n in work.elements.items()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_work_grows_by_the_same_with_every_position(name: str) -> None:
     ((log, given),) = logs(name)

@@ -45,6 +45,7 @@ def test_with_an_exact_hand_errors_of_chords_fall_as_the_square_and_work_grows_a
     assert 0.95 < found.minutes.slope <= 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hand", ["student", "careful"])
 def test_with_a_hand_that_slips_there_is_a_best_number_of_positions(hand: str) -> None:
     """Fewer positions err by the chords, more by the slips: both ends are worse by more than chance."""

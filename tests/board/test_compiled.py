@@ -112,6 +112,7 @@ def test_a_reading_rounds_alike() -> None:
     np.testing.assert_array_equal(halves, np.rint(halves))
 
 
+@pytest.mark.slow
 def test_what_fails_is_undefined_there_only() -> None:
     bar = Fourbar()
     _, fast = bar.both()

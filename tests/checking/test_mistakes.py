@@ -54,6 +54,7 @@ def test_an_inertia_force_that_is_not_reversed_is_named_first() -> None:
     assert one.first == one.seen == 1
 
 
+@pytest.mark.slow
 def test_honest_wrong_readings_are_not_explained_by_force() -> None:
     due = cells(made("engine"))
     rows = [t for t in readings(due, due) if t.plan == "velocities" and t.mm is not None]

@@ -17,6 +17,7 @@ from graphic_tmm.scene.read import read
 SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-crank", "lever")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("pointed", [False, True])
 def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:

@@ -32,6 +32,7 @@ def test_the_committed_report_is_what_the_program_says(
     assert path.read_text("utf-8") == text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["engine", "slider-diagrams", "locomobile"])
 def test_honest_tables_are_fine(name: str) -> None:
     assert {one.verdict for one in report(name).readings} == {FINE}
@@ -41,6 +42,7 @@ def not_fine(name: str) -> set[str]:
     return {one.taken.segment for one in report(name).readings if one.verdict != FINE}
 
 
+@pytest.mark.slow
 def test_the_gear_documents_errata() -> None:
     assert not_fine("gear-pair") == {"h", "h_w", "contact_ratio_drawn", "contact_ratio"}
 
@@ -49,6 +51,7 @@ def test_the_planetary_documents_errata() -> None:
     assert not_fine("planetary") == {"planetary_satellites", "planetary_ratio"}
 
 
+@pytest.mark.slow
 def test_the_windrowers_table_belongs_to_other_data() -> None:
     wrong = [one for one in report("windrower-published").readings if one.verdict != FINE]
     assert len(wrong) > 20

@@ -75,6 +75,7 @@ def test_writing_quotes_what_would_be_taken_for_something_else():
     assert '"a ""b""";1,5;"#c;";-0,5;;;;' in write_readings(rows, language="ru")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
     """Filled in with the program's own figures, row by row by the csv module, every figure comes back, once."""

@@ -35,6 +35,7 @@ def test_changed_scenes_are_drawn_or_refused(first: int) -> None:
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "old", "new", "says"),
     [

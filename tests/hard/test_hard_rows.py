@@ -24,6 +24,7 @@ from graphic_tmm.work import Work, work
 # a few positions
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 2, 3])
 @pytest.mark.parametrize("command", [["table", "-f", "json"], ["steps"], ["draw"]])
 def test_one_two_or_three_positions(count: int, command: list[str], tmp_path: Path) -> None:

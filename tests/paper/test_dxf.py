@@ -34,6 +34,7 @@ def test_no_faults_and_millimetres(document) -> None:
     assert document.units == 4
 
 
+@pytest.mark.slow
 def test_layers_by_plan_and_line_type(document) -> None:
     layers = {layer.dxf.name: layer for layer in document.layers}
     assert {"positions_rod", "velocities_main", "velocities_medium", "frame_main"} <= set(layers)

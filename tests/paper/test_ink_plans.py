@@ -107,6 +107,7 @@ def test_a_vector_of_no_length_has_no_arrow_and_its_ends_share_a_letter() -> Non
     assert "p, b" in {label.text for label in dead.labels}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_point_of_a_plan_is_lettered_once(name: str) -> None:
     work = drawn(name)

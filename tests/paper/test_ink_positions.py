@@ -90,6 +90,7 @@ def test_the_main_position_is_drawn_with_rods_and_the_others_thin(main: int) -> 
             assert thin.distance(near) < 1e-6 or letters.distance(near) < 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> None:
     view, names = plan(name), drawn(name).project.names

@@ -53,6 +53,7 @@ def test_the_main_position_is_the_one_asked_for() -> None:
         assert min(abs(end - (sheet_pivot + due - pivot)) for end in ends) < 1e-9
 
 
+@pytest.mark.slow
 def test_a_common_pole_gives_one_view_for_all_positions() -> None:
     found = views(replace(read(SHEETS / "engine"), common_pole=True))
     assert [name for name in found if name.startswith("velocities")] == ["velocities"]

@@ -244,6 +244,7 @@ def test_a_shift_at_its_limit_is_not_undercut_and_less_is(z: int) -> None:
         assert abs(start) == pytest.approx(base, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_nothing_is_left_undrawn() -> None:
     of = pair(WINDROWER)
     assert not examine(of.log, of.given, [step.it for step in of.log.steps])

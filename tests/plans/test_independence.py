@@ -100,6 +100,7 @@ def _slider_crank(crank: float = 0.3, rod: float = 0.64) -> Mechanism:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 def test_dead_centres_give_zero_exactly(turned: bool) -> None:
     """pb = 0 at 0° and 180°, ab = 0 at 90° and 270°; not nearly zero, and never NaN."""
