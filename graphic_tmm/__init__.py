@@ -14,10 +14,10 @@ _HOMES = {
     "Work": "work",
     "dissect": "mechanism.structure",
     "fitted": "studio",
-    "motion": "kinematics",
+    "motion": "chapters.kinematics.any_angles",
     "read": "scene.read",
     "sheets": "studio",
-    "svg": "paper.svg",
+    "svg": "paper.write.svg",
 }
 __all__ = [
     "Scene",

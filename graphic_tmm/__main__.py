@@ -11,7 +11,7 @@ import sys
 
 import click
 
-from graphic_tmm.options import (
+from graphic_tmm.commands.options import (
     WRONG,
     Finite,
     People,
@@ -162,7 +162,7 @@ def accuracy(
     seed: int | None,
 ) -> None:
     """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
-    from graphic_tmm.accuracy import road
+    from graphic_tmm.accuracy import run as road
 
     task = drawn_by(read_scene(scene), None, seed)
     found = road.studied(task, hand, trials, minutes, clock=not no_time)
@@ -255,7 +255,7 @@ def check(
     form: str,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
-    from graphic_tmm.checking import road
+    from graphic_tmm.checking import run as road
 
     task = read_scene(scene, lettered=True)
     if template:
@@ -303,7 +303,7 @@ def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.narration import steps_of
+    from graphic_tmm.readers.protocol import steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)

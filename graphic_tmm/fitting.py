@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.errors import ViewError
 from graphic_tmm.parts import Part, draw_parts, free_sizes, resized
-from graphic_tmm.plans.project import Project
+from graphic_tmm.project import Project
 from graphic_tmm.scaling import Extents, Sizes, choose_scales, extents
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.work import Work, doubted, executed, hand_of, record, usual

@@ -11,22 +11,22 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard_length
 from graphic_tmm.board.values import Angle
+from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.plan import Cam, draw_cam
+from graphic_tmm.chapters.cam.table import cam_marks, cam_names
+from graphic_tmm.chapters.gears.plan import Gear, draw_gear, gear_scales
+from graphic_tmm.chapters.gears.results import gear_results
+from graphic_tmm.chapters.planetary.plan import Planetary, draw_overall, draw_planetary
 from graphic_tmm.errors import StructureError
-from graphic_tmm.plans.cam import Cam, draw_cam
-from graphic_tmm.plans.cam_findings import cam_findings
-from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.gear import Gear, draw_gear, gear_scales
-from graphic_tmm.plans.gear_results import gear_results
-from graphic_tmm.plans.planetary import Planetary, draw_overall, draw_planetary
 from graphic_tmm.scaling import free_scales
 from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES, Scene
-from graphic_tmm.tables.cam import cam_marks, cam_names
 from graphic_tmm.work import hand_of
 
 Results = dict[str, tuple[float, str]]

@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.charts import HEIGHT, Chart
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.plans.charts import HEIGHT, Chart
-from graphic_tmm.plans.forces import VIEW
-from graphic_tmm.plans.project import Project
+from graphic_tmm.chapters.forces.plan import VIEW
+from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales
 
 PLANS = ("positions", "velocities", "accelerations")

@@ -8,28 +8,30 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.hand import MOST, Hand
-from graphic_tmm.errors import Fault, SceneError, ViewError
-from graphic_tmm.fitting import fitted, fitted_parts
-from graphic_tmm.parts import Part, draws_mechanism
-from graphic_tmm.plans.cam import Cam
-from graphic_tmm.remedies import refusal, refuse_tiny
-from graphic_tmm.scene.quantities import near
-from graphic_tmm.scene.records import Scene
-from graphic_tmm.tables.cam import cam_columns, cam_positions
-from graphic_tmm.tables.charts import (
+from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.table import cam_columns, cam_positions
+from graphic_tmm.chapters.diagrams.table import (
     chart_columns,
+)
+from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+from graphic_tmm.chapters.flywheel.table import (
     flywheel_columns,
     flywheel_results,
     rim_too_wide,
 )
-from graphic_tmm.tables.columns import Column, Positions, columns
-from graphic_tmm.tables.engine import engine_columns, engine_results
-from graphic_tmm.tables.forces import force_columns
-from graphic_tmm.tables.spread import spread_columns, spread_results
-from graphic_tmm.tables.text import result_tables, rich_tables
-from graphic_tmm.tables.wheels import wheel_columns
-from graphic_tmm.tables.writing import as_csv, as_json, decimals_of
-from graphic_tmm.words import finding, left_out, plain
+from graphic_tmm.chapters.forces.table import force_columns
+from graphic_tmm.errors import Fault, SceneError, ViewError
+from graphic_tmm.fitting import fitted, fitted_parts
+from graphic_tmm.language.words import finding, left_out, plain
+from graphic_tmm.parts import Part, draws_mechanism
+from graphic_tmm.readers.columns import Column, Positions, columns
+from graphic_tmm.readers.spread import spread_columns, spread_results
+from graphic_tmm.readers.text import result_tables, rich_tables
+from graphic_tmm.readers.wheels import wheel_columns
+from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
+from graphic_tmm.remedies import refusal, refuse_tiny
+from graphic_tmm.scene.quantities import near
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.work import Work, assumed, hand_of, ranges
 
 if TYPE_CHECKING:
@@ -119,9 +121,9 @@ def sheet_files(
     scene: Scene, formats: Sequence[str] = ("svg",)
 ) -> tuple[Made, dict[str, str | bytes]]:
     """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
-    from graphic_tmm.paper.dxf import dxf
-    from graphic_tmm.paper.export import pdf, png
-    from graphic_tmm.paper.svg import svg
+    from graphic_tmm.paper.write.dxf import dxf
+    from graphic_tmm.paper.write.export import pdf, png
+    from graphic_tmm.paper.write.svg import svg
 
     one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": dxf}
     made, drawn = sheets(scene)

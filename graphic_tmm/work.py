@@ -15,9 +15,9 @@ from graphic_tmm.board.hand import EXACT, HANDS, Hand
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.errors import Fault, SceneError, StructureError
-from graphic_tmm.plans.project import Project, draw_project
-from graphic_tmm.plans.reaches import Reach, reach_of
+from graphic_tmm.project import Project, draw_project
 from graphic_tmm.scaling import (
     Extents,
     Sizes,

@@ -8,20 +8,20 @@ from typing import Any, NamedTuple
 import numpy as np
 import shapely
 
-from graphic_tmm.board.curve import bezier
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import standard
-from graphic_tmm.mechanism.cam_orders import (
+from graphic_tmm.chapters.cam.plan import Cam, draw_cam
+from graphic_tmm.chapters.cam.profile import Contour
+from graphic_tmm.chapters.cam.task import (
     CamOrder,
     FlatFollower,
     Law,
     RockerFollower,
     RollerFollower,
 )
-from graphic_tmm.plans.cam import Cam, draw_cam
-from graphic_tmm.plans.cam_profile import Contour
-from graphic_tmm.plans.draft import Draft
 
 C6: dict[str, Any] = {
     "stroke": 0.028, "rise": 100.0, "upper_dwell": 20.0, "fall": 90.0, "lower_dwell": 150.0,

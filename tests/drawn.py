@@ -6,23 +6,23 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle
-from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.plans.accelerations import draw_accelerations
-from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.motion import Motion
-from graphic_tmm.plans.positions import (
+from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.positions import (
     Positions,
     draw_frame,
     draw_positions,
     side_record,
     side_values,
 )
-from graphic_tmm.plans.velocities import draw_velocities
+from graphic_tmm.chapters.kinematics.velocities import draw_velocities
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.structure import Structure, dissect
 
 
 class Board(NamedTuple):

@@ -14,18 +14,18 @@ from dynamics import Loaded, Statics, put_loads
 from mechanisms import Drawn
 from oracle import State, solve_fast
 
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle
-from graphic_tmm.mechanism.loads import ForcesOrder, Friction, Load
+from graphic_tmm.chapters.forces.driving import Driver
+from graphic_tmm.chapters.forces.loads import Ground
+from graphic_tmm.chapters.forces.plan import Forces, draw_forces
+from graphic_tmm.chapters.forces.task import ForcesOrder, Friction, Load
+from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
+from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions
+from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.plans.accelerations import draw_accelerations
-from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.driving import Driver
-from graphic_tmm.plans.forces import Forces, draw_forces
-from graphic_tmm.plans.loads import Ground
-from graphic_tmm.plans.positions import Positions, draw_frame, draw_positions
-from graphic_tmm.plans.velocities import crank_arm, draw_velocities
 
 
 class Solved(NamedTuple):

@@ -8,14 +8,14 @@ import numpy as np
 import shapely
 from shapely import affinity
 
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
-from graphic_tmm.mechanism.gear_orders import GearOrder
-from graphic_tmm.plans.draft import Draft
-from graphic_tmm.plans.gear import Gear, draw_gear, gear_scales
-from graphic_tmm.plans.gear_checks import Verdict, verdicts
-from graphic_tmm.plans.gear_teeth import Flank
+from graphic_tmm.chapters.gears.checks import Verdict, verdicts
+from graphic_tmm.chapters.gears.plan import Gear, draw_gear, gear_scales
+from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.teeth import Flank
 
 FINE = 32
 """Chords to an arc of a curve, at most 1/8 mm long on the gears of the tests."""

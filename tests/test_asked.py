@@ -18,7 +18,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.errors import SheetError
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.drawing import Sheet
-from graphic_tmm.paper.frame import drawing_area
+from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.layout import GAP, bounds
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder

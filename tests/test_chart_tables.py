@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from gallery import SHEETS
 
-from graphic_tmm.mechanism.orders import Drawn, KinematicOrder
+from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.tables.columns import Column
 from graphic_tmm.work import Work
 
 ORDER = KinematicOrder("B", start="displacement")
@@ -97,7 +98,7 @@ def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
     for key in ("diagram S", "diagram V", "diagram a"):
         value = drawn().scales[key].value
         assert float(f"{value:e}".split("e")[0]) in mantissas
-    order = replace(ORDER, V=Drawn(pole=30.0))
+    order = replace(ORDER, V=ScaleOrder(pole=30.0))
     work = fitted(engine(order), exact=True)
     scales = work.scales
     due = scales["diagram S"].value / (scales["base"].value * 30.0)

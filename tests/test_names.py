@@ -22,14 +22,14 @@ from test_part_protocol import drawn as part_of
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
-from graphic_tmm.captions import CAPTIONS
-from graphic_tmm.narration import part_protocol
-from graphic_tmm.narration import protocol as told
-from graphic_tmm.paper.glyphs_markup import plain as lettered
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.words import Line, plain, protocol, spoken
+from graphic_tmm.paper.lettering.markup import plain as lettered
+from graphic_tmm.readers.protocol import part_protocol
+from graphic_tmm.readers.protocol import protocol as told
+from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import Made, make, scene_columns, sheets, table
-from graphic_tmm.tables.text import column_name
-from graphic_tmm.words import Line, plain, protocol, spoken
 
 PACKAGED = sorted(
     p.name for p in SHEETS.iterdir() if (p / "scene.toml").exists() and p.name != "lettering"

@@ -12,25 +12,34 @@ from pathlib import Path
 import pytest
 
 import graphic_tmm
-from graphic_tmm.board import (
-    calculations,
-    cam_formulas,
-    cam_law_formulas,
-    cams,
+from graphic_tmm.board.grammar import OPERATIONS
+from graphic_tmm.board.operations import (
     curve,
     energetics,
-    engines,
-    gearing,
     graph_curves,
     graphs,
-    operations,
-    rack,
-    rolling,
     statics,
     supports,
-    trains,
 )
-from graphic_tmm.board.grammar import OPERATIONS
+from graphic_tmm.board.operations import (
+    formulas as calculations,
+)
+from graphic_tmm.board.operations import (
+    instruments as operations,
+)
+from graphic_tmm.chapters.cam import (
+    formulas as cam_formulas,
+)
+from graphic_tmm.chapters.cam import (
+    law_formulas as cam_law_formulas,
+)
+from graphic_tmm.chapters.cam import (
+    operations as cams,
+)
+from graphic_tmm.chapters.engine import formulas as engines
+from graphic_tmm.chapters.gears import formulas as gearing
+from graphic_tmm.chapters.gears import rack, rolling
+from graphic_tmm.chapters.planetary import formulas as trains
 
 ROOT = Path(__file__).parent.parent
 TOP = {"pyproject.toml", "graphic_tmm", "sheets", "tests", "README.md", "LICENSE"}

@@ -11,8 +11,8 @@ from click.testing import CliRunner
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.narration import part_protocol
 from graphic_tmm.parts import Part, draw_parts
+from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.scene.read import read
 
 HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'

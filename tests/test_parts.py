@@ -12,10 +12,10 @@ from click.testing import CliRunner
 from gallery import SHEETS
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.captions import CAPTIONS, UNITS_RU
-from graphic_tmm.narration import part_protocol
+from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.language.captions import CAPTIONS, UNITS_RU
 from graphic_tmm.parts import draw_parts
-from graphic_tmm.plans.planetary import Planetary
+from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import make, part_warnings, sheets, table

@@ -16,10 +16,10 @@ import numpy as np
 import pytest
 from gallery import FOLDERS, SHEETS
 
-from graphic_tmm.paper import export
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
 from graphic_tmm.paper.pens import pens
-from graphic_tmm.paper.svg import svg
+from graphic_tmm.paper.write import export
+from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 

@@ -22,10 +22,10 @@ from gallery import NAMES, SHEETS
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
 from graphic_tmm.paper.drawing import Drawing, Sheet
-from graphic_tmm.paper.frame import drawing_area
+from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.placing import box, shape
-from graphic_tmm.paper.svg import svg
+from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_files, sheets, warnings

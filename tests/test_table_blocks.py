@@ -21,12 +21,12 @@ from rich.table import Table
 from test_called import written
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.checking.decoding import text_of
+from graphic_tmm.checking.readings.decoding import text_of
+from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.text import rich_tables
+from graphic_tmm.readers.writing import as_csv, decimals_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make, scene_columns, table
-from graphic_tmm.tables.columns import Column
-from graphic_tmm.tables.text import rich_tables
-from graphic_tmm.tables.writing import as_csv, decimals_of
 
 SCENES = ("windrower", "engine", "crank-press", "cam", "gear-pair", "planetary")
 

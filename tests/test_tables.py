@@ -16,11 +16,11 @@ from gallery import NAMES, SHEETS
 from rich.console import Console
 from test_main import column, made, run, scene
 
+from graphic_tmm.readers.columns import Column, columns, segment_name
+from graphic_tmm.readers.text import rich_tables
+from graphic_tmm.readers.writing import as_csv, as_json
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.tables.columns import Column, columns, segment_name
-from graphic_tmm.tables.text import rich_tables
-from graphic_tmm.tables.writing import as_csv, as_json
 from graphic_tmm.work import Work
 
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")

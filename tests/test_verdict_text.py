@@ -10,9 +10,9 @@ import pytest
 from gallery import SHEETS
 from test_hostile_text import BLOCK, scene
 
-from graphic_tmm.paper.letters import escape
-from graphic_tmm.paper.letters import plain as lettered
-from graphic_tmm.paper.svg import svg
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import plain as lettered
+from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 

@@ -16,11 +16,11 @@ from hypothesis import strategies as st
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.captions import CAPTIONS, LINK_NAMES
-from graphic_tmm.narration import synthesis
+from graphic_tmm.language.captions import CAPTIONS, LINK_NAMES
+from graphic_tmm.language.words import finding, fixed, number, protocol, unit
+from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
-from graphic_tmm.words import finding, fixed, number, protocol, unit
 from graphic_tmm.work import Work
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction as F
 
 import mpmath as mp  # type: ignore[import-untyped]
 
-from graphic_tmm.mechanism.trains import PlanetaryOrder
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder
 
 SENSES = {
     "ring": (1, -1),

@@ -11,8 +11,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, at_count, named
+from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.board.hand import HANDS, Hand
-from graphic_tmm.mechanism.orders import Drawn, EngineOrder, KinematicOrder
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.engine.task import EngineOrder
 from graphic_tmm.scene.records import ENGINE_PLACES, Scene
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
@@ -128,7 +130,7 @@ def _starts(own: Setting, trials: int) -> Iterator[Place]:
     for start in ("displacement", "velocity"):
         other = order
         if start != order.start:
-            other = replace(order, start=start, S=Drawn(), V=Drawn(), a=Drawn())
+            other = replace(order, start=start, S=ScaleOrder(), V=ScaleOrder(), a=ScaleOrder())
         yield Place("start", start, _ordered(own, other), DIAGRAMS)
 
 

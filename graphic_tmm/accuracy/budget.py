@@ -27,9 +27,9 @@ from graphic_tmm.accuracy.settings import Setting, whole
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.language.words import fixed, number
 from graphic_tmm.scene.records import FORCE_PLACES, Scene
 from graphic_tmm.studio import Made, make
-from graphic_tmm.words import fixed, number
 
 DRAWINGS, FEW = 100, 20
 """How often a hand that slips draws at a setting; and to see whether it is worth more."""

@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from graphic_tmm.accuracy.drawing import finer
-from graphic_tmm.mechanism.cam_orders import CamOrder
-from graphic_tmm.mechanism.orders import Drawn, FlywheelOrder, IndicatorOrder, KinematicOrder
-from graphic_tmm.plans.kinematic import BASE, VIEWS
+from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.chapters.cam.task import CamOrder
+from graphic_tmm.chapters.diagrams.plan import BASE, VIEWS
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.indicator.task import IndicatorOrder
 from graphic_tmm.scene.records import Scales, Scene
 from graphic_tmm.studio import Made
 
@@ -70,7 +73,7 @@ def _flywheel(order: FlywheelOrder, mu: dict[str, float], times: float) -> Flywh
     return replace(
         order,
         indicator=indicator,
-        A=Drawn(None if pole is not None else mu.get("work", order.A.mu), pole),
+        A=ScaleOrder(None if pole is not None else mu.get("work", order.A.mu), pole),
         base=order.base * times,
         mu_M=mu.get("moment", order.mu_M),
     )
@@ -79,9 +82,9 @@ def _flywheel(order: FlywheelOrder, mu: dict[str, float], times: float) -> Flywh
 def _diagrams(order: KinematicOrder, mu: dict[str, float], times: float) -> KinematicOrder:
     drawn = {}
     for symbol, view in VIEWS.items():
-        one: Drawn = getattr(order, symbol)
+        one: ScaleOrder = getattr(order, symbol)
         pole = one.pole * times if one.pole is not None else None
-        drawn[symbol] = Drawn(None if pole is not None else mu.get(view, one.mu), pole)
+        drawn[symbol] = ScaleOrder(None if pole is not None else mu.get(view, one.mu), pole)
     along = None if order.mu_along is None else order.mu_along / times
     base = None if order.mu_along is not None else (order.base or BASE) * times
     return replace(order, base=base, mu_along=along, S=drawn["S"], V=drawn["V"], a=drawn["a"])
@@ -92,12 +95,12 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
     order = scene.diagrams
     if order is None or made.work is None:
         return scene
-    drawn: dict[str, Drawn] = {}
+    drawn: dict[str, ScaleOrder] = {}
     for symbol, change in finer(order.start, times).items():
-        one: Drawn = getattr(order, symbol)
+        one: ScaleOrder = getattr(order, symbol)
         if one.pole is not None:
-            drawn[symbol] = Drawn(None, one.pole * times)
+            drawn[symbol] = ScaleOrder(None, one.pole * times)
         else:
-            drawn[symbol] = Drawn(made.work.scales[VIEWS[symbol]].value * change)
+            drawn[symbol] = ScaleOrder(made.work.scales[VIEWS[symbol]].value * change)
     other = (drawn.get("S", order.S), drawn.get("V", order.V), drawn.get("a", order.a))
     return replace(scene, diagrams=replace(order, S=other[0], V=other[1], a=other[2]))

@@ -14,10 +14,10 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.geometrography import ELEMENTARY
+from graphic_tmm.accuracy.notation import elements, exactitude, simplicity, symbol, written
 from graphic_tmm.accuracy.repetition import repeated
-from graphic_tmm.accuracy.symbols import elements, exactitude, simplicity, symbol, written
 from graphic_tmm.board.execute import needed
-from graphic_tmm.board.locus import PARTS, PASSES
+from graphic_tmm.board.operations.locus import PARTS, PASSES
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.errors import ConstructionError
 

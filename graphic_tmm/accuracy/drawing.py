@@ -9,17 +9,17 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.cost import REFINEMENT
+from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Length, Point
+from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.flywheel.plan import VIEWS as FLYWHEEL
+from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.chapters.kinematics.survey import survey
+from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.parts import draw_parts, draws_mechanism
-from graphic_tmm.plans.cam import Cam
-from graphic_tmm.plans.charts import Chart
-from graphic_tmm.plans.flywheel import VIEWS as FLYWHEEL
-from graphic_tmm.plans.gear import Gear
-from graphic_tmm.plans.planetary import Planetary
-from graphic_tmm.plans.project import Project
-from graphic_tmm.plans.survey import survey
+from graphic_tmm.project import Project
 from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made

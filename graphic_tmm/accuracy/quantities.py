@@ -8,13 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.drawing import Drawing
-from graphic_tmm.board.engines import KGF
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Reals
-from graphic_tmm.plans.cam import Cam
-from graphic_tmm.plans.gear import Gear
-from graphic_tmm.plans.project import Project
+from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.engine.formulas import KGF
+from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.project import Project
 
 CONVERGED = frozenset({"J_fly", "J_fly_energy_mass", "r0_min"})
 """Quantities that are known only when the row is fine."""

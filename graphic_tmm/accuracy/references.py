@@ -17,8 +17,8 @@ from graphic_tmm.accuracy.settings import ALL, at_count
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.errors import TmmError
-from graphic_tmm.mechanism.loads import ForcesOrder
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 FINE = 12_288

@@ -1,207 +1,283 @@
-"""Graphs on axes: what is read off their curves (ordinates, tangents, areas, extremes), chords in succession.
+"""Graphs on a common base: ordinates laid off, chords or tangents against a pole, segments in succession.
 
-The base lies along the x axis of the sheet, from left to right; the row of positions divides it evenly, and
-what stands at position ``row`` (the end of the base) is a mark of its own. Positions outside the row (extremes,
-extra angles) have feet on the base too: a curve can be read there, but no chord begins there.
+A graph has two scales, one along the base and one of its ordinates, and its own view on the board. What stands
+at the boundaries of the intervals and what stands at their middles are two kinds of things here: a chord gives
+a value of the middle (`Middles`), and only a curve read at the boundaries makes `Boundaries` of it again.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import NamedTuple
 
-import numpy as np
-
-from graphic_tmm.board.curve import stationary
-from graphic_tmm.board.geometry import unit
-from graphic_tmm.board.grammar import WHOLE_ROW, operation
-from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
-
-
-@operation("Положение точки {of} в начале отсчёта отметить {it}.", across=True)
-def at_zero(of: Point) -> Point:
-    """Mark {it} where {of} stands in the zero position."""
-    return Point(of[:, :1])
-
-
-@operation(
-    "Для каждого интервала: следующую за {point} точку отметить {it}; за последней следует {end}.",
-    across=True,
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import abscissa
+from graphic_tmm.board.operations.graph_curves import (
+    closed_graph,
+    graph_of_differences,
+    graph_of_rays,
+    open_graph,
+    open_graph_of_middles,
+    taut_graph,
 )
-def following(point: Point, end: Point, *, row: int) -> Point:
-    """For each interval mark {it}, the point that follows {point}; after the last one comes {end}."""
-    point, end = alike(point, end)
-    after = np.full_like(point, np.nan)
-    after[:, : row - 1] = point[:, 1:row]
-    after[:, row - 1] = end[:, 0]
-    return Point(after)
-
-
-def alike(*values: Any) -> Any:
-    """Return values with as many trials each."""
-    trials = max(value.shape[0] for value in values)
-    return [np.broadcast_to(value, (trials, value.shape[1])) for value in values]
-
-
-@operation("Отрезок {start}{end} разделить пополам; отметить {it}.")
-def halve(start: Point, end: Point) -> Point:
-    """Halve {start}{end}; mark {it}."""
-    return Point((start + end) / 2.0)
-
-
-_GAUSS = [half / 4.0 + sign / 48.0**0.5 for half in (1, 3) for sign in (-1, 1)]
-"""Shares of an interval whose ordinates have the mean of two cubic arcs, one on either half."""
-_OUTSIDE = ("no curve stands over the foot", "над основанием нет кривой")
-
-
-@operation(
-    "Из {foot} восставить перпендикуляр к оси до кривой {curve}; отметить {it}.", fails=_OUTSIDE
+from graphic_tmm.board.operations.graphs import (
+    arrival,
+    at_zero,
+    erect,
+    following,
+    halve,
+    level_off,
+    succession,
+    touching,
 )
-def erect(curve: Curve, foot: Point) -> Point:
-    """From {foot} erect the perpendicular to the axis up to the curve {curve}; mark {it}."""
-    p, m, u = _arc(curve, foot)
-    a, b, c, d = (2 * u + 1) * (u - 1) ** 2, u * (u - 1) ** 2, u**2 * (3 - 2 * u), u**2 * (u - 1)
-    y = a * p[0].imag + b * m[0].imag + c * p[1].imag + d * m[1].imag
-    return Point(foot.real + 1j * y)
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    ray,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.bounds import INTERVALS
+from graphic_tmm.errors import ConstructionError
 
 
-@operation("Над {foot} провести касательную {it} к кривой {curve}.", fails=_OUTSIDE)
-def touching(curve: Curve, foot: Point) -> Line:
-    """Above {foot} draw the tangent {it} to the curve {curve}."""
-    return Line(
-        erect.run(curve, foot), unit(np.asarray(1.0 + 1j * rise_of(curve, foot), np.complex128))
+class Base(NamedTuple):
+    """What graphs one below the other share: the length of the base, its scale, where the positions stand.
+
+    ``intervals``: how many; ``x`` the abscissa of every position (Length), ``mu`` the scale along the base,
+    ``zero`` the direction of the base (Angle).
+    """
+
+    intervals: int
+    length: Mark
+    x: Mark
+    mu: Mark
+    zero: Mark
+
+
+class Axes(NamedTuple):
+    """The axes of one graph: its view, origin, the two lines, the feet of positions, the end, the middles.
+
+    ``after``: of each foot the one that follows it.
+    """
+
+    base: Base
+    view: str
+    mu: Mark
+    origin: Mark
+    along: Mark
+    up: Mark
+    feet: Mark
+    end: Mark
+    middles: Mark
+    after: Mark
+
+
+class Boundaries(NamedTuple):
+    """Points of a graph at the boundaries of the intervals, and the point at the end of the base."""
+
+    points: Mark
+    end: Mark
+
+
+class Middles(NamedTuple):
+    """Points of a graph at the middles of the intervals."""
+
+    points: Mark
+
+
+class Pole(NamedTuple):
+    """The pole of a graph: the point left of the origin, and its distance H from there (Length)."""
+
+    point: Mark
+    distance: Mark
+
+
+def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) -> Base:
+    """Divide a base into ``count`` even intervals; ``numbers``: of each position, from 0 at its beginning.
+
+    Raises
+    ------
+    ConstructionError
+        With fewer than four intervals.
+    """
+    if not INTERVALS.holds(count):
+        raise ConstructionError(
+            f"{mu.view}: a graph needs {INTERVALS.least} intervals at least, not {count}: take more positions"
+        )
+    intervals = draft.take(Number, "N", float(count))
+    n = draft.take(Number, "n", numbers)
+    x = draft.board.draw(abscissa, "x_{n}", n, length, intervals)
+    return Base(count, length, x, mu, draft.direction(0.0))
+
+
+def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
+    """Draw the axes of a graph in a view of its own; ``mu``: the scale of its ordinates."""
+    axes = erect_axes(draft, view, base, mu)
+    draft.board.lay_out(None, mu)
+    lines = (axes.origin, axes.along, axes.up, axes.feet, axes.end, axes.middles)
+    draft.board.figure("axes", view, *lines, mu, base.mu, base.length)
+    return axes
+
+
+def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
+    """Draw axes alone: what stands on them is laid out by another."""
+    board = draft.board
+    board.open(view)
+    origin = draft.take(Point, "O", 0j)
+    along = board.draw(ray, "(Ox)", origin, base.zero)
+    up = board.draw(square, "(Oy)", origin, along, sense=1)
+    feet = board.draw(lay_off, "i", along, base.x)
+    end = board.draw(lay_off, str(base.intervals), along, base.length)
+    after = board.draw(following, "i+1", feet, end, row=base.intervals)
+    middles = board.draw(halve, "m", feet, after)
+    return Axes(base, view, mu, origin, along, up, feet, end, middles, after)
+
+
+def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
+    """Lay off an ordinate for every position; the graph is closed: its end stands as high as its beginning."""
+    line = draft.board.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    points = draft.board.draw(lay_off, letter, line, lengths)
+    return close(draft, axes, points)
+
+
+def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
+    """Carry the height of the first point across to the end of the base."""
+    board = draft.board
+    first = board.draw(at_zero, board.free(f"{points.letter}_0"), points)
+    level = board.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1)
+    last = board.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1)
+    return Boundaries(points, board.draw(meet, f"{points.letter}_N", level, last))
+
+
+def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
+    """Measure the ordinates of points at the boundaries, with their signs."""
+    return draft.board.draw(measure_along, letter, axes.feet, points, axes.up)
+
+
+def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
+    """Draw the smooth curve through the points of a graph: of what the mechanism does."""
+    board, row, letter = draft.board, axes.base.intervals, _name(points)
+    if closed:
+        return board.draw(closed_graph, letter, points.points, axes.base.length, row=row)
+    if isinstance(points, Boundaries):
+        return board.draw(open_graph, letter, points.points, points.end, row=row)
+    return board.draw(open_graph_of_middles, letter, points.points, row=row)
+
+
+def taut(draft: Draft, axes: Axes, points: Boundaries) -> Mark:
+    """Draw the curve that stays between its points: of what is laid on the mechanism, forces and moments."""
+    row, over = axes.base.intervals, axes.base.length
+    return draft.board.draw(taut_graph, _name(points), points.points, over, row=row)
+
+
+def along_rays(
+    draft: Draft, axes: Axes, points: Boundaries, pole: Mark, ordinates: Boundaries, source: Axes
+) -> Mark:
+    """Draw the curve of an integral, by the rays from its pole to the ordinates of what was integrated."""
+    marks = (*points, pole, ordinates.points, source.up)
+    return draft.board.draw(graph_of_rays, _name(points), *marks, row=axes.base.intervals)
+
+
+def difference(draft: Draft, axes: Axes, points: Boundaries, first: Mark, second: Mark) -> Mark:
+    """Draw the curve through points whose ordinates are everywhere those of one curve less those of another."""
+    marks = (*points, first, second)
+    return draft.board.draw(graph_of_differences, _name(points), *marks, row=axes.base.intervals)
+
+
+def _name(points: Boundaries | Middles) -> str:
+    return f"({points.points.letter}–{points.points.letter})"
+
+
+def on_curve(draft: Draft, axes: Axes, curve: Mark, letter: str) -> Boundaries:
+    """Mark the points of a curve over the boundaries of the intervals."""
+    points = draft.board.draw(erect, letter, curve, axes.feet)
+    return Boundaries(points, draft.board.draw(erect, f"{letter}_N", curve, axes.end))
+
+
+def set_pole(draft: Draft, axes: Axes, distance: Mark) -> Pole:
+    """Mark the pole at its distance H to the left of the origin."""
+    draft.board.open(axes.view)
+    left = draft.board.draw(square, "(OP)", axes.origin, axes.up, sense=1)
+    return Pole(draft.board.draw(lay_off, "P", left, distance), distance)
+
+
+def by_chords(
+    draft: Draft, source: Axes, at: Boundaries, to: Axes, pole: Pole, letter: str
+) -> Middles:
+    """Differentiate by chords: rays from the pole parallel to them give the values of the middles."""
+    board = draft.board
+    board.open(source.view)
+    after = board.draw(
+        following, f"{at.points.letter}+1", at.points, at.end, row=source.base.intervals
+    )
+    chord = board.draw(join, f"({at.points.letter},{after.letter})", at.points, after)
+    board.open(to.view)
+    rays = board.draw(parallel, "(P)", pole.point, chord, sense=1)
+    return Middles(_carried(draft, to, rays, to.middles, letter))
+
+
+def by_tangents(
+    draft: Draft, source: Axes, curve: Mark, to: Axes, pole: Pole, letter: str
+) -> Boundaries:
+    """Differentiate by tangents: rays from the pole parallel to them give the values of the boundaries."""
+    board = draft.board
+    board.open(source.view)
+    slopes = board.draw(touching, f"(τ_{{{curve.letter.strip('()')[0]}}})", curve, source.feet)
+    board.open(to.view)
+    rays = board.draw(parallel, "(P)", pole.point, slopes, sense=1)
+    return close(draft, to, _carried(draft, to, rays, to.feet, letter))
+
+
+def _carried(draft: Draft, axes: Axes, rays: Mark, feet: Mark, letter: str) -> Mark:
+    """Carry where rays from the pole meet the ordinate axis across to over their feet."""
+    board = draft.board
+    cut = board.draw(meet, f"{letter}_y", axes.up, rays)
+    level = board.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1)
+    over = board.draw(square, f"({feet.letter})", feet, axes.along, sense=1)
+    return board.draw(meet, letter, over, level)
+
+
+def integrate(
+    draft: Draft,
+    source: Axes,
+    curve: Mark,
+    to: Axes,
+    pole: Pole,
+    letter: str,
+    *,
+    mean: str = "areas",
+    at: Boundaries | None = None,
+) -> Boundaries:
+    """Integrate: the mean ordinate of each interval gives a ray from the pole, the rays segments in succession.
+
+    ``mean``: that of the "areas" below the curve, the curve's ordinate at the "middles", or that of the
+    "chords" between the points ``at``.
+    """
+    board, row = draft.board, source.base.intervals
+    board.open(source.view)
+    high = _mean_ordinates(draft, source, curve, mean, at)
+    level = board.draw(parallel, f"({high.letter})", high, source.along, sense=1)
+    cut = board.draw(meet, board.free("h_y"), source.up, level)
+    rays = board.draw(join, f"(P{cut.letter})", pole.point, cut)
+    board.open(to.view)
+    points = board.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)
+    return Boundaries(
+        points, board.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=row)
     )
 
 
-def rise_of(curve: Curve, foot: Complexes) -> Reals:
-    """Return how steep a curve is over feet on the base, mm/mm."""
-    p, m, u = _arc(curve, foot)
-    a, b, c = 6 * u * (u - 1), (3 * u - 1) * (u - 1), u * (3 * u - 2)
-    along = a * (p[0] - p[1]) + b * m[0] + c * m[1]
-    return np.asarray(along.imag / along.real)
-
-
-@operation(
-    "Над отрезком {start}{end} заменить фигуру под кривой {curve} равновеликим прямоугольником; середину его "
-    "верхней стороны отметить {it}.",
-    fails=_OUTSIDE,
-)
-def level_off(curve: Curve, start: Point, end: Point) -> Point:
-    """Over {start}{end} draw a rectangle as large as the figure below {curve}; mark {it}, its upper middle.
-
-    It is exact for a curve whose cubic arcs begin at the ends of the intervals, or in their middles.
-    """
-    heights = [erect.run(curve, start + share * (end - start)).imag for share in _GAUSS]
-    return Point((start.real + end.real) / 2.0 + 0.25j * sum(heights))
-
-
-def _arc(
-    curve: Curve, foot: Complexes
-) -> tuple[tuple[Complexes, Complexes], tuple[Complexes, Complexes], Reals]:
-    """Return the ends and end tangents of the arc over each foot, and where on it the foot stands, 0 … 1."""
-    knots = np.where(np.isfinite(curve.knots), curve.knots, np.nan + np.nan * 1j)
-    x, tangents = _abscissas(curve.knots), curve.tangents
-    trials, last = max(knots.shape[0], foot.shape[0]), knots.shape[1] - 2
-    found = []
-    for k in range(trials):
-        own, at = min(k, knots.shape[0] - 1), foot.real[min(k, foot.shape[0] - 1)]
-        near = np.clip(np.searchsorted(x[own], at, side="right") - 1, 0, last)
-        u = (at - x[own, near]) / (x[own, near + 1] - x[own, near])
-        p, m = knots[own], tangents[own]
-        found.append((p[near], p[near + 1], m[near], m[near + 1], u))
-    p, q, m, n, u = (np.array(rows) for rows in zip(*found, strict=True))
-    slack = 1e-9
-    return (p, q), (m, n), np.where((u >= -slack) & (u <= 1 + slack), u, np.nan)
-
-
-def _abscissas(knots: Complexes) -> Reals:
-    """Return where the knots stand along the base; a missing knot stands evenly between its neighbours."""
-    x = np.array(knots.real)
-    if np.isfinite(x).all():
-        return x
-    for row in x:
-        there = np.isfinite(row)
-        if 2 <= there.sum() < row.size:
-            k = np.arange(row.size)
-            even = np.polynomial.polynomial.polyfit(k[there], row[there], 1)
-            row[~there] = np.polynomial.polynomial.polyval(k[~there], even)
-    return x
-
-
-@operation(
-    "От {start} один за другим провести отрезки, над каждым интервалом параллельно его лучу {rays}; "
-    "их начала отметить {it}.",
-    across=True,
-    fails=WHOLE_ROW,
-)
-def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
-    """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark beginnings {it}.
-
-    The intervals are those of ``feet`` and ``end``; each segment begins where the one before it ended.
-    """
-    rises = _rises(rays, feet, end, row)
-    found = np.full(rises.shape[:1] + feet.shape[1:], np.nan + np.nan * 1j)
-    y = start[:, :1].imag + np.concatenate([np.zeros_like(rises[:, :1]), rises[:, :-1]], 1).cumsum(
-        1
-    )
-    found[:, :row] = feet[:, :row].real + 1j * y
-    return Point(found)
-
-
-@operation(
-    "Конец последнего отрезка {rays} от {start} отметить {it}.", across=True, fails=WHOLE_ROW
-)
-def arrival(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
-    """Mark {it} where the last of the segments drawn from {start} parallel to the rays {rays} ends."""
-    rises = _rises(rays, feet, end, row)
-    return Point(end[:, :1].real + 1j * (start[:, :1].imag + rises.sum(axis=1, keepdims=True)))
-
-
-def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
-    """Return by how much each segment rises over its interval, mm."""
-    x = np.concatenate(alike(feet[:, :row].real, end[:, :1].real), axis=1)
-    along = rays.along[:, :row]
-    slope = np.where(along.real == 0.0, np.nan, along.imag / along.real)
-    return np.asarray(np.diff(x, axis=1) * slope)
-
-
-@operation(
-    "На кривой {curve} от {start} до {end} найти высшую точку; отметить {it}.",
-    across=True,
-    fails=WHOLE_ROW,
-)
-def highest(curve: Curve, start: Point, end: Point) -> Point:
-    """On the curve {curve}, from {start} to {end}, find the highest point; mark {it}."""
-    return Point(_extreme(curve, start, end, 1.0))
-
-
-@operation(
-    "На кривой {curve} от {start} до {end} найти низшую точку; отметить {it}.",
-    across=True,
-    fails=WHOLE_ROW,
-)
-def lowest(curve: Curve, start: Point, end: Point) -> Point:
-    """On the curve {curve}, from {start} to {end}, find the lowest point; mark {it}."""
-    return Point(_extreme(curve, start, end, -1.0))
-
-
-_NOWHERE = complex(np.nan, np.nan)
-EVEN = 1e-9
-"""Ordinates that differ by less of the curve's height are as high as one another."""
-
-
-def _extreme(curve: Curve, start: Complexes, end: Complexes, sign: float) -> Complexes:
-    """Return the first of the highest (lowest) points; missing if any of the curve is, for it could be there.
-
-    The first of those that are as high but for rounding, so that this does not choose among them.
-    """
-    feet = np.concatenate(alike(start[:, :1].real, end[:, :1].real), axis=1)
-    knots, tangents, feet = alike(curve.knots, curve.tangents, feet)
-    spots = np.concatenate([knots, *stationary(knots, tangents, -1j)], axis=1)
-    spots = np.where((spots.real > feet[:, :1]) & (spots.real < feet[:, 1:]), spots, _NOWHERE)
-    spots = np.concatenate([erect.run(curve, feet), spots], axis=1)
-    heights = np.where(np.isfinite(spots), sign * spots.imag, -np.inf)
-    best = heights.max(axis=1, keepdims=True)
-    even = EVEN * np.ptp(knots.imag, axis=1, keepdims=True)
-    first = np.argmin(np.where(heights >= best - even, spots.real, np.inf), axis=1)[:, None]
-    whole = (np.isfinite(knots) & np.isfinite(tangents)).all(axis=1, keepdims=True)
-    return np.where(whole, np.take_along_axis(spots, first, axis=1), _NOWHERE)
+def _mean_ordinates(
+    draft: Draft, source: Axes, curve: Mark, mean: str, at: Boundaries | None
+) -> Mark:
+    board, row, letter = draft.board, source.base.intervals, draft.board.free("h")
+    if mean == "middles":
+        return board.draw(erect, letter, curve, source.middles)
+    if mean == "areas":
+        return board.draw(level_off, letter, curve, source.feet, source.after)
+    assert at is not None
+    after = board.draw(following, board.free(f"{at.points.letter}+1"), *at, row=row)
+    return board.draw(halve, letter, at.points, after)

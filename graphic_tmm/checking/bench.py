@@ -14,12 +14,12 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
 from graphic_tmm.checking.own import Grain, Run, apart, exact, read_of, run
+from graphic_tmm.checking.own_scatter import Usual, share_of_slip, usual_errors
+from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.scatter import Limits, Scatter, scatter
 from graphic_tmm.checking.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.tolerance import Reader, reader
-from graphic_tmm.checking.units import taken_figure
-from graphic_tmm.checking.usual import Usual, share_of_slip, usual_errors
 from graphic_tmm.studio import Made
 
 

@@ -9,7 +9,7 @@ from graphic_tmm.checking.bench import Yardstick, yardstick
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judge import judge
 from graphic_tmm.checking.mistakes import likely
-from graphic_tmm.checking.names import known
+from graphic_tmm.checking.readings.names import known
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.records import Scene

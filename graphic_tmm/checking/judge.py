@@ -19,10 +19,10 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.checking.bench import Bench, Yardstick, yardstick
 from graphic_tmm.checking.cells import Cell
 from graphic_tmm.checking.own import apart
+from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
 from graphic_tmm.checking.scatter import Scatter, times_off
 from graphic_tmm.checking.tolerance import GIVEN
-from graphic_tmm.checking.units import half_of, taken_figure
 from graphic_tmm.studio import Made
 
 __all__ = ["amount", "apart", "judge", "spot_of", "yardstick"]

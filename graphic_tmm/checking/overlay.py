@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.captions import CAPTIONS
+from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
+from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.judge import spot_of
 from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
-from graphic_tmm.paper.frame import SIZES, drawing_area, frame
-from graphic_tmm.paper.ink_plans import Place, draw_plan
-from graphic_tmm.paper.ink_positions import draw_position_ink
+from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack
-from graphic_tmm.paper.letters import escape
-from graphic_tmm.paper.symbols import arrowhead
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.symbols.kinematic import arrowhead
+from graphic_tmm.readers.columns import UNITS
 from graphic_tmm.studio import Made
-from graphic_tmm.tables.columns import UNITS
 
 FORMATS = ("A4", "A1")
 CROSS = 1.2

@@ -15,7 +15,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import needed
 from graphic_tmm.board.geometry import along, wedge
-from graphic_tmm.board.operations import cross, cut, lay_off, meet
+from graphic_tmm.board.operations.instruments import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Line, Point, Reals, Side
 from graphic_tmm.board.values import given as as_value

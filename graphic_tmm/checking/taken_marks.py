@@ -11,10 +11,10 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import POINTED, Cell, Key
 from graphic_tmm.checking.own import Grain, alone
+from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.tolerance import Reader
-from graphic_tmm.checking.units import half_of, taken_figure
-from graphic_tmm.tables.columns import segment_name
+from graphic_tmm.readers.columns import segment_name
 from graphic_tmm.work import Work
 
 

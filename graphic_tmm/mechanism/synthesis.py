@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board.calculations import half_chord, sine_of_half, swing_angle
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.formulas import half_chord, sine_of_half, swing_angle
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Number
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.scales import Scale
+from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.drawing import Drawing, Label, Within
 from graphic_tmm.paper.layout import bounds, settled
-from graphic_tmm.paper.letters import letter
-from graphic_tmm.words import number, unit
+from graphic_tmm.paper.lettering.letters import letter
 
 CAPTION = 5.0
 SMALL = 3.5

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from graphic_tmm.language.words import number
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
-from graphic_tmm.paper.frame import SIZES, drawing_area, frame
+from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack, settled
-from graphic_tmm.paper.views import FREE_VIEWS, PART_VIEWS, VIEWS
 from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.words import number
+from graphic_tmm.views import FREE_VIEWS, PART_VIEWS, VIEWS
 from graphic_tmm.work import Work
 
 

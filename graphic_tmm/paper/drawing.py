@@ -111,7 +111,7 @@ class Sheet(NamedTuple):
 
     def _repr_svg_(self) -> str:
         """Return the sheet as SVG: a notebook shows it."""
-        from graphic_tmm.paper.svg import svg
+        from graphic_tmm.paper.write.svg import svg
 
         return svg(self)
 

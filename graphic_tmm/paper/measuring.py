@@ -9,10 +9,10 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.paper.compose import Views, laid, orders, views_of
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.layout import bounds, holds, settled, share
-from graphic_tmm.paper.views import FOLLOWS, SEVERAL, VIEWS
 from graphic_tmm.parts import Part
 from graphic_tmm.scaling import Sizes
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.views import FOLLOWS, SEVERAL, VIEWS
 from graphic_tmm.work import Work
 
 Cells = dict[tuple[object, ...], list[Drawing]]

@@ -10,8 +10,8 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import letters
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
+from graphic_tmm.paper.lettering import letters
 
 PITCH = 1.7
 """Distance of base lines in sizes of type B (ГОСТ 2.304)."""

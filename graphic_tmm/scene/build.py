@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.mechanism.masses import shared
-from graphic_tmm.mechanism.orders import EngineOrder
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.scene import build_cam, build_forces, build_orders, build_wheels, geometry
 from graphic_tmm.scene import models as m

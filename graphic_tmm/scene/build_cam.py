@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.mechanism.cam_orders import (
+from graphic_tmm.chapters.cam.task import (
     CamOrder,
     FlatFollower,
     Follower,

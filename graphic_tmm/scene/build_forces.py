@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.loads import AGAINST, GRAVITY, ForcesOrder, Friction, Load, Travel
+from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.forces.task import AGAINST, GRAVITY, ForcesOrder, Friction, Load, Travel
+from graphic_tmm.chapters.indicator.task import IndicatorOrder
 from graphic_tmm.mechanism.masses import pins
-from graphic_tmm.mechanism.orders import EngineOrder, IndicatorOrder
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.force_tables import (
     EffectsTable,

@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from graphic_tmm.mechanism.orders import (
-    Drawn,
-    FlywheelOrder,
-    Gas,
-    IndicatorOrder,
-    KinematicOrder,
-    Rim,
-    Stretch,
-)
+from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.flywheel.task import FlywheelOrder, Rim
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder, Stretch
 from graphic_tmm.scene.order_tables import (
     DiagramsTable,
     FlywheelTable,
@@ -36,9 +31,9 @@ def diagrams(table: DiagramsTable) -> KinematicOrder:
         method=table.method,
         base=table.base,
         mu_along=table.mu_t or table.mu_phi,
-        S=Drawn(table.mu_S, table.H_S),
-        V=Drawn(table.mu_V, table.H_V),
-        a=Drawn(table.mu_a, table.H_a),
+        S=ScaleOrder(table.mu_S, table.H_S),
+        V=ScaleOrder(table.mu_V, table.H_V),
+        a=ScaleOrder(table.mu_a, table.H_a),
     )
 
 
@@ -57,7 +52,7 @@ def flywheel(table: FlywheelTable, gas: IndicatorTable | None) -> FlywheelOrder:
         indicator(gas) if gas is not None else None,
         table.delta,
         table.constant,
-        Drawn(pole=table.H),
+        ScaleOrder(pole=table.H),
         table.base,
         table.mu_M,
         table.integration,

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.mechanism.gear_orders import GearOrder
-from graphic_tmm.mechanism.trains import Limits, PlanetaryOrder
+from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder
 from graphic_tmm.scene.wheel_tables import GearsTable, PlanetaryTable
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from graphic_tmm.mechanism.bounds import CAM
-from graphic_tmm.mechanism.cam_orders import LAWS
+from graphic_tmm.bounds import CAM
+from graphic_tmm.chapters.cam.task import LAWS
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.quantities import kind_of

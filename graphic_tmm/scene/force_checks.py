@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.mechanism.bounds import INTERVALS
+from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.force_tables import LoadTable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from graphic_tmm.mechanism.loads import AGAINST, GRAVITY
+from graphic_tmm.chapters.forces.task import AGAINST, GRAVITY
 from graphic_tmm.scene import force_values as w
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.quantities import KGF

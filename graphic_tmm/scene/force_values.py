@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Annotated
 
-from graphic_tmm.mechanism import bounds
-from graphic_tmm.mechanism.loads import AGAINST
+from graphic_tmm import bounds
+from graphic_tmm.chapters.forces.task import AGAINST
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene.order_values import within
 from graphic_tmm.scene.quantities import Dimension, kind_of

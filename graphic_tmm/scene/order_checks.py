@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Any
 
-from graphic_tmm.mechanism.bounds import INTERVALS, OrderError
+from graphic_tmm.bounds import INTERVALS, OrderError
 from graphic_tmm.scene import build_cam, build_wheels, letters
 from graphic_tmm.scene.faults import Found
 from graphic_tmm.scene.order_tables import DiagramsTable, IndicatorTable
@@ -54,9 +54,9 @@ def check(doc: Document, parts: Parts) -> Iterator[Found]:
 
 def _refused(part: str, order: Any) -> Iterator[Found]:
     """Yield what the plan of a part refuses of its order, before anything is drawn."""
-    from graphic_tmm.mechanism.trains import scheme_of
-    from graphic_tmm.plans.cam_refusals import refuse
-    from graphic_tmm.plans.gear_refusals import refuse_order
+    from graphic_tmm.chapters.cam.refusals import refuse
+    from graphic_tmm.chapters.gears.refusals import refuse_order
+    from graphic_tmm.chapters.planetary.task import scheme_of
 
     refusals: dict[str, Callable[[Any], object]] = {
         "cam": refuse,

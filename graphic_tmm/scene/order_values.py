@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from graphic_tmm.mechanism import bounds
+from graphic_tmm import bounds
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene.quantities import kind_of
 from graphic_tmm.scene.values import SCALE, Rule, bounded, choice, mu, number

@@ -6,12 +6,14 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from itertools import chain
 
-from graphic_tmm.mechanism.cam_orders import CamOrder
-from graphic_tmm.mechanism.gear_orders import GearOrder
-from graphic_tmm.mechanism.loads import ForcesOrder
-from graphic_tmm.mechanism.orders import EngineOrder, FlywheelOrder, KinematicOrder
+from graphic_tmm.chapters.cam.task import CamOrder
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.forces.task import ForcesOrder
+from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
-from graphic_tmm.mechanism.trains import PlanetaryOrder
 
 FORCE_PLACES = ("forces", "lever", "force table")
 """What a sheet can show of forces."""

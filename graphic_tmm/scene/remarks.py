@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.mechanism.loads import GRAVITY
+from graphic_tmm.chapters.forces.task import GRAVITY
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.quantities import KGF, in_kgf

@@ -9,8 +9,8 @@ from typing import Annotated, Any
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from graphic_tmm.mechanism import bounds
-from graphic_tmm.mechanism.bounds import Bound
+from graphic_tmm import bounds
+from graphic_tmm.bounds import Bound
 from graphic_tmm.scene import lengths, letters, quantities
 from graphic_tmm.scene.quantities import Dimension, kind_of
 from graphic_tmm.scene.records import ALL_PLACES, FREE_PLACES

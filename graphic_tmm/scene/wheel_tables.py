@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from graphic_tmm.mechanism.bounds import GEARS, PLANETARY, Bound
-from graphic_tmm.mechanism.trains import SCHEMES
+from graphic_tmm.bounds import GEARS, PLANETARY, Bound
+from graphic_tmm.chapters.planetary.task import SCHEMES
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.quantities import kind_of

@@ -13,20 +13,17 @@ from logs import FourBar, logs, sizes
 
 from graphic_tmm.accuracy.cost import MINUTES, NOTHING, Work, count, done
 from graphic_tmm.accuracy.geometrography import ELEMENTARY
+from graphic_tmm.accuracy.notation import elements, symbol
 from graphic_tmm.accuracy.repetition import varying
-from graphic_tmm.accuracy.symbols import elements, symbol
-from graphic_tmm.board.cams import smooth_stretch
-from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.execute import execute, needed
-from graphic_tmm.board.graph_curves import open_graph
-from graphic_tmm.board.graphs import succession
-from graphic_tmm.board.operations import (
-    lay_off,
-    parallel,
-)
+from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.graph_curves import open_graph
+from graphic_tmm.board.operations.graphs import succession
+from graphic_tmm.board.operations.instruments import lay_off, parallel
+from graphic_tmm.board.operations.supports import planimeter
 from graphic_tmm.board.record import Board, Construction, Mark
-from graphic_tmm.board.supports import planimeter
 from graphic_tmm.board.values import Length, Line, Point
+from graphic_tmm.chapters.cam.operations import smooth_stretch
 from graphic_tmm.errors import ConstructionError
 
 

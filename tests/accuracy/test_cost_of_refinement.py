@@ -10,14 +10,14 @@ from gallery import SHEETS
 from logs import FourBar
 
 from graphic_tmm.accuracy.cost import MINUTES, count
+from graphic_tmm.accuracy.notation import elements, symbol
 from graphic_tmm.accuracy.repetition import varying
-from graphic_tmm.accuracy.symbols import elements, symbol
-from graphic_tmm.board.locus import PARTS, PASSES, refinement
+from graphic_tmm.board.operations.locus import PARTS, PASSES, refinement
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.mechanism.records import Extreme, Row
-from graphic_tmm.plans.project import draw_project
+from graphic_tmm.project import draw_project
 from graphic_tmm.scene.read import read
 
 

@@ -7,14 +7,15 @@ import pkgutil
 
 import pytest
 
-import graphic_tmm.board
+import graphic_tmm
 from graphic_tmm.accuracy.geometrography import DEFAULT, ELEMENTARY, FORMULA, SYMBOLS
-from graphic_tmm.accuracy.symbols import elements, exactitude, simplicity, symbol, written
+from graphic_tmm.accuracy.notation import elements, exactitude, simplicity, symbol, written
 from graphic_tmm.board.grammar import OPERATIONS, Operation
-from graphic_tmm.board.locus import refinement
+from graphic_tmm.board.operations.locus import refinement
 
-for module in pkgutil.iter_modules(graphic_tmm.board.__path__):
-    importlib.import_module(f"graphic_tmm.board.{module.name}")
+for module in pkgutil.walk_packages(graphic_tmm.__path__, "graphic_tmm."):
+    if not module.name.endswith("__main__"):
+        importlib.import_module(module.name)
 
 BOARD = list(OPERATIONS.values())
 DRAWN = [op for op in BOARD if not op.formula]

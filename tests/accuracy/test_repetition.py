@@ -9,8 +9,8 @@ from logs import logs, sizes
 
 from graphic_tmm.accuracy.repetition import ALONG, repeated, varying
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.graphs import following
-from graphic_tmm.board.operations import join, lay_off, measure, parallel, ray, strike
+from graphic_tmm.board.operations.graphs import following
+from graphic_tmm.board.operations.instruments import join, lay_off, measure, parallel, ray, strike
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Angle, Curve, Length, Point, arrays
 from graphic_tmm.errors import ConstructionError

@@ -20,7 +20,7 @@ from graphic_tmm.board.execute import prepare  # isort: skip
 from graphic_tmm.board.hand import HANDS  # isort: skip
 from graphic_tmm.board.values import Number  # isort: skip
 from graphic_tmm.paper.compose import compose
-from graphic_tmm.paper.svg import svg
+from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
 from graphic_tmm.work import work

@@ -11,11 +11,11 @@ from drawn import board
 from mechanisms import sample
 
 from graphic_tmm.board import compiled
-from graphic_tmm.board.calculations import rate
-from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.execute import Reading, execute, prepare
 from graphic_tmm.board.hand import HANDS, Hand
-from graphic_tmm.board.operations import cross, join, lay_off, measure, ray, strike
+from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.formulas import rate
+from graphic_tmm.board.operations.instruments import cross, join, lay_off, measure, ray, strike
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point, Side, arrays
 from graphic_tmm.errors import ConstructionError

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from graphic_tmm.board.curve import bezier, french_curve
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.curve import bezier, french_curve
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Curve, Point
 

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from graphic_tmm.board.calculations import product, rate
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.energetics import added
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations import join, lay_off, measure, meet, ray
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.formulas import product, rate
+from graphic_tmm.board.operations.instruments import join, lay_off, measure, meet, ray
+from graphic_tmm.board.operations.statics import difference_of
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.shaking import SHAKE
-from graphic_tmm.board.statics import difference_of
 from graphic_tmm.board.values import Angle, Length, Number, Point
 
 

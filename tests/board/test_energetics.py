@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from graphic_tmm.board import energetics as e
 from graphic_tmm.board.grammar import OPERATIONS, Operation
+from graphic_tmm.board.operations import energetics as e
 
 EPS = np.finfo(float).eps
 PI = mp.pi

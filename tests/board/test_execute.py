@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from graphic_tmm.board.calculations import rate, to_board
-from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.execute import execute, needed, prepare
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.operations import (
+from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.formulas import rate, to_board
+from graphic_tmm.board.operations.instruments import (
     cross,
     join,
     lay_off,

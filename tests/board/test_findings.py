@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from graphic_tmm.board.calculations import to_board
-from graphic_tmm.board.curve import french_curve
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.operations import (
+from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import (
     cross,
     cut,
     lay_off,

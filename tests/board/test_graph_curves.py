@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from graphic_tmm.board import graph_curves as c
-from graphic_tmm.board import graphs as g
-from graphic_tmm.board.curve import bezier, taut_curve
+from graphic_tmm.board.operations import graph_curves as c
+from graphic_tmm.board.operations import graphs as g
+from graphic_tmm.board.operations.curve import bezier, taut_curve
 from graphic_tmm.board.values import Curve, Line
 
 EPS = np.finfo(float).eps

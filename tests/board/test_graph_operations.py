@@ -7,8 +7,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from graphic_tmm.board import graph_curves as curves
-from graphic_tmm.board import graphs as g
+from graphic_tmm.board.operations import graph_curves as curves
+from graphic_tmm.board.operations import graphs as g
 from graphic_tmm.board.values import Curve, Line
 
 N, LENGTH = 12, 96.0

@@ -13,10 +13,10 @@ from gallery import SHEETS
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from graphic_tmm.board.calculations import to_board
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import CHUNK, EXACT, HANDS, MOST, SIZE, Hand, trials_in_block
-from graphic_tmm.board.operations import lay_off, measure, meet, parallel, ray, strike
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import lay_off, measure, meet, parallel, ray, strike
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.scene.read import read

@@ -12,7 +12,16 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from graphic_tmm.board.geometry import EPS, cis, degrees, root
-from graphic_tmm.board.operations import bearing, cross, cut, incline, meet, ray, tangent, touch
+from graphic_tmm.board.operations.instruments import (
+    bearing,
+    cross,
+    cut,
+    incline,
+    meet,
+    ray,
+    tangent,
+    touch,
+)
 from graphic_tmm.board.values import Arc, Line
 
 TINY = st.integers(-40, 40).map(lambda k: k * 1e-16)

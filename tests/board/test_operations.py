@@ -16,14 +16,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import graphic_tmm.board.calculations
-import graphic_tmm.board.operations  # noqa: F401
+import graphic_tmm.board.operations.formulas
+import graphic_tmm.board.operations.instruments  # noqa: F401
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 
 DIGITS = 50
-BASIC = ("graphic_tmm.board.operations", "graphic_tmm.board.calculations")
+BASIC = ("graphic_tmm.board.operations.instruments", "graphic_tmm.board.operations.formulas")
 BASIC_OPERATIONS = [op for op in OPERATIONS.values() if op.run.__module__ in BASIC]
 Bounded = tuple[Any, Any] | None
 """The true value and how far a float may be from it, part by part; None where there is none."""

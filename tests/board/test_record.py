@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from graphic_tmm.board.grammar import OPERATIONS, operation
-from graphic_tmm.board.operations import join, lay_off, meet, parallel, ray
+from graphic_tmm.board.operations.instruments import join, lay_off, meet, parallel, ray
 from graphic_tmm.board.record import TALLY, Board
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.errors import ConstructionError

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT, Hand
-from graphic_tmm.board.locus import narrow, refinement
+from graphic_tmm.board.operations.locus import narrow, refinement
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.scales import (
     ENLARGEMENTS,

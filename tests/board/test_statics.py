@@ -12,11 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp  # type: ignore[import-untyped]
 
-from graphic_tmm.board import engines as g
-from graphic_tmm.board import statics as s
 from graphic_tmm.board.grammar import OPERATIONS, Operation
-from graphic_tmm.board.operations import similar
+from graphic_tmm.board.operations import statics as s
+from graphic_tmm.board.operations.instruments import similar
 from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.engine import formulas as g
 
 EPS = np.finfo(float).eps
 LENGTHS = st.floats(-1e3, 1e3, allow_subnormal=False)

@@ -8,8 +8,8 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
-from graphic_tmm.board.curve import bezier, french_curve, taut_curve
-from graphic_tmm.board.supports import farthest, planimeter, supporting, supporting_curve
+from graphic_tmm.board.operations.curve import bezier, french_curve, taut_curve
+from graphic_tmm.board.operations.supports import farthest, planimeter, supporting, supporting_curve
 from graphic_tmm.board.values import Curve
 
 POINTS = st.lists(

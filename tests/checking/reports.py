@@ -9,16 +9,8 @@ from typing import Any
 
 from rich.console import Console
 
-from graphic_tmm.checking.records import (
-    DOUBTFUL,
-    FINE,
-    WRONG,
-    Judged,
-    Likely,
-    Report,
-    Taken,
-)
-from graphic_tmm.checking.report_text import text_report
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Likely, Report, Taken
+from graphic_tmm.checking.report.text import text_report
 
 LANGUAGES = ("ru", "en")
 HOSTILE = [

@@ -13,7 +13,7 @@ from another_hand import MACHINES, MODES, POSITIONS, RULERS, Pencil, csv_of, gro
 
 from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.check import checks
-from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report, Taken
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene

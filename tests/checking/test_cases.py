@@ -9,7 +9,7 @@ import pytest
 from gallery import SHEETS
 
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
 from graphic_tmm.scene.read import read
 

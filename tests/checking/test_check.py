@@ -11,10 +11,10 @@ from gallery import SHEETS
 from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points as spots
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
-from graphic_tmm.paper.frame import drawing_area
+from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 

@@ -12,8 +12,8 @@ import pytest
 from photographs import CORNERS, FRAME, PAPER, Camera
 from PIL import Image
 
-from graphic_tmm.checking.frame_lines import EDGES, refine
-from graphic_tmm.checking.perspective import homography
+from graphic_tmm.checking.photo.frame_lines import EDGES, refine
+from graphic_tmm.checking.photo.perspective import homography
 from graphic_tmm.paper.ruled import Box
 
 BOX = Box(*FRAME)

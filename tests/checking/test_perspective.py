@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from graphic_tmm.checking.perspective import bilinear, homography, ordered, through, vertices
+from graphic_tmm.checking.photo.perspective import bilinear, homography, ordered, through, vertices
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.ruled import Box
 

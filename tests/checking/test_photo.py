@@ -13,10 +13,10 @@ import pytest
 from photographs import CORNERS, FRAME, TARGETS, Camera
 from PIL import Image
 
-from graphic_tmm.checking.perspective import through
-from graphic_tmm.checking.photo import BENT, flatten, png
+from graphic_tmm.checking.photo.perspective import through
+from graphic_tmm.checking.photo.photo import BENT, flatten, png
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.frame import drawing_area
+from graphic_tmm.paper.frame.frame import drawing_area
 
 CAMERAS = {
     "tilted": Camera((18, -12, 6), 1150, 2311.7),

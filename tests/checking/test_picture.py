@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from graphic_tmm.checking.picture import read
+from graphic_tmm.checking.photo.picture import read
 from graphic_tmm.errors import SceneError, SheetError
 
 

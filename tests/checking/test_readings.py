@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from graphic_tmm.checking.readings import TOLD, read_readings, write_readings
+from graphic_tmm.checking.readings.read import TOLD, read_readings, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import SceneError
 

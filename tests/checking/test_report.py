@@ -15,15 +15,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed, report
 
-from graphic_tmm.checking import report_rows, report_text, report_words
-from graphic_tmm.checking.records import (
-    WRONG,
+from graphic_tmm.checking.records import WRONG
+from graphic_tmm.checking.report import (
+    rows as report_rows,
 )
-from graphic_tmm.checking.report_html import html_report
-from graphic_tmm.checking.report_json import json_report
-from graphic_tmm.checking.report_rows import grids
-from graphic_tmm.checking.report_text import markdown_report
-from graphic_tmm.checking.report_words import WORDS, shown
+from graphic_tmm.checking.report import (
+    text as report_text,
+)
+from graphic_tmm.checking.report import (
+    words as report_words,
+)
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.rows import grids
+from graphic_tmm.checking.report.text import markdown_report
+from graphic_tmm.checking.report.words import WORDS, shown
 
 FORMS = [markdown_report, html_report, json_report, lambda made: printed(made, 100)]
 

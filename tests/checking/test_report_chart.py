@@ -12,11 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reports import engine, judged
 
-from graphic_tmm.checking.records import (
-    VERDICTS,
-    WRONG,
-)
-from graphic_tmm.checking.report_chart import COLOURS, SHAPES, axis, chart
+from graphic_tmm.checking.records import VERDICTS, WRONG
+from graphic_tmm.checking.report.chart import COLOURS, SHAPES, axis, chart
 
 
 def svg(text: str) -> ElementTree.Element:

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reports import HOSTILE, LANGUAGES, engine, hostile
 
-from graphic_tmm.checking.report_html import html_report
-from graphic_tmm.checking.report_rows import grids, notes, summary, title, who
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.rows import grids, notes, summary, title, who
 
 TAGS = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "span", "ul", "li"}
 TAGS |= {"table", "thead", "tbody", "tr", "th", "td", "svg", "g", "path", "text"}

@@ -9,15 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reports import LANGUAGES, explaining, judged, printed, report
 
-from graphic_tmm.checking.records import (
-    DOUBTFUL,
-    WRONG,
-    Likely,
-)
-from graphic_tmm.checking.report_html import html_report
-from graphic_tmm.checking.report_rows import runs, summary
-from graphic_tmm.checking.report_text import markdown_report
-from graphic_tmm.checking.report_words import WORDS
+from graphic_tmm.checking.records import DOUBTFUL, WRONG, Likely
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.rows import runs, summary
+from graphic_tmm.checking.report.text import markdown_report
+from graphic_tmm.checking.report.words import WORDS
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

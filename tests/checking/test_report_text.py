@@ -11,14 +11,12 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from reports import HOSTILE, LANGUAGES, engine, explaining, hostile, judged, loaded, printed, report
 
-from graphic_tmm.checking.records import (
-    WRONG,
-)
-from graphic_tmm.checking.report_html import html_report
-from graphic_tmm.checking.report_json import json_report
-from graphic_tmm.checking.report_rows import grids, notes, summary, title, who
-from graphic_tmm.checking.report_text import LISTED, markdown_report
-from graphic_tmm.checking.report_words import WORDS
+from graphic_tmm.checking.records import WRONG
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.rows import grids, notes, summary, title, who
+from graphic_tmm.checking.report.text import LISTED, markdown_report
+from graphic_tmm.checking.report.words import WORDS
 
 READER = MarkdownIt("commonmark", {"html": True}).enable(["table", "strikethrough"])
 BLOCKS = {"heading", "paragraph", "table", "thead", "tbody", "tr", "th", "td"}

@@ -13,11 +13,11 @@ from gallery import SHEETS
 
 from graphic_tmm.checking.cells import cells, position_names
 from graphic_tmm.checking.check import checks
-from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, WRONG, Report
+from graphic_tmm.language.words import fixed, number
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import Made, make, scene_columns, scene_results, table
-from graphic_tmm.words import fixed, number
 
 HANDS = ("cad", "careful", "student")
 RULERS = (0.1, 0.5, 1.0)

@@ -14,13 +14,13 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.bench import yardstick
 from graphic_tmm.checking.cells import Cell, cells
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.figures import half_unit
 from graphic_tmm.checking.judge import judge
-from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.readings.figures import half_unit
+from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Report, Taken
-from graphic_tmm.checking.report_html import html_report
-from graphic_tmm.checking.report_json import json_report
-from graphic_tmm.checking.report_text import markdown_report
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.text import markdown_report
 from graphic_tmm.checking.scatter import Limits, limited
 from graphic_tmm.checking.tolerance import POINTS, reader
 from graphic_tmm.scene.read import read
@@ -237,7 +237,7 @@ def test_a_point_half_a_mm_off_is_fine_on_paper_and_not_on_a_screen(tmp_path: Pa
 def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    from graphic_tmm.checking import names
+    from graphic_tmm.checking.readings import names
 
     def unsure(made: Made) -> dict[tuple[str, str, str], Cell]:
         found = cells(made)

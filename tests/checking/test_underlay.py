@@ -14,7 +14,7 @@ from click.testing import CliRunner, Result
 from photographs import DOTS, Camera
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.paper.svg import svg
+from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 

@@ -8,12 +8,12 @@ import io
 import pytest
 from gallery import NAMES, SHEETS
 
-from graphic_tmm.checking.readings import read_readings
+from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.checking.readings.writing import result_columns, template, write_readings
 from graphic_tmm.checking.records import Last, Taken
-from graphic_tmm.checking.writing import result_columns, template, write_readings
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make, table, table_columns
-from graphic_tmm.tables.columns import Column
 
 COLUMNS = (
     Column("velocities", "pb", "pb", "m/s", (0.0, 1.0, None), (0.0, 0.25, None)),

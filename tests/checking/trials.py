@@ -15,7 +15,7 @@ import numpy as np
 from gallery import SHEETS
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.board.operations import lay_off, meet
+from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.checking.alterations import Figures

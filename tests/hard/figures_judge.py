@@ -21,12 +21,12 @@ from loaded import order_of, places, weighed
 from mechanisms import Drawn
 from test_hard_doubt import locks, solved_at
 
-from graphic_tmm.board.operations import measure, measure_along
-from graphic_tmm.mechanism.loads import ForcesOrder
+from graphic_tmm.board.operations.instruments import measure, measure_along
+from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import table_columns
-from graphic_tmm.tables.columns import Column
 from graphic_tmm.work import Work, work
 
 SHOWN = ("positions", "velocities", "accelerations", "forces", "lever", "force table")

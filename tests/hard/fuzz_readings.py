@@ -21,8 +21,8 @@ from fuzz_changes import (
 )
 
 from graphic_tmm.checking.cells import RESULTS, cells, points
+from graphic_tmm.checking.readings.writing import write_readings
 from graphic_tmm.checking.records import Taken
-from graphic_tmm.checking.writing import write_readings
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 

@@ -25,11 +25,11 @@ from hard_mechanisms import closed, side_at
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.geometry import EPS
-from graphic_tmm.board.operations import rocker_line
+from graphic_tmm.board.operations.instruments import rocker_line
 from graphic_tmm.board.values import Arc
+from graphic_tmm.chapters.kinematics.bodies import PinLeg
+from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.plans.bodies import PinLeg
-from graphic_tmm.plans.positions import side_record, side_values
 
 DIGITS = 50
 NAMES = ("r", "v", "a")

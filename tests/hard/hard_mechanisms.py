@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 
+from graphic_tmm.chapters.kinematics.positions import side_values
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
-from graphic_tmm.plans.positions import side_values
 
 Flips = tuple[float, ...] | None
 

@@ -12,11 +12,11 @@ from teeth import pair
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
+from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower
+from graphic_tmm.chapters.gears.results import gear_results
+from graphic_tmm.chapters.gears.task import GearOrder
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.cam_orders import CamOrder, FlatFollower
-from graphic_tmm.mechanism.gear_orders import GearOrder
-from graphic_tmm.plans.cam_findings import cam_findings
-from graphic_tmm.plans.gear_results import gear_results
 
 R0 = 0.0521
 DRAWN = 2e-3

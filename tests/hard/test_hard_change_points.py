@@ -10,11 +10,11 @@ from drawn import board
 from hard_judge import Verdict, judge, named, right
 from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
+from graphic_tmm.chapters.kinematics.assembly import check_assembly
+from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
-from graphic_tmm.plans.assembly import check_assembly
-from graphic_tmm.plans.survey import survey
 
 OFFS = (0.0, *(s * 10.0**-k for k in (2, 4, 6, 8, 11, 15) for s in (1, -1)))
 CASES: dict[str, tuple[Mechanism, tuple[float, ...]]] = {

@@ -8,13 +8,17 @@ import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 
-from graphic_tmm.board.curve import french_curve, taut_curve
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
-from graphic_tmm.board.graph_curves import closed_graph, open_graph, open_graph_of_middles
-from graphic_tmm.board.graphs import arrival, erect, succession
-from graphic_tmm.board.operations import join, lay_off, meet, parallel, ray, square
+from graphic_tmm.board.operations.curve import french_curve, taut_curve
+from graphic_tmm.board.operations.graph_curves import (
+    closed_graph,
+    open_graph,
+    open_graph_of_middles,
+)
+from graphic_tmm.board.operations.graphs import arrival, erect, succession
+from graphic_tmm.board.operations.instruments import join, lay_off, meet, parallel, ray, square
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Angle, Length, Line, Point, arrays
 

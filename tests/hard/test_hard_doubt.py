@@ -24,7 +24,7 @@ from mechanisms import Drawn, sample
 from wrenches import StaticsError
 
 from graphic_tmm.board.findings import DOUBTFUL, Finding, examine
-from graphic_tmm.mechanism.loads import Friction
+from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
 

@@ -18,8 +18,8 @@ from mechanisms import sample
 from test_hard_forces import weighed
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.errors import StructureError
-from graphic_tmm.plans.forces import Forces
 from graphic_tmm.work import Work
 
 TABLES = Path(__file__).parents[1] / "cases" / "tables"

@@ -10,7 +10,7 @@ from test_hard_chains import chain
 
 from graphic_tmm.board.execute import BLOCK
 from graphic_tmm.board.findings import examine
-from graphic_tmm.board.operations import lay_off, rocker_line
+from graphic_tmm.board.operations.instruments import lay_off, rocker_line
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Length, Point
 

@@ -24,7 +24,7 @@ from loaded import Solved, errors, order_of, places, solve
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
-from graphic_tmm.mechanism.loads import Friction
+from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.mechanism.records import Mechanism
 
 

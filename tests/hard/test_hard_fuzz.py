@@ -12,8 +12,8 @@ from fuzz_tasks import task
 from gallery import NAMES, SHEETS
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.paper.hatching import MOST, hatched
-from graphic_tmm.paper.symbols import MOST_HATCHES, hatching
+from graphic_tmm.paper.symbols.hatching import MOST, hatched
+from graphic_tmm.paper.symbols.kinematic import MOST_HATCHES, hatching
 
 QUICK = (
     "crank-rocker",

@@ -16,9 +16,9 @@ from hard_mechanisms import four_bar, slider_crank
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
+from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.scene.read import read
-from graphic_tmm.tables.columns import Column
-from graphic_tmm.tables.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.work import Work, work
 
 # a few positions

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import TmmError
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.mechanism.synthesis import rocker, rocker_lengths
-from graphic_tmm.plans.project import Project, draw_project
-from graphic_tmm.plans.row import OTHER
+from graphic_tmm.project import Project, draw_project
 
 
 def coulisse(OA: float, BC: float, OB: float, *, speed: float = 1.0) -> Mechanism:

@@ -7,9 +7,9 @@ import math
 import pytest
 import shapely
 
-from graphic_tmm.paper.dimensions import dimension, shelf
-from graphic_tmm.paper.hatching import HATCH, hatched
 from graphic_tmm.paper.placing import box, shape
+from graphic_tmm.paper.symbols.dimensions import dimension, shelf
+from graphic_tmm.paper.symbols.hatching import HATCH, hatched
 
 ENDS = [
     (0j, 60 + 0j),

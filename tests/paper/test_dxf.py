@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.dxf import WEIGHTS, dxf
+from graphic_tmm.paper.write.dxf import WEIGHTS, dxf
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 

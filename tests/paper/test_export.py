@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import export
+from graphic_tmm.paper.write import export
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 

@@ -10,11 +10,12 @@ from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon, box
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import letters, placing
+from graphic_tmm.paper import placing
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
-from graphic_tmm.paper.frame import FIELDS, SIZES, drawing_area, frame
+from graphic_tmm.paper.frame.frame import FIELDS, SIZES, drawing_area, frame
+from graphic_tmm.paper.frame.titleblock import BLOCKS, FORM_1, FORM_2A, Block
+from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import pens
-from graphic_tmm.paper.titleblock import BLOCKS, FORM_1, FORM_2A, Block
 
 FILLED = {
     "designation": "ТММ 12.04.00.000",

@@ -11,9 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.glyphs import BLANKS, characters, glyph
-from graphic_tmm.paper.glyphs_notation import SLANT, centre, extremes, lean, parse
-from graphic_tmm.paper.letters import (
+from graphic_tmm.paper.lettering.glyphs import BLANKS, characters, glyph
+from graphic_tmm.paper.lettering.letters import (
     SIZES,
     Lettering,
     compose,
@@ -24,6 +23,7 @@ from graphic_tmm.paper.letters import (
     svg_path,
     width,
 )
+from graphic_tmm.paper.lettering.notation import SLANT, centre, extremes, lean, parse
 
 RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
 LATIN = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import letters
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
+from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.ruled import Box, Slot, fit, set_text, table
 
 DRAWABLE = [chr(k) for k in range(32, 0x2300) if not letters.missing(chr(k))]

@@ -7,10 +7,10 @@ from itertools import pairwise
 import pytest
 import shapely
 
-from graphic_tmm.paper.glyphs import characters
-from graphic_tmm.paper.letters import SIZES, plain
+from graphic_tmm.chapters.lettering.specimen import LARGE, SHOWN, kinds, specimen
+from graphic_tmm.paper.lettering.glyphs import characters
+from graphic_tmm.paper.lettering.letters import SIZES, plain
 from graphic_tmm.paper.placing import box, shape
-from graphic_tmm.paper.specimen import LARGE, SHOWN, kinds, specimen
 
 VIEWS = {view.name: view for view in specimen("ru")}
 

@@ -6,10 +6,10 @@ from itertools import combinations
 
 import pytest
 
+from graphic_tmm.chapters.lettering.specimen_symbols import CELL, specimen_symbols
 from graphic_tmm.paper.drawing import Bezier
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.placing import box, shape
-from graphic_tmm.paper.specimen_symbols import CELL, specimen_symbols
 
 LINES, SYMBOLS = specimen_symbols("ru")
 

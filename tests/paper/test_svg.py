@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
-from graphic_tmm.paper.letters import escape, missing
+from graphic_tmm.paper.lettering.letters import escape, missing
 from graphic_tmm.paper.pens import pens
-from graphic_tmm.paper.svg import Under, clean, number, path_data, svg
+from graphic_tmm.paper.write.svg import Under, clean, number, path_data, svg
 
 NS = "{http://www.w3.org/2000/svg}"
 ALLOWED = {f"{NS}{tag}" for tag in ("svg", "g", "path", "rect", "title", "desc")}

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Point, Polygon
 
-from graphic_tmm.paper import symbols
 from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.paper.pens import pens
+from graphic_tmm.paper.symbols import kinematic as symbols
 
 ANGLES = st.floats(-360, 360)
 POINTS = st.builds(complex, st.floats(-300, 300), st.floats(-300, 300))

@@ -9,16 +9,8 @@ import shapely
 
 from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.paper.placing import flat, shape
-from graphic_tmm.paper.symbols import JOINT_RADIUS
-from graphic_tmm.paper.symbols_gears import (
-    CENTRE_BEYOND,
-    HEIGHT,
-    RIM,
-    cam,
-    gear,
-    gear_side,
-    wavy,
-)
+from graphic_tmm.paper.symbols.gears import CENTRE_BEYOND, HEIGHT, RIM, cam, gear, gear_side, wavy
+from graphic_tmm.paper.symbols.kinematic import JOINT_RADIUS
 
 
 def circles(strokes: tuple[Stroke, ...]) -> list[float]:

@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from graphic_tmm import bounds
+from graphic_tmm.bounds import Bound, OrderError
+from graphic_tmm.chapters.cam.refusals import refuse
+from graphic_tmm.chapters.gears.refusals import refuse_order
+from graphic_tmm.chapters.planetary.task import Limits, scheme_of
 from graphic_tmm.errors import SceneError
-from graphic_tmm.mechanism import bounds
-from graphic_tmm.mechanism.bounds import Bound, OrderError
-from graphic_tmm.mechanism.trains import Limits, scheme_of
-from graphic_tmm.plans.cam_refusals import refuse
-from graphic_tmm.plans.gear_refusals import refuse_order
 from graphic_tmm.scene.models import schema
 from graphic_tmm.scene.read import read
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from gallery import SHEETS
 
+from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
 from graphic_tmm.errors import SceneError
-from graphic_tmm.mechanism.orders import Drawn, KinematicOrder
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
@@ -39,9 +40,9 @@ def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
         "tangents",
         None,
         0.0025,
-        Drawn(None, 20.0),
-        Drawn(0.075),
-        Drawn(None, 15.0),
+        ScaleOrder(None, 20.0),
+        ScaleOrder(0.075),
+        ScaleOrder(None, 15.0),
     )
     over = scene(tmp_path, 'point = "B"', 'over = "angle"', 'mu_phi = "0.05 rad/mm"').diagrams
     assert over is not None

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from gallery import SHEETS
 
+from graphic_tmm.chapters.flywheel.task import Rim
+from graphic_tmm.chapters.indicator.task import Gas, Stretch
 from graphic_tmm.errors import SceneError
-from graphic_tmm.mechanism.orders import Gas, Rim, Stretch
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 

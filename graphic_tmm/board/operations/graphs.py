@@ -1,0 +1,207 @@
+"""Graphs on axes: what is read off their curves (ordinates, tangents, areas, extremes), chords in succession.
+
+The base lies along the x axis of the sheet, from left to right; the row of positions divides it evenly, and
+what stands at position ``row`` (the end of the base) is a mark of its own. Positions outside the row (extremes,
+extra angles) have feet on the base too: a curve can be read there, but no chord begins there.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board.geometry import unit
+from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.operations.curve import stationary
+from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
+
+
+@operation("Положение точки {of} в начале отсчёта отметить {it}.", across=True)
+def at_zero(of: Point) -> Point:
+    """Mark {it} where {of} stands in the zero position."""
+    return Point(of[:, :1])
+
+
+@operation(
+    "Для каждого интервала: следующую за {point} точку отметить {it}; за последней следует {end}.",
+    across=True,
+)
+def following(point: Point, end: Point, *, row: int) -> Point:
+    """For each interval mark {it}, the point that follows {point}; after the last one comes {end}."""
+    point, end = alike(point, end)
+    after = np.full_like(point, np.nan)
+    after[:, : row - 1] = point[:, 1:row]
+    after[:, row - 1] = end[:, 0]
+    return Point(after)
+
+
+def alike(*values: Any) -> Any:
+    """Return values with as many trials each."""
+    trials = max(value.shape[0] for value in values)
+    return [np.broadcast_to(value, (trials, value.shape[1])) for value in values]
+
+
+@operation("Отрезок {start}{end} разделить пополам; отметить {it}.")
+def halve(start: Point, end: Point) -> Point:
+    """Halve {start}{end}; mark {it}."""
+    return Point((start + end) / 2.0)
+
+
+_GAUSS = [half / 4.0 + sign / 48.0**0.5 for half in (1, 3) for sign in (-1, 1)]
+"""Shares of an interval whose ordinates have the mean of two cubic arcs, one on either half."""
+_OUTSIDE = ("no curve stands over the foot", "над основанием нет кривой")
+
+
+@operation(
+    "Из {foot} восставить перпендикуляр к оси до кривой {curve}; отметить {it}.", fails=_OUTSIDE
+)
+def erect(curve: Curve, foot: Point) -> Point:
+    """From {foot} erect the perpendicular to the axis up to the curve {curve}; mark {it}."""
+    p, m, u = _arc(curve, foot)
+    a, b, c, d = (2 * u + 1) * (u - 1) ** 2, u * (u - 1) ** 2, u**2 * (3 - 2 * u), u**2 * (u - 1)
+    y = a * p[0].imag + b * m[0].imag + c * p[1].imag + d * m[1].imag
+    return Point(foot.real + 1j * y)
+
+
+@operation("Над {foot} провести касательную {it} к кривой {curve}.", fails=_OUTSIDE)
+def touching(curve: Curve, foot: Point) -> Line:
+    """Above {foot} draw the tangent {it} to the curve {curve}."""
+    return Line(
+        erect.run(curve, foot), unit(np.asarray(1.0 + 1j * rise_of(curve, foot), np.complex128))
+    )
+
+
+def rise_of(curve: Curve, foot: Complexes) -> Reals:
+    """Return how steep a curve is over feet on the base, mm/mm."""
+    p, m, u = _arc(curve, foot)
+    a, b, c = 6 * u * (u - 1), (3 * u - 1) * (u - 1), u * (3 * u - 2)
+    along = a * (p[0] - p[1]) + b * m[0] + c * m[1]
+    return np.asarray(along.imag / along.real)
+
+
+@operation(
+    "Над отрезком {start}{end} заменить фигуру под кривой {curve} равновеликим прямоугольником; середину его "
+    "верхней стороны отметить {it}.",
+    fails=_OUTSIDE,
+)
+def level_off(curve: Curve, start: Point, end: Point) -> Point:
+    """Over {start}{end} draw a rectangle as large as the figure below {curve}; mark {it}, its upper middle.
+
+    It is exact for a curve whose cubic arcs begin at the ends of the intervals, or in their middles.
+    """
+    heights = [erect.run(curve, start + share * (end - start)).imag for share in _GAUSS]
+    return Point((start.real + end.real) / 2.0 + 0.25j * sum(heights))
+
+
+def _arc(
+    curve: Curve, foot: Complexes
+) -> tuple[tuple[Complexes, Complexes], tuple[Complexes, Complexes], Reals]:
+    """Return the ends and end tangents of the arc over each foot, and where on it the foot stands, 0 … 1."""
+    knots = np.where(np.isfinite(curve.knots), curve.knots, np.nan + np.nan * 1j)
+    x, tangents = _abscissas(curve.knots), curve.tangents
+    trials, last = max(knots.shape[0], foot.shape[0]), knots.shape[1] - 2
+    found = []
+    for k in range(trials):
+        own, at = min(k, knots.shape[0] - 1), foot.real[min(k, foot.shape[0] - 1)]
+        near = np.clip(np.searchsorted(x[own], at, side="right") - 1, 0, last)
+        u = (at - x[own, near]) / (x[own, near + 1] - x[own, near])
+        p, m = knots[own], tangents[own]
+        found.append((p[near], p[near + 1], m[near], m[near + 1], u))
+    p, q, m, n, u = (np.array(rows) for rows in zip(*found, strict=True))
+    slack = 1e-9
+    return (p, q), (m, n), np.where((u >= -slack) & (u <= 1 + slack), u, np.nan)
+
+
+def _abscissas(knots: Complexes) -> Reals:
+    """Return where the knots stand along the base; a missing knot stands evenly between its neighbours."""
+    x = np.array(knots.real)
+    if np.isfinite(x).all():
+        return x
+    for row in x:
+        there = np.isfinite(row)
+        if 2 <= there.sum() < row.size:
+            k = np.arange(row.size)
+            even = np.polynomial.polynomial.polyfit(k[there], row[there], 1)
+            row[~there] = np.polynomial.polynomial.polyval(k[~there], even)
+    return x
+
+
+@operation(
+    "От {start} один за другим провести отрезки, над каждым интервалом параллельно его лучу {rays}; "
+    "их начала отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
+    """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark beginnings {it}.
+
+    The intervals are those of ``feet`` and ``end``; each segment begins where the one before it ended.
+    """
+    rises = _rises(rays, feet, end, row)
+    found = np.full(rises.shape[:1] + feet.shape[1:], np.nan + np.nan * 1j)
+    y = start[:, :1].imag + np.concatenate([np.zeros_like(rises[:, :1]), rises[:, :-1]], 1).cumsum(
+        1
+    )
+    found[:, :row] = feet[:, :row].real + 1j * y
+    return Point(found)
+
+
+@operation(
+    "Конец последнего отрезка {rays} от {start} отметить {it}.", across=True, fails=WHOLE_ROW
+)
+def arrival(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
+    """Mark {it} where the last of the segments drawn from {start} parallel to the rays {rays} ends."""
+    rises = _rises(rays, feet, end, row)
+    return Point(end[:, :1].real + 1j * (start[:, :1].imag + rises.sum(axis=1, keepdims=True)))
+
+
+def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
+    """Return by how much each segment rises over its interval, mm."""
+    x = np.concatenate(alike(feet[:, :row].real, end[:, :1].real), axis=1)
+    along = rays.along[:, :row]
+    slope = np.where(along.real == 0.0, np.nan, along.imag / along.real)
+    return np.asarray(np.diff(x, axis=1) * slope)
+
+
+@operation(
+    "На кривой {curve} от {start} до {end} найти высшую точку; отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def highest(curve: Curve, start: Point, end: Point) -> Point:
+    """On the curve {curve}, from {start} to {end}, find the highest point; mark {it}."""
+    return Point(_extreme(curve, start, end, 1.0))
+
+
+@operation(
+    "На кривой {curve} от {start} до {end} найти низшую точку; отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def lowest(curve: Curve, start: Point, end: Point) -> Point:
+    """On the curve {curve}, from {start} to {end}, find the lowest point; mark {it}."""
+    return Point(_extreme(curve, start, end, -1.0))
+
+
+_NOWHERE = complex(np.nan, np.nan)
+EVEN = 1e-9
+"""Ordinates that differ by less of the curve's height are as high as one another."""
+
+
+def _extreme(curve: Curve, start: Complexes, end: Complexes, sign: float) -> Complexes:
+    """Return the first of the highest (lowest) points; missing if any of the curve is, for it could be there.
+
+    The first of those that are as high but for rounding, so that this does not choose among them.
+    """
+    feet = np.concatenate(alike(start[:, :1].real, end[:, :1].real), axis=1)
+    knots, tangents, feet = alike(curve.knots, curve.tangents, feet)
+    spots = np.concatenate([knots, *stationary(knots, tangents, -1j)], axis=1)
+    spots = np.where((spots.real > feet[:, :1]) & (spots.real < feet[:, 1:]), spots, _NOWHERE)
+    spots = np.concatenate([erect.run(curve, feet), spots], axis=1)
+    heights = np.where(np.isfinite(spots), sign * spots.imag, -np.inf)
+    best = heights.max(axis=1, keepdims=True)
+    even = EVEN * np.ptp(knots.imag, axis=1, keepdims=True)
+    first = np.argmin(np.where(heights >= best - even, spots.real, np.inf), axis=1)[:, None]
+    whole = (np.isfinite(knots) & np.isfinite(tangents)).all(axis=1, keepdims=True)
+    return np.where(whole, np.take_along_axis(spots, first, axis=1), _NOWHERE)

@@ -1,0 +1,87 @@
+"""Figures as a whole: the farthest of points, lines that support them, the area that a curve encloses."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.geometry import along, cis, wedge
+from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.operations.curve import stationary
+from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
+
+_ON = (("from above", "from below"), ("сверху", "снизу"))
+
+
+@operation(
+    "Среди точек {points} найти самую далёкую от {start}; отметить {it}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def farthest(start: Point, points: Point, *, row: int) -> Point:
+    """Find the point of {points} that is farthest from {start}; mark {it}."""
+    inside = points[:, :row]
+    reach = np.abs(inside - start[:, :1])
+    at = np.argmax(np.nan_to_num(reach, nan=-1.0), axis=1)[:, None]
+    whole = np.isfinite(inside).all(axis=1, keepdims=True)
+    return Point(np.where(whole, np.take_along_axis(inside, at, axis=1), np.nan + np.nan * 1j))
+
+
+@operation(
+    "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} {above}.",
+    across=True,
+    fails=WHOLE_ROW,
+    sides=_ON,
+)
+def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
+    """At the angle {angle} draw the line {it} that rests on the points {points} {above}.
+
+    ``above``: 1 for the line that leaves all points below it, −1 for the one that leaves them above it.
+    """
+    inside, way = points[:, :row], cis(angle[:, :1])
+    height = above * along(inside, 1j * way)
+    at = np.argmax(np.nan_to_num(height, nan=-np.inf), axis=1)[:, None]
+    spot = np.take_along_axis(inside, at, axis=1)
+    whole = np.isfinite(inside).all(axis=1, keepdims=True)
+    return Line(np.where(whole, spot, np.nan), np.broadcast_to(way, spot.shape))
+
+
+@operation(
+    "Под углом {angle} провести касательную {it} к кривой {curve} {above}.",
+    across=True,
+    fails=WHOLE_ROW,
+    sides=_ON,
+)
+def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
+    """At the angle {angle} draw the tangent {it} that touches the closed curve {curve} {above}.
+
+    ``above``: 1 for the line above the curve, −1 for the one below it.
+    """
+    way = cis(angle[:, :1])
+    spots = []
+    for trial in range(curve.knots.shape[0]):
+        p, m = curve.knots[trial], curve.tangents[trial]
+        turned = above * np.conj(1j * way[min(trial, way.shape[0] - 1), 0])
+        round_ = np.append(np.arange(p.size), 0)
+        found = np.concatenate([p, *stationary(p[round_], m[round_], turned)])
+        heights = (found * turned).real
+        whole = np.isfinite(p).all() and np.isfinite(m).all()
+        best = found[np.argmax(np.nan_to_num(heights, nan=-np.inf))]
+        spots.append(best if whole else np.nan)
+    spot = np.array(spots, dtype=np.complex128)[:, None]
+    return Line(spot, np.broadcast_to(way, spot.shape))
+
+
+@operation("Обвести {curve} планиметром; площадь, мм², есть {it}.", across=True, fails=WHOLE_ROW)
+def planimeter(curve: Curve) -> Number:
+    """Go round {curve} with the planimeter; its area, mm², is {it}.
+
+    It has no sign; it is exact for the cubic arcs of a closed curve.
+    """
+    p, m = curve.knots, curve.tangents
+    q, n = np.roll(p, -1, axis=1), np.roll(m, -1, axis=1)
+    return Number(np.abs(_sector(p, q, m, n).sum(axis=1, keepdims=True)))
+
+
+def _sector(p: Complexes, q: Complexes, m: Complexes, n: Complexes) -> Reals:
+    """Return ½∮(x dy − y dx) of Hermite arcs."""
+    return np.asarray(wedge(p, q) / 2.0 + wedge(q - p, n - m) / 10.0 - wedge(m, n) / 60.0)

@@ -1,0 +1,216 @@
+"""Where the centre of a cam with a translating roller may stand: the S–dS/dφ diagram and its tangents.
+
+dS/dφ is laid off square to the displacement, to the side to which the velocity comes when it is turned by 90°
+as the cam turns. The ray from the centre of the cam to a point Q of the curve is then parallel to the normal
+of the profile: its angle with the path is the pressure angle, its length the pace of the roller along the
+profile.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
+from graphic_tmm.board.operations.instruments import (
+    cut,
+    lay_off,
+    measure,
+    measure_along,
+    meet,
+    parallel,
+    ray,
+    square,
+    strike,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Number, Point, Side
+from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.diagrams import Diagrams
+from graphic_tmm.chapters.cam.operations import (
+    extreme_of_two,
+    outer_parallel,
+    slant,
+    smooth_stretch,
+    touch_curve,
+)
+from graphic_tmm.chapters.cam.task import CamOrder
+
+VIEW = "cam centre"
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The follower's motion to the scale of the centres: S, dS/dφ, and d²S/dφ² of every stretch (Length)."""
+
+    S: Mark
+    V: Mark
+    A: tuple[Mark, ...]
+
+
+@dataclass(frozen=True)
+class Centre:
+    """The region of allowed centres as drawn, and the centre chosen.
+
+    ``roller``: the roller's centre in its positions; ``points`` Q; ``curves`` through them; ``limits``: lines
+    that bound the region, towards the rise and the return; ``lowest``: the roller's lowest place; ``centre``
+    O. ``least`` and ``r0``: the least radius allowed and the chosen one (Number, m), ``radius`` the chosen
+    one on the drawing (Length); ``least_centre``: where the cam's centre stands with the least
+    one; ``apex`` and ``apex_radius``: where both limits meet (not with a rocker). ``displacement``
+    (Length), ``pressure`` (Angle), ``pace`` (Length) and, for every stretch, ``turning`` of the normal for a
+    radian of the cam (Number).
+    """
+
+    view: str
+    mu: Mark
+    roller: Mark
+    points: Mark
+    curves: tuple[Mark, ...]
+    limits: tuple[Mark, ...]
+    lowest: Mark
+    least_centre: Mark
+    centre: Mark
+    least: Mark
+    r0: Mark
+    radius: Mark
+    apex: Mark | None
+    apex_radius: Mark | None
+    displacement: Mark
+    pressure: Mark
+    pace: Mark
+    turning: tuple[Mark, ...]
+
+
+@dataclass(frozen=True)
+class Path:
+    """The path of a translating roller as drawn for its profile: s0 and the offset e (Length)."""
+
+    s0: Mark
+    offset: Mark | None
+
+
+def scale_of_lengths(draft: Draft, order: CamOrder, diagrams: Diagrams) -> Mark:
+    """Return the scale of centres and profile, that of S unless the order says (m/mm)."""
+    if order.mu_l is None:
+        return diagrams.S.chart.mu
+    return draft.take(Number, "μ_l", order.mu_l, "m/mm")
+
+
+def scaled_motion(draft: Draft, diagrams: Diagrams, mu: Mark) -> Motion:
+    """Carry the readings of the diagrams to the scale ``mu``."""
+
+    def carried(reading: Mark, of: Mark, letter: str) -> Mark:
+        if of == mu:
+            return reading
+        return draft.board.draw(rescaled, draft.board.free(letter), reading, of, mu)
+
+    seconds = [carried(r, diagrams.A.chart.mu, "a") for r in diagrams.A.readings]
+    displacement = carried(diagrams.S.reading, diagrams.S.chart.mu, "s")
+    return Motion(
+        displacement, carried(diagrams.V.reading, diagrams.V.chart.mu, "v"), tuple(seconds)
+    )
+
+
+def draw_centre(
+    draft: Draft, order: CamOrder, diagrams: Diagrams, offset: float, sense: int
+) -> tuple[Centre, Path]:
+    """Draw the S–dS/dφ diagram, the tangents at the allowed pressure angles, the least r0 and the chosen one.
+
+    ``sense``: 1 if the cam turns counter-clockwise, −1 clockwise.
+    """
+    board = draft.board
+    board.open(VIEW)
+    mu = scale_of_lengths(draft, order, diagrams)
+    motion = scaled_motion(draft, diagrams, mu)
+    board.lay_out(None, mu)
+    lowest = draft.take(Point, "B_0", 0j)
+    up = board.draw(ray, "(y)", lowest, draft.direction(90.0))
+    roller = board.draw(lay_off, "B", up, motion.S)
+    outward = board.draw(square, "(B)", roller, up, sense=sense)
+    points = board.draw(lay_off, "Q", outward, motion.V)
+    curves = tuple(
+        board.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
+        for _, first, last in diagrams.stretches
+    )
+    limits = _limits(draft, order, diagrams, up, curves, sense)
+    down, e = _path(draft, mu, lowest, up, offset, sense)
+    ends = [board.draw(meet, f"O_{k}", down, limit) for k, limit in enumerate(limits, 1)]
+    least_centre = board.draw(extreme_of_two, "O_{min}", *ends, above=-1)
+    least = board.draw(
+        in_si, "r_{min}", board.draw(measure, "OB", least_centre, lowest), mu, unit="m"
+    )
+    apex = board.draw(meet, "O*", *limits)
+    small = board.draw(in_si, "r*", board.draw(measure, "O*B", apex, lowest), mu, unit="m")
+    r0, radius = choose_radius(draft, order, least, mu)
+    circle = board.draw(strike, "(R_0)", lowest, radius)
+    centre = board.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0))
+    s0 = board.draw(measure_along, "s_0", centre, lowest, up)
+    pressure = board.draw(slant, "α", centre, points, up, sense=sense, unit="°")
+    pace = board.draw(measure, "OQ", centre, points)
+    p = board.draw(measure_along, "p", centre, points, up)
+    out = board.draw(square, "(B_0)", lowest, up, sense=sense)
+    q = board.draw(measure_along, "q", centre, points, out)
+    turning = [
+        board.draw(f.turning_of_normal, board.free("τ"), p, q, motion.V, a) for a in motion.A
+    ]
+    made = Centre(
+        VIEW, mu, roller, points, curves, limits, lowest, least_centre, centre, least, r0, radius,
+        apex, small, motion.S, pressure, pace, tuple(turning),
+    )  # fmt: skip
+    return made, Path(s0, e)
+
+
+def choose_radius(draft: Draft, order: CamOrder, least: Mark, mu: Mark) -> tuple[Mark, Mark]:
+    """Return the radius r0 chosen, or the least one up to whole millimetres: its value and its length drawn."""
+    if order.r0 is not None:
+        r0 = draft.take(Number, "r_0", order.r0, "m")
+    else:
+        r0 = draft.board.draw(f.whole_mm_above, "r_0", least, unit="m")
+    return r0, draft.board.draw(to_board, "R_0", r0, mu)
+
+
+def limit_angles(draft: Draft, order: CamOrder) -> tuple[Mark, Mark]:
+    """Take the allowed pressure angles, towards the rise and the return; one mark where they are the same."""
+    first = draft.take(Angle, "[α]", order.pressure, "°")
+    if order.pressure_return is None:
+        return first, first
+    return first, draft.take(Angle, "[α_f]", order.pressure_return, "°")
+
+
+def _limits(
+    draft: Draft,
+    order: CamOrder,
+    diagrams: Diagrams,
+    up: Mark,
+    curves: Sequence[Mark],
+    sense: int,
+) -> tuple[Mark, Mark]:
+    """Draw the tangents at the allowed pressure angles, to the curve of the rise and to that of the return."""
+    board, found = draft.board, []
+    angles = limit_angles(draft, order)
+    for k, (phase, angle) in enumerate(zip(diagrams.turn.phases, angles, strict=True), 1):
+        left = sense * phase.sign
+        own = [
+            board.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
+            for curve, (of, _, _) in zip(curves, diagrams.stretches, strict=True)
+            if of == phase
+        ]
+        line = own[0]
+        for other in own[1:]:
+            line = board.draw(outer_parallel, f"(τ_{k})", line, other, left=left)
+        found.append(line)
+    return found[0], found[1]
+
+
+def _path(
+    draft: Draft, mu: Mark, lowest: Mark, up: Mark, offset: float, sense: int
+) -> tuple[Mark, Mark | None]:
+    """Draw the line of the centres downward; return it and e as drawn (Length), if there is one."""
+    board = draft.board
+    if offset == 0.0:
+        return board.draw(parallel, "(O)", lowest, up, sense=-1), None
+    e = board.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"), mu)
+    out = board.draw(square, "(e)", lowest, up, sense=sense)
+    foot = board.draw(lay_off, "E", out, e)
+    return board.draw(parallel, "(O)", foot, up, sense=-1), e

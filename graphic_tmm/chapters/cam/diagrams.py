@@ -1,0 +1,251 @@
+"""The diagrams S, dS/dφ and d²S/dφ² of a cam's follower over one turn, on one base."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board import graphs
+from graphic_tmm.board.charts import Chart
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.graphs import Axes, Base
+from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
+from graphic_tmm.board.operations.graph_curves import graph_of_stretch
+from graphic_tmm.board.operations.instruments import lay_off, measure_along, parallel, square
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import law_formulas as law
+from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integral
+from graphic_tmm.chapters.cam.laws import Ground, draw_law
+from graphic_tmm.chapters.cam.operations import in_turn, phase_end
+from graphic_tmm.chapters.cam.phases import Phase, Turn
+from graphic_tmm.chapters.cam.task import CamOrder, RockerFollower
+
+VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
+LETTERS = {"S": "S", "V": "S′", "A": "S″"}
+ROOM = 50.0
+"""Room for the largest ordinate of d²S/dφ², mm."""
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """One diagram: its axes, its chart; points, curves and readings (Length) by stretch, in their order.
+
+    ``reading``: the ordinates of all positions in one (Length); of d²S/dφ² there are two where it jumps, and
+    that of the earlier stretch stands here.
+    """
+
+    axes: Axes
+    chart: Chart
+    points: tuple[Mark, ...]
+    curves: tuple[Mark, ...]
+    readings: tuple[Mark, ...]
+    reading: Mark
+
+
+@dataclass(frozen=True)
+class Diagrams:
+    """The three diagrams, and what they share.
+
+    ``angle``: the cam's angle of every position (Angle); ``steps``: that between two positions
+    (Angle), and ``phases`` the whole phase (Number, rad), for the rise and for the return; ``stroke``
+    (Number); ``integrals``: of the phases that are given by their acceleration diagram.
+    """
+
+    turn: Turn
+    base: Base
+    angle: Mark
+    stroke: Mark
+    steps: tuple[Mark, Mark]
+    phases: tuple[Mark, Mark]
+    S: Diagram
+    V: Diagram
+    A: Diagram
+    integrals: tuple[Integral, ...]
+
+    @property
+    def stretches(self) -> tuple[tuple[Phase, int, int], ...]:
+        """Every stretch of the turn: its phase, its first and its last position."""
+        return tuple((p, *ends) for p in self.turn.phases for ends in p.stretches)
+
+
+class _Common(NamedTuple):
+    order: CamOrder
+    turn: Turn
+    base: Base
+    stroke: Mark
+    extents: tuple[Mark, Mark]
+    phases: tuple[Mark, Mark]
+    shares: tuple[tuple[Mark, ...], ...]
+    integrals: tuple[Integral | None, ...]
+
+
+def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
+    """Draw the diagrams of the follower's motion.
+
+    Its scales: that of S follows from the stroke's height, that of dS/dφ is the same unless the order says,
+    that of d²S/dφ² is free unless the order says.
+    """
+    board = draft.board
+    board.open(VIEWS["S"])
+    length = draft.take(Length, "L", order.base, "mm")
+    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
+    x = board.draw(f.along_turn, "x_φ", angle, length)
+    base = Base(turn.positions, length, x, mu_phi, draft.direction(0.0))
+    unit = "rad" if isinstance(order.follower, RockerFollower) else "m"
+    stroke = draft.take(Number, "h", order.stroke, unit)
+    mu_S, height = _scale_of_S(draft, order, stroke, unit)
+    extents, steps, phases, shares = _divided(draft, turn)
+    common = _Common(order, turn, base, stroke, extents, phases, shares, ())
+    integrals = _integrals(draft, common)
+    common = common._replace(integrals=integrals)
+    mu_V = mu_S
+    if order.mu_V is not None:
+        board.open(VIEWS["V"])
+        mu_V = draft.take(Number, "μ_{S′}", order.mu_V, f"{unit}/mm")
+    board.open(VIEWS["A"])
+    mu_A = board.take(Number, "μ_{S″}", f"{unit}/mm")
+    scales = (("S", mu_S), ("V", mu_V), ("A", mu_A))
+    S, V, A = (_diagram(draft, common, which, mu, height, unit) for which, mu in scales)
+    drawn = tuple(i for i in integrals if i is not None)
+    return Diagrams(turn, base, angle, stroke, steps, phases, S, V, A, drawn)
+
+
+def _scale_of_S(draft: Draft, order: CamOrder, stroke: Mark, unit: str) -> tuple[Mark, Mark]:
+    """Return the scale of S and the height of the stroke on its diagram (Length)."""
+    if order.mu_S is not None:
+        mu = draft.take(Number, "μ_S", order.mu_S, f"{unit}/mm")
+        return mu, draft.board.draw(to_board, "h_S", stroke, mu)
+    height = draft.take(Length, "h_S", order.height, "mm")
+    return draft.board.draw(f.scale_of_stroke, "μ_S", stroke, height, unit=f"{unit}/mm"), height
+
+
+def _divided(
+    draft: Draft, turn: Turn
+) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark], tuple[Mark, Mark], tuple[tuple[Mark, ...], ...]]:
+    """Take the phases and their even division: extents, steps (Angle), radians, shares of every stretch."""
+    board, rows = draft.board, []
+    for phase in turn.phases:
+        name = {"rise": "r", "return": "f"}[phase.name]
+        extent = draft.take(Angle, f"φ_{name}", phase.extent, "°")
+        parts = draft.take(Number, f"N_{name}", float(phase.parts))
+        step = board.draw(f.angle_of_part, f"Δφ_{name}", extent, parts, unit="°")
+        radians = board.draw(f.radians_of, f"Φ_{name}", extent, unit="rad")
+        shares = []
+        for ends in phase.stretches:
+            k = np.arange(ends[0], ends[1] + 1)
+            far = k - phase.first if phase.sign > 0 else phase.last - k
+            number = draft.take(Number, f"n_{name}", turn.over(ends, far.astype(float)))
+            shares.append(board.draw(law.share_of_parts, f"u_{name}", number, parts))
+        rows.append((extent, step, radians, tuple(shares)))
+    (a, b) = rows
+    return (a[0], b[0]), (a[1], b[1]), (a[2], b[2]), (a[3], b[3])
+
+
+def _integrals(draft: Draft, common: _Common) -> tuple[Integral | None, ...]:
+    found: list[Integral | None] = []
+    for phase in common.turn.phases:
+        if phase.law.name == "diagram":
+            rest = (common.turn, phase, common.stroke, common.order.poles)
+            found.append(draw_integral(draft, common.base, *rest))
+        else:
+            found.append(None)
+    return tuple(found)
+
+
+def _diagram(
+    draft: Draft, common: _Common, which: str, mu: Mark, height: Mark, unit: str
+) -> Diagram:
+    """Draw one diagram over the turn: both phases, the dwells between them, the readings."""
+    board, letter = draft.board, LETTERS[which]
+    board.open(VIEWS[which])
+    axes = graphs.draw_axes(draft, VIEWS[which], common.base, mu)
+    points: list[Mark] = []
+    for k, integral in enumerate(common.integrals):
+        ground = _ground(draft, common, k, axes)
+        if integral is None:
+            points += draw_law(draft, ground, which, height)
+        else:
+            points += lay_integral(draft, ground, integral, which, height)
+        board.open(VIEWS[which])
+    stretches = [ends for phase in common.turn.phases for ends in phase.stretches]
+    curves: list[Mark] = []
+    readings: list[Mark] = []
+    for spots, (first, last) in zip(points, stretches, strict=True):
+        curves.append(
+            board.draw(
+                graph_of_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
+            )
+        )
+        readings.append(
+            board.draw(measure_along, f"{letter}_{len(readings) + 1}", axes.feet, spots, axes.up)
+        )
+    _outline(draft, common.turn, axes, points, which)
+    merged = merge(draft, common.turn, readings, letter)
+    chosen = which == "A"
+    wanted = common.order.mu_A if chosen else None
+    chart = Chart(VIEWS[which], letter, unit, mu, tuple(readings), chosen, wanted, ROOM)
+    return Diagram(axes, chart, tuple(points), tuple(curves), tuple(readings), merged)
+
+
+def merge(draft: Draft, turn: Turn, readings: Sequence[Mark], letter: str) -> Mark:
+    """Make one row of readings of those of the stretches, in their order."""
+    board = draft.board
+    stretches = [ends for phase in turn.phases for ends in phase.stretches]
+    found = readings[-1]
+    for k in range(len(readings) - 2, -1, -1):
+        at = draft.take(Number, board.free("σ"), turn.inside(*stretches[k]))
+        rest = ",".join(str(n) for n in range(k + 1, len(readings) + 1))
+        name = letter if k == 0 else board.free(f"{letter}_{{{rest}}}")
+        found = board.draw(in_turn, name, readings[k], found, at)
+    return found
+
+
+def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
+    """Mark on the base where a phase begins and ends, and its divisions."""
+    board, phase, length = draft.board, common.turn.phases[k], common.base.length
+    ends = (phase.start, phase.start + phase.extent)
+    board.say(phase.name)
+    feet = []
+    for angle, name in zip(ends if phase.sign > 0 else ends[::-1], ("o", "e"), strict=True):
+        at = draft.take(Angle, board.free(f"φ_{name}"), angle, "°")
+        x = board.draw(f.along_turn, f"x_{name}", at, length)
+        feet.append(board.draw(lay_off, board.free(name), axes.along, x))
+    near, far = feet
+    inward = board.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
+    out = board.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
+    whole = board.draw(f.along_turn, "l", common.extents[k], length)
+    divisions = []
+    for share in common.shares[k]:
+        x = board.draw(law.even_height, "x", share, whole)
+        divisions.append(board.draw(lay_off, board.free("n"), inward, x))
+    rise = board.draw(square, "(y)", near, axes.along, sense=1)
+    drop = board.draw(square, "(y)", near, axes.along, sense=-1)
+    rest = (common.phases[k], common.stroke, axes.mu)
+    return Ground(
+        phase, common.shares[k], tuple(divisions), axes.along, near, far, out, rise, drop, *rest
+    )
+
+
+def _outline(draft: Draft, turn: Turn, axes: Axes, points: Sequence[Mark], which: str) -> None:
+    """Tell what is drawn besides the curves: the dwells, and the jumps of the acceleration."""
+    board = draft.board
+    rows = [(p, ends) for p in turn.phases for ends in p.stretches]
+
+    def end(spots: Mark, at: int) -> Mark:
+        return board.draw(phase_end, board.free(f"{spots.letter}_e"), spots, at=at)
+
+    board.figure("outline", "start", axes.origin, end(points[0], 0))
+    for (spots, (_, (_, last))), (after, (_, (first, _))) in pairwise(
+        zip(points, rows, strict=True)
+    ):
+        feet = [end(axes.feet, at) for at in (last, first)] if which == "A" and first > last else []
+        board.figure("outline", "between", end(spots, last), *feet, end(after, first))
+    feet = [end(axes.feet, turn.fall.last)] if which == "A" else []
+    board.figure("outline", "lower dwell", end(points[-1], turn.fall.last), *feet, axes.end)

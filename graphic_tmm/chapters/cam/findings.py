@@ -1,0 +1,147 @@
+"""Where a finished cam passes its limits, with the angle of the cam: pressure angle, roller, convexity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.rocker import Lever
+from graphic_tmm.chapters.cam.task import FlatFollower
+
+PROTRACTOR = 0.05
+"""Degrees: 0.1 mm on a ray of 100 mm. A pressure angle that is over by less cannot be told from the limit."""
+RULER = 1e-4
+"""A length that is over by less than this share of itself (0.01 mm in 100) cannot be told from its limit."""
+
+_AT = ("at φ = {angle:.4g}°", "при φ = {angle:.4g}°")
+_SMALL = (
+    "r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least",
+    "r0 = {r0:.4g} мм мал, нужно не менее {least:.4g} мм",
+)
+_STEEP = (
+    f"the pressure angle reaches {{value:.4g}}° {_AT[0]}, {{limit:g}}° are allowed",
+    f"угол давления {_AT[1]} достигает {{value:.4g}}° при допускаемом {{limit:g}}°",
+)
+_WORDS = {
+    "pressure": (f"{_STEEP[0]}: {_SMALL[0]}", f"{_STEEP[1]}: {_SMALL[1]}"),
+    "path": (
+        f"{_STEEP[0]}: no larger r0 helps, change the distance of the centres or the offset",
+        f"{_STEEP[1]}: больший r0 не поможет, измените межосевое расстояние или эксцентриситет",
+    ),
+    "no centre": (
+        f"wherever the cam stands at this distance from the lever's pivot, the pressure angle {_AT[0]} passes "
+        "{limit:g}°: increase the distance of the centres, the phase or the pressure angle allowed",
+        f"при этом межосевом расстоянии угол давления {_AT[1]} всегда больше {{limit:g}}°: увеличьте межосевое "
+        "расстояние, фазовый угол или допускаемый угол давления",
+    ),
+    "roller by r0": (
+        "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of r0",
+        "радиус ролика {value:.4g} мм больше {limit:.4g} мм, допускаемой доли r0",
+    ),
+    "roller by curvature": (
+        "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of the least "
+        f"radius of curvature, {_AT[0]}",
+        "радиус ролика {value:.4g} мм больше {limit:.4g} мм, допускаемой доли наименьшего радиуса кривизны, "
+        f"{_AT[1]}",
+    ),
+    "undercut": (
+        f"the roller of {{value:.4g}} mm cuts the profile away {_AT[0]}, where its radius of curvature is "
+        "{limit:.4g} mm: take a smaller roller or a larger r0",
+        f"ролик радиуса {{value:.4g}} мм срезает профиль {_AT[1]}, где радиус кривизны {{limit:.4g}} мм: "
+        "возьмите меньший ролик или больший r0",
+    ),
+    "hollow": (
+        f"the radius of curvature under the flat face falls to {{value:.4g}} mm {_AT[0]}, {{limit:.4g}} mm "
+        f"are the least: {_SMALL[0]}",
+        f"радиус кривизны под тарелкой {_AT[1]} падает до {{value:.4g}} мм, наименьший {{limit:.4g}} мм: "
+        f"{_SMALL[1]}",
+    ),
+}
+"""By kind: the sentence in English and in Russian."""
+
+
+class CamFinding(NamedTuple):
+    """A limit that is passed: what, at which angle of the cam (degrees, NaN for all), value and limit.
+
+    ``value`` and ``limit`` in degrees for a pressure angle, else in mm; ``r0`` and its least value in mm.
+    """
+
+    kind: str
+    angle: float
+    value: float
+    limit: float
+    r0: float
+    least: float
+
+    def says(self, language: str) -> str:
+        """Return the finding as a sentence ("ru" or "en")."""
+        words = _WORDS[self.kind][0 if language == "en" else 1]
+        return words.format(**self._asdict())
+
+
+def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
+    """Return the limits that a cam passes, in the order in which they are checked."""
+
+    def one(mark: Mark) -> float:
+        return float(reading[mark][0, 0])
+
+    sizes = (1000.0 * one(cam.r0), 1000.0 * one(cam.least))
+    if isinstance(cam.order.follower, FlatFollower):
+        return _hollow(cam, one, sizes)
+    return (*_pressure(reading, cam, one, sizes), *_roller(cam, one, sizes))
+
+
+def _hollow(
+    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    assert isinstance(cam.order.follower, FlatFollower)
+    (flattest,) = cam.curvature.extremes
+    rho, least = 1000.0 * one(flattest.value), 1000.0 * cam.order.follower.least
+    if rho >= least - RULER * sizes[0]:
+        return ()
+    return (CamFinding("hollow", one(flattest.angle), rho, least, *sizes),)
+
+
+def _pressure(
+    reading: Reading, cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    assert cam.pressure is not None
+    limits = (cam.order.pressure, cam.order.pressure_return or cam.order.pressure)
+    found = []
+    if isinstance(cam.path, Lever):
+        turn = cam.diagrams.turn
+        for mark, phase, limit in zip(cam.path.chart.ordinates, turn.phases, limits, strict=True):
+            own = reading[mark][0, phase.first : phase.last + 1]
+            gone = np.flatnonzero(~np.isfinite(own))
+            if gone.size:
+                place = turn.angles[phase.first + int(gone[gone.size // 2])]
+                found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))
+    kind = "pressure" if sizes[0] < sizes[1] else "path"
+    for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=True):
+        if sign * one(extreme.value) > limit + PROTRACTOR:
+            place = one(extreme.angle)
+            found.append(CamFinding(kind, place, abs(one(extreme.value)), limit, *sizes))
+    return tuple(found)
+
+
+def _roller(
+    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    assert cam.roller is not None
+    (sharpest,) = cam.curvature.extremes
+    angle, rho = one(sharpest.angle), 1000.0 * one(sharpest.value)
+    radius = 1000.0 * one(cam.roller.radius)
+    by_r0, by_rho = 1000.0 * one(cam.roller.by_r0), 1000.0 * one(cam.roller.by_curvature)
+    found = []
+    if radius > by_r0 * (1.0 + RULER):
+        found.append(CamFinding("roller by r0", float("nan"), radius, by_r0, *sizes))
+    if radius >= rho:
+        found.append(CamFinding("undercut", angle, radius, rho, *sizes))
+    elif radius > by_rho * (1.0 + RULER):
+        found.append(CamFinding("roller by curvature", angle, radius, by_rho, *sizes))
+    return tuple(found)

@@ -1,0 +1,109 @@
+"""The least radius of a cam with a flat face: its profile is convex everywhere.
+
+The radius of curvature is r0 + S + d²S/dφ². In the diagram of S over d²S/dφ² the sum is constant on lines
+that fall at 45°; the one that touches the curve from below cuts off on the axis of S how much r0 has to make
+up for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si, to_board, total
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    ray,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.centre import (
+    VIEW,
+    Motion,
+    choose_radius,
+    scale_of_lengths,
+    scaled_motion,
+)
+from graphic_tmm.chapters.cam.diagrams import Diagrams
+from graphic_tmm.chapters.cam.operations import (
+    outer_parallel,
+    phase_end,
+    smooth_stretch,
+    touch_curve,
+)
+from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower
+
+
+@dataclass(frozen=True)
+class Convexity:
+    """The diagram of S over d²S/dφ² as drawn, the least r0 and the chosen one.
+
+    ``points`` and ``curves`` by stretch; ``limit``: the line at 45°; ``cut``: where it cuts the axis of S;
+    ``least`` and ``r0`` (Number, m), ``radius`` the chosen one drawn (Length); ``radii``: of curvature, by
+    stretch (Length); ``outline``: both ends of every curve; ``lowest``: where S is 0.
+    """
+
+    view: str
+    mu: Mark
+    motion: Motion
+    points: tuple[Mark, ...]
+    curves: tuple[Mark, ...]
+    outline: tuple[Mark, ...]
+    limit: Mark
+    lowest: Mark
+    cut: Mark
+    least: Mark
+    r0: Mark
+    radius: Mark
+    radii: tuple[Mark, ...]
+
+
+def draw_convexity(
+    draft: Draft, order: CamOrder, diagrams: Diagrams, of: FlatFollower
+) -> Convexity:
+    """Draw the condition of convexity, the least r0 and the chosen one."""
+    board = draft.board
+    board.open(VIEW)
+    mu = scale_of_lengths(draft, order, diagrams)
+    motion = scaled_motion(draft, diagrams, mu)
+    board.lay_out(None, mu)
+    origin = draft.take(Point, "O", 0j)
+    up = board.draw(ray, "(S)", origin, draft.direction(90.0))
+    across = board.draw(square, "(S″)", origin, up, sense=-1)
+    spots = board.draw(lay_off, "B", up, motion.S)
+    lines = board.draw(parallel, "(B)", spots, across)
+    points, curves = [], []
+    for second, (_, first, last) in zip(motion.A, diagrams.stretches, strict=True):
+        own = board.draw(lay_off, board.free("E"), lines, second)
+        points.append(own)
+        curves.append(board.draw(smooth_stretch, "(E–E)", own, first=first, last=last))
+    half = draft.direction(45.0)
+    limit = None
+    for k, curve in enumerate(curves, 1):
+        line = board.draw(touch_curve, f"(τ_{k})", curve, across, half, sense=-1, left=-1)
+        limit = line if limit is None else board.draw(outer_parallel, "(τ)", limit, line, left=-1)
+    assert limit is not None
+    cut = board.draw(meet, "M", up, limit)
+    need = board.draw(measure_along, "MO", cut, origin, up)
+    rho = board.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"), mu)
+    low = board.draw(total, "R_{min}", need, rho)
+    least = board.draw(in_si, "r_{min}", low, mu, unit="m")
+    r0, radius = choose_radius(draft, order, least, mu)
+    radii = tuple(
+        board.draw(f.flat_radius, board.free("ρ"), radius, motion.S, second) for second in motion.A
+    )
+    ends = []
+    for own, (_, first, last) in zip(points, diagrams.stretches, strict=True):
+        ends += [
+            board.draw(phase_end, board.free("e"), own, at=first),
+            board.draw(phase_end, board.free("e"), own, at=last),
+        ]
+    return Convexity(
+        VIEW, mu, motion, tuple(points), tuple(curves), tuple(ends), limit, origin, cut, least, r0,
+        radius, radii,
+    )  # fmt: skip

@@ -1,0 +1,190 @@
+"""Operations for cams: smooth stretches of a curve, lines that touch them, profiles swept by a follower.
+
+A moving phase is a stretch of the row of positions, evenly divided; ``first`` and ``last`` are its indices. A
+law whose acceleration jumps has a stretch on either side of the jump, so that no curve is drawn smooth across
+it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.geometry import along, cis, degrees, wedge
+from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.operations.curve import natural, neighbours, stationary
+from graphic_tmm.board.operations.graph_curves import free_ends
+from graphic_tmm.board.operations.graphs import EVEN
+from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Number, Point, Side
+
+_MOST = (("highest", "lowest"), ("высшую", "низшую"))
+
+
+@operation(
+    "По полуокружности {arc} от {start} отложить центральный угол {by}; отметить {it}.",
+)
+def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
+    """On the semicircle {arc} lay off the central angle {by} from {start}; mark {it}.
+
+    ``sense``: 1 counter-clockwise, −1 clockwise.
+    """
+    return Point(arc.centre + arc.radius * start.along * cis(sense * by))
+
+
+@operation("Через {through} провести {it} под углом {by} к {to}.")
+def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
+    """Through {through} draw {it} at the angle {by} to {to}.
+
+    ``sense``: 1 to lay the angle off counter-clockwise, −1 clockwise.
+    """
+    return Line(through, to.along * cis(sense * by))
+
+
+@operation("Через {through} внутрь профиля провести нормаль {it} под углом {by} к {to}.")
+def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
+    """Through {through} draw the normal {it} into the cam, at the angle {by} to {to}.
+
+    ``to`` is directed out of the cam; ``sense`` as with `slew`.
+    """
+    return Line(through, -to.along * cis(sense * by))
+
+
+@operation(
+    "Измерить угол {start}{end} с {to}.",
+    fails=("the two points coincide", "точки совпадают"),
+)
+def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
+    """Measure the angle of {start}{end} from {to}.
+
+    ``sense``: 1 if it counts counter-clockwise, −1 clockwise; −180 … 180°.
+    """
+    return Angle(sense * degrees((end - start) * np.conj(to.along)))
+
+
+@operation(
+    "На пересечении {line} с дугой {arc}, {side} от основания перпендикуляра, или, если дуга до неё не "
+    "достаёт, в самом основании отметить {it}.",
+    sides=(("along it", "back along it"), ("вперёд по направлению прямой", "назад")),
+)
+def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
+    """Where {arc} cuts {line}, {side} from the foot of its centre, or there if it does not, mark {it}."""
+    to_centre = arc.centre - line.at
+    height = wedge(line.along, to_centre)
+    half = np.sqrt(np.maximum((arc.radius - height) * (arc.radius + height), 0.0))
+    return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
+
+
+@operation("На первом участке взять {first}, на остальных {second}; это {it}.")
+def in_turn(first: Length, second: Length, at: Number) -> Length:
+    """On the first stretch take {first}, on the others {second}; this is {it}."""
+    return Length(np.where(at > 0, first, second))
+
+
+@operation("Из положений точки {of} отметить {it} на границе фазы.", across=True)
+def phase_end(of: Point, *, at: int) -> Point:
+    """Of the places of {of} mark the one {it} at the boundary of a phase."""
+    return Point(of[:, at : at + 1])
+
+
+@operation(
+    "Через точки {through} от края до края участка провести плавную кривую {it}.", across=True
+)
+def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
+    """Through the points {through}, from one end of the stretch to the other, draw the smooth curve {it}.
+
+    Where points are missing, each run of those that are there gets a natural spline of its own.
+    """
+    knots = np.asarray(through[:, first : last + 1])
+    tangents = np.full_like(knots, np.nan)
+    for trial, row in enumerate(knots):
+        if np.isfinite(row).all():
+            tangents[trial] = free_ends(row)
+            continue
+        for run in neighbours(np.isfinite(row), closed=False):
+            tangents[trial, run] = natural(row[run])
+    return Curve(knots, tangents, False)
+
+
+@operation(
+    "По точкам {points} с нормалями {normals} провести плавный профиль {it}.",
+    across=True,
+)
+def swept_profile(
+    points: Point, normals: Line, pace: Length, step: Angle, *, first: int, last: int, sense: int
+) -> Curve:
+    """Through the points {points} draw the smooth profile {it}, square to the normals {normals}.
+
+    ``pace``: how far the point runs along the profile while the cam turns by a radian; ``step``: the cam's
+    angle between two points. ``sense``: 1 where the profile runs to the left of its inward normals, −1 to the
+    right.
+    """
+    part = slice(first, last + 1)
+    reach = pace[:, part] * np.radians(step[:, part])
+    knots, way = np.broadcast_arrays(points[:, part], sense * 1j * normals.along[:, part] * reach)
+    return Curve(np.array(knots), np.array(way), False)
+
+
+@operation(
+    "Под углом {by} к {to} провести прямую {it}, касающуюся кривой {curve}.",
+    across=True,
+    fails=WHOLE_ROW,
+)
+def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> Line:
+    """At the angle {by} to {to} draw the line {it} that touches the curve {curve} and leaves it on one side.
+
+    ``sense`` as with `slew`; ``left``: 1 for the line that has the curve on its right, −1 on its left.
+    """
+    way = to.along[:, :1] * cis(sense * by[:, :1])
+    spot = _farthest(curve, left * 1j * way)
+    return Line(spot, np.broadcast_to(way, spot.shape))
+
+
+@operation("Из параллельных {first} и {second} оставить крайнюю {it}.")
+def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
+    """Of the parallels {first} and {second} keep the outer one, {it}.
+
+    ``left``: 1 for the one farther to the left of their direction, −1 to the right.
+    """
+    farther = left * along(second.at - first.at, 1j * first.along) > 0
+    there = np.isfinite(first.at) & np.isfinite(second.at)
+    at = np.where(farther, second.at, first.at)
+    return Line(np.where(there, at, np.nan), first.along)
+
+
+@operation(
+    "На кривой {curve} отметить {above} точку {it}.", across=True, fails=WHOLE_ROW, sides=_MOST
+)
+def crest_of_curve(curve: Curve, *, above: int) -> Point:
+    """On the curve {curve} mark the {above} point {it}.
+
+    ``above``: 1 for the highest, −1 for the lowest.
+    """
+    return Point(_farthest(curve, np.full((1, 1), above * 1j)))
+
+
+@operation("Из точек {first} и {second} взять {above}; это {it}.", sides=_MOST)
+def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
+    """Of the points {first} and {second} take the {above}; this is {it}.
+
+    ``above``: 1 for the higher, −1 for the lower. Of two that are as high but for rounding it is the first.
+    """
+    even = EVEN * np.fmax(np.abs(first.imag), np.abs(second.imag))
+    there = np.isfinite(first) & np.isfinite(second)
+    found = np.where(above * (second - first).imag > even, second, first)
+    return Point(np.where(there, found, np.nan))
+
+
+def _farthest(curve: Curve, way: Complexes) -> Complexes:
+    """Return the point of an open curve farthest along directions (trial or 1, 1); missing if any of it is.
+
+    Of points that are as far but for rounding it is the first of its knots, else of its crests.
+    """
+    spots = []
+    for trial in range(max(curve.knots.shape[0], way.shape[0])):
+        own = min(trial, curve.knots.shape[0] - 1)
+        p, m = curve.knots[own], curve.tangents[own]
+        turned = np.conj(way[min(trial, way.shape[0] - 1), 0])
+        found = np.concatenate([p, *stationary(p, m, turned)])
+        heights = np.nan_to_num((found * turned).real, nan=-np.inf)
+        best = found[np.argmax(heights >= heights.max() - EVEN * np.abs(heights.max()))]
+        spots.append(best if (np.isfinite(p) & np.isfinite(m)).all() else np.nan)
+    return np.array(spots, dtype=np.complex128)[:, None]

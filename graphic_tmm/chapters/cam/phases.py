@@ -1,0 +1,133 @@
+"""The turn of a cam divided: phases, positions, stretches; what is chosen before the log is written."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.values import Reals
+from graphic_tmm.bounds import CAM
+from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
+from graphic_tmm.chapters.cam.task import CamOrder, Law
+from graphic_tmm.errors import StructureError
+
+
+class Phase(NamedTuple):
+    """A moving phase: where it begins and how long it is (degrees), its law, its positions first … last.
+
+    ``breaks``: the positions inside it at which its stretches meet, where the acceleration jumps or has a
+    corner.
+    """
+
+    name: str
+    sign: int
+    start: float
+    extent: float
+    law: Law
+    first: int
+    last: int
+    breaks: tuple[int, ...] = ()
+
+    @property
+    def parts(self) -> int:
+        """Into how many even parts it is divided."""
+        return self.last - self.first
+
+    @property
+    def stretches(self) -> tuple[tuple[int, int], ...]:
+        """The first and the last position of each stretch over which the law is smooth."""
+        return tuple(pairwise((self.first, *self.breaks, self.last)))
+
+
+class Turn(NamedTuple):
+    """The positions of a turn, their angles (degrees, from the beginning of the rise), the phases."""
+
+    angles: tuple[float, ...]
+    rise: Phase
+    fall: Phase
+
+    @property
+    def positions(self) -> int:
+        """How many positions there are."""
+        return len(self.angles)
+
+    @property
+    def phases(self) -> tuple[Phase, Phase]:
+        """Rise and return."""
+        return (self.rise, self.fall)
+
+    def over(self, stretch: tuple[int, int], values: Reals) -> Reals:
+        """Return values of the positions of a stretch as a row (1, position), NaN elsewhere."""
+        row = np.full((1, self.positions), np.nan)
+        row[0, stretch[0] : stretch[1] + 1] = values
+        return row
+
+    def inside(self, first: int, last: int) -> Reals:
+        """Return 1 at the positions first … last of the row (1, position), 0 elsewhere."""
+        k = np.arange(self.positions)
+        return np.where((k >= first) & (k <= last), 1.0, 0.0)[None, :]
+
+
+def divide(order: CamOrder) -> Turn:
+    """Divide the turn into positions.
+
+    Raises
+    ------
+    StructureError
+        If what is asked of the cam makes no sense; it says what to change.
+    """
+    refuse(order)
+    first, second = (
+        _division(order, *row)
+        for row in (("rise", order.rise, order.rise_law), ("return", order.fall, order.return_law))
+    )
+    top = order.rise + order.upper_dwell
+    at = first[0] + (1 if order.upper_dwell > SLACK else 0)
+    rise = _phase("rise", 1, 0.0, order.rise, order.rise_law, 0, first)
+    fall = _phase("return", -1, top, order.fall, order.return_law, at, second)
+    there = [order.rise * k / first[0] for k in range(first[0] + 1)]
+    back = [top + order.fall * k / second[0] for k in range(second[0] + 1)]
+    return Turn((*there, *(back if at > first[0] else back[1:])), rise, fall)
+
+
+Division = tuple[int, list[float]]
+"""How many even parts a phase has, and the shares of it at which its stretches meet."""
+
+
+def _phase(
+    name: str, sign: int, start: float, extent: float, law: Law, first: int, division: Division
+) -> Phase:
+    parts, shares = division
+    breaks = tuple(first + round(share * parts) for share in shares)
+    return Phase(name, sign, start, extent, law, first, first + parts, breaks)
+
+
+def _division(order: CamOrder, name: str, extent: float, law: Law) -> Division:
+    """Divide a phase: at every jump of the acceleration there stands a position.
+
+    Where the corners of an acceleration diagram can have positions too, with one between any two, they have.
+    """
+    wanted = order.divisions
+    if order.per_turn is not None:
+        wanted = max(int(CAM["parts"].least), round(order.per_turn * extent / TURN))
+    jumps, corners = _jumps(law), sorted({u for u, _ in law.points if SLACK < u < 1.0 - SLACK})
+    for shares, most, least in ((corners or jumps, 2, 2), (jumps, 4, 1)):
+        for parts in range(wanted, most * wanted + 1):
+            at = [share * parts for share in (0.0, *shares, 1.0)]
+            whole = all(abs(x - round(x)) <= parts * SLACK for x in at)
+            if whole and min(b - a for a, b in pairwise(at)) > least - 0.5:
+                return parts, shares
+    raise StructureError(
+        f"cam, {name}: no division into {wanted} … {4 * wanted} parts has a position at every jump of the "
+        "acceleration: let the jumps stand at simple shares of the phase"
+    )
+
+
+def _jumps(law: Law) -> list[float]:
+    """Return the shares inside a phase at which the acceleration jumps."""
+    if law.name == "constant acceleration":
+        return [0.5]
+    double = [a[0] for a, b in pairwise(law.points) if b[0] - a[0] <= SLACK]
+    return [share for share in double if SLACK < share < 1.0 - SLACK]

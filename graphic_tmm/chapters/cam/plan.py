@@ -1,0 +1,134 @@
+"""A cam from its law of motion to its profile: diagrams, centre, pressure angle, curvature, profiles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.charts import Chart
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.centre import Centre, Path, draw_centre
+from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
+from graphic_tmm.chapters.cam.flat import Convexity, draw_convexity
+from graphic_tmm.chapters.cam.phases import divide
+from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
+from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
+from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
+from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
+from graphic_tmm.errors import StructureError
+
+
+@dataclass(frozen=True)
+class RollerSize:
+    """The radius of the roller (Number, m): the limits by r0 and by the least curvature, the chosen one."""
+
+    by_r0: Mark
+    by_curvature: Mark
+    radius: Mark
+
+
+@dataclass(frozen=True)
+class Cam:
+    """A cam as drawn. ``sense``: 1 if it turns counter-clockwise, −1 clockwise.
+
+    A flat face has a `Convexity` for its `Centre`, and neither pressure angle nor roller. ``charts``: the
+    diagrams whose scales stand on the sheet; that of the scales marked as chosen is found as with other
+    graphs.
+    """
+
+    order: CamOrder
+    sense: int
+    diagrams: Diagrams
+    centre: Centre | Convexity
+    path: Path | Lever | None
+    pressure: TurnDiagram | None
+    curvature: TurnDiagram
+    roller: RollerSize | None
+    profile: Profile
+    charts: tuple[Chart, ...]
+
+    @property
+    def r0(self) -> Mark:
+        """The radius r0 chosen (Number, m)."""
+        return self.centre.r0
+
+    @property
+    def least(self) -> Mark:
+        """The least r0 allowed (Number, m)."""
+        return self.centre.least
+
+
+def draw_cam(draft: Draft, order: CamOrder) -> Cam:
+    """Draw a cam from its diagrams to its profile.
+
+    Raises
+    ------
+    StructureError
+        If what is asked makes no sense; it says what to change. Limits that are passed are findings, see
+        `cam_findings`.
+    """
+    turn = divide(order)
+    _refuse_triangle(order)
+    sense = 1 if order.turns == "counterclockwise" else -1
+    diagrams = draw_diagrams(draft, order, turn)
+    charts = tuple(diagram.chart for diagram in (diagrams.S, diagrams.V, diagrams.A))
+    follower = order.follower
+    if isinstance(follower, FlatFollower):
+        convexity = draw_convexity(draft, order, diagrams, follower)
+        radii = draw_radii(draft, diagrams, convexity)
+        profile = draw_flat_profile(draft, diagrams, convexity, sense)
+        charts = (*charts, radii.chart)
+        return Cam(order, sense, diagrams, convexity, None, None, radii, None, profile, charts)
+    centre: Centre
+    path: Path | Lever
+    if isinstance(follower, RockerFollower):
+        centre, path = draw_rocker_centre(draft, order, diagrams, follower, sense)
+        charts = (*charts, path.chart)
+    else:
+        centre, path = draw_centre(draft, order, diagrams, follower.offset, sense)
+    pressure = draw_pressure(draft, diagrams, centre)
+    curvature = draw_curvature(draft, diagrams, centre)
+    roller = _roller(draft, order, centre, curvature)
+    profile = draw_profile(draft, diagrams, centre, path, roller.radius, sense)
+    charts = (*charts, pressure.chart, curvature.chart)
+    return Cam(order, sense, diagrams, centre, path, pressure, curvature, roller, profile, charts)
+
+
+def _refuse_triangle(order: CamOrder) -> None:
+    """Refuse sizes at which the follower does not reach its lowest or its highest place."""
+    follower, r0 = order.follower, order.r0
+    if r0 is None:
+        return
+    if isinstance(follower, RockerFollower):
+        least, most = abs(follower.centres - follower.lever), follower.centres + follower.lever
+        if not least < r0 < most:
+            raise StructureError(
+                f"cam: with a lever of {follower.lever:g} m and centres {follower.centres:g} m apart r0 lies "
+                f"between {least:.4g} and {most:.4g} m, not at {r0:g} m"
+            )
+    elif not isinstance(follower, FlatFollower) and abs(follower.offset) >= r0:
+        raise StructureError(
+            f"cam: the offset {follower.offset:g} m is not less than r0 = {r0:g} m: take a smaller one"
+        )
+
+
+def _roller(draft: Draft, order: CamOrder, centre: Centre, curvature: TurnDiagram) -> RollerSize:
+    """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
+    board = draft.board
+    board.open(PROFILE)
+    shares = (order.share_of_r0, order.share_of_curvature)
+    limits = []
+    for name, share, whole in zip(
+        "rρ", shares, (centre.r0, curvature.extremes[0].value), strict=True
+    ):
+        k = draft.take(Number, f"k_{name}", share)
+        limits.append(board.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
+    if order.roller is not None:
+        chosen = draft.take(Number, "r", order.roller, "m")
+    else:
+        lesser = board.draw(f.lesser_radius, "[r]", *limits, unit="m")
+        chosen = board.draw(f.whole_mm_below, "r", lesser, unit="m")
+    return RollerSize(limits[0], limits[1], chosen)

@@ -1,0 +1,125 @@
+"""What makes no sense of a cam is refused before anything is drawn."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from graphic_tmm.bounds import CAM, POSITIVE, OrderError
+from graphic_tmm.chapters.cam.task import LAWS, CamOrder, FlatFollower, Law, RockerFollower
+from graphic_tmm.errors import StructureError
+
+TURN = 360.0
+SLACK = 1e-9
+"""Degrees, or shares of a phase, that differ by less are the same."""
+BALANCE = 1e-6
+"""Areas of an acceleration diagram that differ by less than this share of themselves are equal."""
+
+
+def refuse(order: CamOrder) -> None:
+    """Refuse what makes no sense.
+
+    Raises
+    ------
+    StructureError
+        Which says what to change, and by which key of a scene.
+    """
+    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    told = " + ".join(f"{angle:g}" for angle in phases)
+    moving = sum(phases[:3])
+    if moving <= TURN and abs(moving + order.lower_dwell - TURN) > 1e-6:
+        says = f"the phases {told} make {sum(phases):g}°, not 360°: change the lower dwell"
+        says += f" to {TURN - moving:g}°"
+        raise OrderError("cam", "lower_dwell", says)
+    for name in ("rise", "upper_dwell", "fall"):
+        CAM[name].refuse("cam", name, getattr(order, name))
+    if moving > TURN + 1e-6:
+        says = f"the phases {told} make {sum(phases):g}°, not 360°: shorten them"
+        raise OrderError("cam", "rise", says)
+    CAM["lower_dwell"].refuse("cam", "lower_dwell", order.lower_dwell)
+    _refuse_sizes(order)
+    for key, law in (("law", order.rise_law), ("return_law", order.return_law)):
+        _refuse_law(key, law)
+
+
+def _refuse_sizes(order: CamOrder) -> None:
+    positive: list[tuple[str, float | None]] = [
+        ("stroke", order.stroke),
+        ("r0", order.r0),
+        ("roller", order.roller),
+        ("base", order.base),
+        ("height", order.height),
+        *((f"mu_{name}", getattr(order, f"mu_{name}")) for name in "SVAl"),
+        *(("H", pole) for pole in order.poles),
+    ]
+    follower = order.follower
+    if isinstance(follower, RockerFollower):
+        positive += [("lever", follower.lever), ("centres", follower.centres)]
+    for name, value in positive:
+        if value is not None:
+            POSITIVE.refuse("cam", name, value)
+    if isinstance(follower, RockerFollower) and order.stroke >= math.pi:
+        says = (
+            f"a lever that rocks by {math.degrees(order.stroke):g}° turns over: take less than 180°"
+        )
+        raise OrderError("cam", "stroke", says)
+    _refuse_choices(order)
+
+
+def _refuse_choices(order: CamOrder) -> None:
+    follower = order.follower
+    if isinstance(follower, FlatFollower):
+        CAM["least_curvature"].refuse("cam", "least_curvature", follower.least)
+    for name in ("pressure", "pressure_return", "share_of_r0", "share_of_curvature"):
+        value = getattr(order, name)
+        if value is not None:
+            CAM[name].refuse("cam", name, value)
+    for count in (order.divisions, order.per_turn):
+        if count is not None:
+            CAM["parts"].refuse("cam", "parts", count)
+    if order.turns not in ("clockwise", "counterclockwise"):
+        raise StructureError(
+            f'cam: it turns "{order.turns}": take "clockwise" or "counterclockwise"'
+        )
+
+
+def _refuse_law(key: str, law: Law) -> None:
+    if law.name not in LAWS:
+        raise OrderError("cam", key, f'no law "{law.name}": take one of {", ".join(LAWS)}')
+    if law.name != "diagram":
+        if law.points:
+            raise OrderError("cam", key, 'points belong to the law "diagram" only')
+        return
+    if says := _fault_of(law):
+        raise OrderError("cam", {"law": "law_points", "return_law": "return_points"}[key], says)
+
+
+def _fault_of(law: Law) -> str:
+    """Return what is wrong with the points of an acceleration diagram; "" if nothing is."""
+    points, shares = law.points, [share for share, _ in law.points]
+    if len(points) < 2 or not np.isfinite(points).all():
+        return "an acceleration diagram needs two points at least"
+    if (
+        any(b < a - SLACK for a, b in pairwise(shares))
+        or abs(shares[0]) + abs(shares[-1] - 1) > SLACK
+    ):
+        return "the points of the diagram go from share 0 to share 1"
+    if any(c - a <= SLACK for a, c in zip(shares, shares[2:], strict=False)):
+        return "more than two points of the diagram have one share"
+    areas = [(b[0] - a[0]) * (a[1] + b[1]) / 2.0 for a, b in pairwise(points)]
+    size = sum((b[0] - a[0]) * (abs(a[1]) + abs(b[1])) / 2.0 for a, b in pairwise(points))
+    if size == 0.0 or abs(sum(areas)) > BALANCE * size:
+        return (
+            "the areas of the acceleration diagram above and below the axis differ, so the follower would not "
+            "stop: make them equal"
+        )
+    speeds = np.cumsum(areas)
+    lift = sum(
+        (b[0] - a[0]) * (v - area) + (b[0] - a[0]) ** 2 * (2 * a[1] + b[1]) / 6.0
+        for (a, b), v, area in zip(pairwise(points), speeds, areas, strict=True)
+    )
+    if not lift > 0.0:
+        return "by this diagram the follower goes the wrong way: begin with a positive acceleration"
+    return ""

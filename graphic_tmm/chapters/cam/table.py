@@ -1,0 +1,89 @@
+"""The columns and results of a cam: motion, pressure angle by positions of the cam; radii and limits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.cam.centre import Centre
+from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.task import RockerFollower
+from graphic_tmm.readers.columns import Column, Positions, Row, row_of
+
+PLAN = "cam"
+
+
+class Drawn(Protocol):
+    """A part as drawn."""
+
+    @property
+    def made(self) -> object:
+        """Its marks."""
+
+    @property
+    def reading(self) -> Reading:
+        """Its numbers."""
+
+
+def cam_names(made: Cam) -> list[str]:
+    """Return the numbers of the cam's positions."""
+    return [str(k) for k in range(made.diagrams.turn.positions)]
+
+
+def cam_angles(made: Cam) -> list[float]:
+    """Return the cam's angle in every position, degrees."""
+    return [round(float(angle), 9) for angle in made.diagrams.turn.angles]
+
+
+def cam_positions(part: Drawn) -> Positions:
+    """Return the cam's positions: their numbers and angles."""
+    assert isinstance(part.made, Cam)
+    return tuple(zip(cam_names(part.made), cam_angles(part.made), strict=True))
+
+
+def cam_columns(part: Drawn) -> tuple[Column, ...]:
+    """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
+    made = part.made
+    assert isinstance(made, Cam)
+    rocks = isinstance(made.order.follower, RockerFollower)
+    count = made.diagrams.turn.positions
+    motion = "rad" if rocks else "m"
+    found = []
+    for segment, diagram in (
+        ("S", made.diagrams.S),
+        ("dS", made.diagrams.V),
+        ("ddS", made.diagrams.A),
+    ):
+        mm, value = (part.reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
+        found.append(_column(segment, motion, value, count, mm))
+    if isinstance(made.centre, Centre):
+        found.append(_column("pressure", "°", part.reading.figure(made.centre.pressure), count))
+    at = cam_positions(part)
+    return tuple(column._replace(at=at) for column in found)
+
+
+def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
+    def row(values: Reals) -> Row:
+        return row_of(values[:, :count], range(count), count)
+
+    lengths = row(mm) if mm is not None else (None,) * count
+    return Column(PLAN, segment, f"symbol cam {segment}", unit, lengths, row(value))
+
+
+def cam_marks(made: Cam) -> Mapping[str, Mark]:
+    """Return the marks of a cam's results by name."""
+    marks = {"r0_min": made.least, "r0": made.r0}
+    if made.roller is not None:
+        marks |= {
+            "roller_by_r0": made.roller.by_r0,
+            "roller_by_curvature": made.roller.by_curvature,
+            "roller": made.roller.radius,
+        }
+    if made.pressure is not None:
+        highest, lowest = made.pressure.extremes
+        marks |= {"pressure_rise": highest.value, "pressure_return": lowest.value}
+    marks["least_curvature"] = made.curvature.extremes[0].value
+    return marks

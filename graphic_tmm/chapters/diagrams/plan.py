@@ -1,0 +1,220 @@
+"""Kinematic diagrams of a slider's point: displacement, velocity, acceleration over time or angle.
+
+What the plans give (the displacement measured on the plan of positions, or the velocity) is laid off over the
+base; the others follow by differentiation or integration against a pole.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board import graphs
+from graphic_tmm.board.charts import Chart, Scaled, ScaleOrder, derived_scale, integrated_scale
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.graphs import Axes, Base, Boundaries
+from graphic_tmm.board.operations.formulas import (
+    mm_of_time,
+    mm_of_turn,
+    rescaled,
+    time_per_mm,
+    turn_per_mm,
+)
+from graphic_tmm.board.operations.graphs import at_zero
+from graphic_tmm.board.operations.instruments import measure_along
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
+from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.errors import StructureError
+
+VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
+UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
+ROOM = 50.0
+"""Room for the highest ordinate of a diagram, mm."""
+BASE = 120.0
+"""Length of the base where the task does not say, mm."""
+
+
+@dataclass(frozen=True)
+class Kinematic:
+    """The diagrams as drawn: their base, charts by quantity, and what the plans read of the same quantities.
+
+    ``planned``: for V and a, the reading of the plan along the guide with its sign (Length), by quantity.
+    """
+
+    order: KinematicOrder
+    base: Base
+    charts: dict[str, Chart]
+    planned: dict[str, Mark]
+
+
+def draw_kinematic(
+    draft: Draft,
+    positions: Positions,
+    velocities: Motion,
+    accelerations: Motion | None,
+    order: KinematicOrder,
+    frame: int,
+    numbers: np.ndarray,
+    count: int,
+) -> Kinematic:
+    """Draw the diagrams S, V, a of a point.
+
+    ``numbers``: where each position stands in the row, 0 … ``count`` (intervals of the crank's turn).
+
+    Raises
+    ------
+    StructureError
+        If the point does not belong to a link that slides on the frame, or a pole distance is not positive.
+    """
+    leg = sliding_leg(positions, order.point, frame, "diagrams")
+    _refuse_poles(order)
+    base = _base(draft, velocities, order, numbers, count)
+    planned = {"V": velocities.readings[leg.link]}
+    if accelerations is not None and leg.link in accelerations.readings:
+        planned["a"] = accelerations.readings[leg.link]
+    if order.start == "displacement":
+        charts = _from_displacement(draft, positions, leg, base, order)
+    else:
+        charts = _from_velocity(draft, velocities, leg, base, order)
+    return Kinematic(order, base, charts, planned)
+
+
+def sliding_leg(positions: Positions, letter: str, frame: int, section: str) -> GuideLeg:
+    """Return the leg by which a point's link slides on the frame; StructureError if it does not."""
+    for closing in positions.closings:
+        for leg in closing.legs:
+            owns = letter in positions.bodies[leg.link].link.points
+            if isinstance(leg, GuideLeg) and leg.body == frame and not leg.inner and owns:
+                return leg
+    sliding = [
+        point
+        for closing in positions.closings
+        for leg in closing.legs
+        if isinstance(leg, GuideLeg) and leg.body == frame and not leg.inner
+        for point in positions.bodies[leg.link].link.points
+    ]
+    there = f"points that do are {', '.join(sliding)}" if sliding else "this mechanism has none"
+    raise StructureError(
+        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}"
+    )
+
+
+def _refuse_poles(order: KinematicOrder) -> None:
+    for symbol in ("S", "V", "a"):
+        drawn: ScaleOrder = getattr(order, symbol)
+        if drawn.pole is not None and not drawn.pole > 0.0:
+            raise StructureError(
+                f"diagrams: the pole distance H_{symbol} = {drawn.pole:g} mm is not greater than 0"
+            )
+
+
+def _base(
+    draft: Draft, velocities: Motion, order: KinematicOrder, numbers: np.ndarray, count: int
+) -> Base:
+    """Take the base, its scale over time or angle."""
+    board = draft.board
+    first = "V" if order.start == "velocity" else "S"
+    board.open(VIEWS[first])
+    omega = velocities.speed
+    assert omega is not None
+    over_time = order.over == "time"
+    letter, unit = ("μ_t", "s/mm") if over_time else ("μ_φ", "rad/mm")
+    if order.mu_along is not None:
+        mu = draft.take(Number, letter, order.mu_along, unit)
+        length = (
+            board.draw(mm_of_time, "L", omega, mu) if over_time else board.draw(mm_of_turn, "L", mu)
+        )
+    else:
+        length = draft.take(Length, "L", order.base or BASE, "mm")
+        if over_time:
+            mu = board.draw(time_per_mm, letter, omega, length, unit=unit)
+        else:
+            mu = board.draw(turn_per_mm, letter, length, unit=unit)
+    return graphs.lay_base(draft, length, mu, count, numbers[None, :])
+
+
+def _from_displacement(
+    draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicOrder
+) -> dict[str, Chart]:
+    board = draft.board
+    point = positions.point(order.point)
+    board.open(POSITIONS)
+    start = board.draw(at_zero, board.free(f"{order.point}_0"), point)
+    travel = board.draw(measure_along, f"s_{order.point}", start, point, leg.line)
+    board.open(VIEWS["S"])
+    mu = board.take(Number, "μ_S", "m/mm")
+    assert draft.mu_l is not None
+    length = board.draw(rescaled, "y_S", travel, draft.mu_l, mu)
+    axes = graphs.draw_axes(draft, VIEWS["S"], base, mu)
+    at = graphs.lay_ordinates(draft, axes, length, "s")
+    charts = {"S": _chart(draft, "S", axes, at, True, order.S)}
+    curve = graphs.through(draft, axes, at)
+    speeds, at_v, curve_v = _derivative(draft, "V", axes, at, curve, order)
+    charts["V"] = speeds
+    charts["a"], _, _ = _derivative(draft, "a", at_v[0], at_v[1], curve_v, order)
+    return charts
+
+
+def _from_velocity(
+    draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicOrder
+) -> dict[str, Chart]:
+    board = draft.board
+    board.open(VIEWS["V"])
+    mu = board.take(Number, "μ_V", "(m/s)/mm")
+    length = board.draw(rescaled, "y_V", velocities.readings[leg.link], velocities.mu, mu)
+    axes = graphs.draw_axes(draft, VIEWS["V"], base, mu)
+    at = graphs.lay_ordinates(draft, axes, length, "v")
+    charts = {"V": _chart(draft, "V", axes, at, True, order.V)}
+    curve = graphs.through(draft, axes, at)
+    charts["a"], _, _ = _derivative(draft, "a", axes, at, curve, order)
+    charts["S"] = _integral(draft, axes, curve, order)
+    return {symbol: charts[symbol] for symbol in ("S", "V", "a")}
+
+
+def _derivative(
+    draft: Draft, symbol: str, source: Axes, at: Boundaries, curve: Mark, order: KinematicOrder
+) -> tuple[Chart, tuple[Axes, Boundaries], Mark]:
+    """Differentiate once; return the chart, its axes with its points, its curve."""
+    draft.board.open(VIEWS[symbol])
+    drawn: ScaleOrder = getattr(order, symbol)
+    unit = f"({UNITS[symbol]})/mm"
+    scaled = derived_scale(draft, symbol, unit, source.mu, source.base.mu, drawn)
+    axes = graphs.draw_axes(draft, VIEWS[symbol], source.base, scaled.mu)
+    pole = graphs.set_pole(draft, axes, scaled.distance)
+    letter = symbol.lower()
+    if order.method == "tangents":
+        points = graphs.by_tangents(draft, source, curve, axes, pole, letter)
+        found = graphs.through(draft, axes, points)
+    else:
+        middles = graphs.by_chords(draft, source, at, axes, pole, f"{letter}′")
+        found = graphs.through(draft, axes, middles)
+        points = graphs.on_curve(draft, axes, found, letter)
+    return _chart(draft, symbol, axes, points, scaled.chosen, drawn), (axes, points), found
+
+
+def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) -> Chart:
+    """Integrate the velocities once; the pole stands left of their origin."""
+    draft.board.open(VIEWS["S"])
+    scaled: Scaled = integrated_scale(draft, "S", "m/mm", source.mu, source.base.mu, order.S)
+    axes = graphs.draw_axes(draft, VIEWS["S"], source.base, scaled.mu)
+    pole = graphs.set_pole(draft, source, scaled.distance)
+    points = graphs.integrate(draft, source, curve, axes, pole, "s′")
+    found = graphs.through(draft, axes, points, closed=False)
+    at = graphs.on_curve(draft, axes, found, "s")
+    chart = _chart(draft, "S", axes, at, scaled.chosen, order.S)
+    end = draft.board.draw(measure_along, "S_N", axes.end, points.end, axes.up)
+    return chart._replace(end=end)
+
+
+def _chart(
+    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, drawn: ScaleOrder
+) -> Chart:
+    draft.board.open(axes.view)
+    ordinate = graphs.read(draft, axes, at.points, symbol)
+    return Chart(axes.view, symbol, UNITS[symbol], axes.mu, (ordinate,), chosen, drawn.mu, ROOM)

@@ -1,0 +1,113 @@
+"""The connecting rod's mass shared between its two pins, and what that costs in its moment of inertia."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.engine.formulas import (
+    lumped_inertia,
+    mass_of_share,
+    rest_of,
+    split_by_lever,
+)
+from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.indicator.cylinder import Machine
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Link
+
+
+class Legs(Protocol):
+    """The rod's leg and the slider's."""
+
+    @property
+    def rod(self) -> PinLeg:
+        """The leg of the rod."""
+
+    @property
+    def slider(self) -> GuideLeg:
+        """The leg of the slider."""
+
+
+class Lumped(NamedTuple):
+    """The mass that goes to and fro (kg); the rod's masses at crank pin and crosshead, J before and after.
+
+    ``inertia``: of the two masses about the rod's mass centre; ``lost``: by how much it exceeds the rod's own;
+    None where the rod's mass, centre or J is not given.
+    """
+
+    mass: Mark
+    at_crank: Mark | None = None
+    at_slider: Mark | None = None
+    inertia: Mark | None = None
+    lost: Mark | None = None
+
+
+def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrder) -> Lumped:
+    """Share the rod's mass and add up what goes to and fro.
+
+    Raises
+    ------
+    StructureError
+        If there is neither a mass given nor masses of rod and slider.
+    """
+    board = draft.board
+    slider = machine.mechanism.by_number[legs.slider.link]
+    parts = _parts(draft, rod, legs, order)
+    if order.mass is not None:
+        whole = draft.take(Number, "m", order.mass, "kg")
+    elif slider.mass is None or parts is None:
+        raise StructureError(
+            f"engine: links {rod.number} and {slider.number} need a mass, and the rod a share or its centre: "
+            "give them, or the mass that goes to and fro"
+        )
+    else:
+        own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")
+        whole = board.draw(added, "m", own, parts[1], unit="kg")
+    if parts is None:
+        return Lumped(whole)
+    inertia = lost = None
+    arms = _arms(draft, rod, legs.rod.letter, order.point)
+    if arms is not None and rod.inertia is not None:
+        first, second = arms
+        inertia = board.draw(lumped_inertia, "J′", parts[0], first, parts[1], second, unit="kg·m²")
+        own = draft.take(Number, f"J_{rod.number}", rod.inertia, "kg·m²")
+        lost = board.draw(rest_of, "ΔJ", inertia, own, unit="kg·m²")
+    return Lumped(whole, *parts, inertia, lost)
+
+
+def _parts(draft: Draft, rod: Link, legs: Legs, order: EngineOrder) -> tuple[Mark, Mark] | None:
+    """Return the rod's masses at the crank pin and at the crosshead."""
+    if rod.mass is None:
+        return None
+    board = draft.board
+    mass = draft.take(Number, f"m_{rod.number}", rod.mass, "kg")
+    if order.share is not None:
+        share = draft.take(Number, "k", order.share)
+        at_slider = board.draw(mass_of_share, f"m_{{{rod.number}B}}", mass, share, unit="kg")
+    else:
+        arms = _arms(draft, rod, legs.rod.letter, order.point)
+        if arms is None:
+            return None
+        length = draft.board.uses(legs.rod.length)[0]
+        at_slider = board.draw(
+            split_by_lever, f"m_{{{rod.number}B}}", mass, arms[0], length, unit="kg"
+        )
+    at_crank = board.draw(rest_of, f"m_{{{rod.number}A}}", mass, at_slider, unit="kg")
+    return at_crank, at_slider
+
+
+def _arms(draft: Draft, rod: Link, pin: str, crosshead: str) -> tuple[Mark, Mark] | None:
+    """Return how far the crank pin and the crosshead are from the rod's mass centre, m."""
+    if rod.centre is None or rod.centre not in rod.points:
+        return None
+    centre = rod.points[rod.centre]
+    first, second = (
+        draft.take(Number, draft.board.free(letter), abs(rod.points[end] - centre), "m")
+        for letter, end in ((f"l_{{A{rod.centre}}}", pin), (f"l_{{{rod.centre}B}}", crosshead))
+    )
+    return first, second

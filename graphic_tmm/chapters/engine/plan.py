@@ -1,0 +1,220 @@
+"""The forces of an engine's crank mechanism: P, P_in, P', N, Q, T, K, M as force triangles in every position.
+
+The mass of the rod is shared between the crank pin and the crosshead, so that the rod carries its load along
+itself: P' at B is the sum of Q along the rod and of N, the pressure on the guide; Q carried to A is the sum of
+T along the tangent of the crank circle and K along the crank. Forces are positive towards the crank.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board import graphs
+from graphic_tmm.board.charts import Chart
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.formulas import in_si, to_board, turn_per_mm
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure,
+    measure_along,
+    meet,
+    parallel,
+    square,
+)
+from graphic_tmm.board.operations.statics import moment_on_arm
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.engine.formulas import (
+    KGF,
+    against_acceleration,
+    couple_of,
+    in_kgf,
+    towards_crank,
+)
+from graphic_tmm.chapters.engine.harmonics import Harmonics, draw_harmonics
+from graphic_tmm.chapters.engine.lumping import Lumped, lump
+from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.errors import StructureError
+
+VIEW = "engine"
+ROOM = 55.0
+"""Room for the highest ordinate of a diagram, mm."""
+DIAGRAMS = ("P", "N", "Q", "T", "K", "M")
+POINTS = {"P_in": "f", "M": "z"}
+"""The points of a quantity on its diagram, where its small letter stands for something else."""
+
+
+class Triangles(NamedTuple):
+    """The force triangles of every position: at B its vertices behind P' and behind Q; at A behind Q and T."""
+
+    at_b: Mark
+    end_p: Mark
+    end_q: Mark
+    at_a: Mark
+    end_qa: Mark
+    end_t: Mark
+
+
+@dataclass(frozen=True)
+class Engine:
+    """The forces as drawn; ``values``: the marks of P, P_in, P′, N, Q, T, K (force unit), M, NOB (times metre).
+
+    ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram;
+    ``guide``: the line that B slides along.
+    """
+
+    order: EngineOrder
+    lumped: Lumped
+    harmonics: Harmonics
+    acceleration: Mark
+    values: dict[str, Mark]
+    triangles: Triangles
+    mu: Mark
+    charts: tuple[Chart, ...]
+    curves: dict[str, tuple[str, ...]]
+    guide: Mark
+
+
+class _Legs(NamedTuple):
+    rod: PinLeg
+    slider: GuideLeg
+
+
+def draw_engine(
+    draft: Draft,
+    machine: Machine,
+    accelerations: Motion,
+    cylinder: Cylinder,
+    order: EngineOrder,
+) -> Engine:
+    """Draw the forces of the crank mechanism over the turn.
+
+    Raises
+    ------
+    StructureError
+        If the rod does not join the crank pin to the slider's point.
+    """
+    legs = _legs(machine, cylinder, order)
+    board = draft.board
+    board.open(VIEW)
+    lumped = lump(draft, machine.mechanism.by_number[legs.rod.link], legs, machine, order)
+    unit = None
+    if order.unit == "kgf":
+        unit = draft.take(Number, board.free(""), KGF, "N/kgf")
+
+    def told(letter: str, force: Mark) -> Mark:
+        """Return a force in the unit of the task."""
+        if unit is None:
+            return force
+        return board.draw(in_kgf, board.free(letter), force, unit, unit="kgf")
+
+    sign = draft.take(Number, "σ", cylinder.outward)
+    reading = accelerations.readings[legs.slider.link]
+    acceleration = board.draw(towards_crank, "a_B", sign, reading, accelerations.mu, unit="m/s²")
+    exact = board.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
+    harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, told)
+    board.open(VIEW)
+    values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
+    used = harmonics.force if order.series else values["P_in"]
+    values["P′"] = board.draw(added, "P′", values["P"], used, unit=order.unit)
+    triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
+    charts, curves = _diagrams(draft, machine, values, order)
+    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line)
+    return Engine(order, lumped, harmonics, *found)
+
+
+def _legs(machine: Machine, cylinder: Cylinder, order: EngineOrder) -> _Legs:
+    crank = machine.mechanism.drive.link
+    for closing in machine.positions.closings:
+        first, second = closing.legs
+        joined = cylinder.leg in (first, second) and closing.letter == order.point
+        if joined and isinstance(first, PinLeg) and first.body == crank:
+            assert isinstance(second, GuideLeg)
+            return _Legs(first, second)
+    raise StructureError(
+        f"engine: no connecting rod joins the crank to {order.point}: "
+        "these forces are those of a crank, a rod and a slider on the frame"
+    )
+
+
+def _triangles(
+    draft: Draft,
+    machine: Machine,
+    legs: _Legs,
+    outward: float,
+    values: dict[str, Mark],
+    unit: str,
+) -> tuple[Triangles, Mark]:
+    """Draw both triangles at their points on the plan; read N, Q, T and K; calculate M and N·OB."""
+    board = draft.board
+    assert draft.mu_l is not None
+    at_b, at_a = machine.positions.point(_pin(machine, legs)), legs.rod.pivot
+    pivot = machine.positions.point(machine.pivot)
+    crank = machine.positions.bodies[machine.mechanism.drive.link].axis
+    mu = board.take(Number, "μ_F", f"{unit}/mm")
+    board.lay_out(None, mu)
+    inward = board.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
+    end_p = board.draw(lay_off, "1", inward, board.draw(to_board, "y_P′", values["P′"], mu))
+    sense = 1 if machine.mechanism.drive.speed > 0 else -1
+    across = board.draw(square, "(N)", end_p, inward, sense=sense)
+    rod = board.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
+    end_q = board.draw(meet, "2", across, rod)
+    length_n = board.draw(measure_along, "y_N", end_q, end_p, across)
+    length_q = board.draw(measure_along, "y_Q", at_b, end_q, rod)
+    carried = board.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
+    end_qa = board.draw(lay_off, "3", carried, length_q)
+    tangent = board.draw(square, "(T)", at_a, crank, sense=sense)
+    along = board.draw(parallel, "(K)", end_qa, crank, sense=-1)
+    end_t = board.draw(meet, "4", tangent, along)
+    length_t = board.draw(measure_along, "y_T", at_a, end_t, tangent)
+    length_k = board.draw(measure_along, "y_K", end_t, end_qa, along)
+    for name, length in (("N", length_n), ("Q", length_q), ("T", length_t), ("K", length_k)):
+        values[name] = board.draw(in_si, name, length, mu, unit=unit)
+    moment = f"{unit}·m"
+    values["M"] = board.draw(moment_on_arm, "M", values["T"], machine.arm, unit=moment)
+    distance = board.draw(measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b)
+    values["NOB"] = board.draw(couple_of, "N·OB", values["N"], distance, draft.mu_l, unit=moment)
+    return Triangles(at_b, end_p, end_q, at_a, end_qa, end_t), mu
+
+
+def _pin(machine: Machine, legs: _Legs) -> str:
+    return next(c.letter for c in machine.positions.closings if legs.rod in c.legs)
+
+
+def ordinate(symbol: str, letter: str) -> str:
+    """Return the letter of an ordinate that stands for a quantity: y_{Pin} of P_in."""
+    return f"{symbol}_{{{letter.replace('_', '')}}}"
+
+
+def _diagrams(
+    draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineOrder
+) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
+    """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M."""
+    board = draft.board
+    length = draft.take(Length, "L", order.base, "mm")
+    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
+    charts: list[Chart] = []
+    curves: dict[str, tuple[str, ...]] = {}
+    for symbol in DIAGRAMS:
+        view = f"engine {symbol}"
+        unit = order.unit if symbol != "M" else f"{order.unit}·m"
+        letters = ("P", "P_in", "P′") if symbol == "P" else (symbol,)
+        board.open(view)
+        mu = board.take(Number, f"μ_{symbol}", f"({unit})/mm" if symbol == "M" else f"{unit}/mm")
+        axes = graphs.draw_axes(draft, view, base, mu)
+        found = []
+        for letter in letters:
+            heights = board.draw(to_board, ordinate("h", letter), values[letter], mu)
+            at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
+            # the links' own inertia is smooth, what the gas has a part in is not
+            (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)
+            found.append(graphs.read(draft, axes, at.points, ordinate("y", letter)))
+        charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
+        curves[view] = letters
+    return tuple(charts), curves

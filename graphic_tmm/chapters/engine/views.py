@@ -1,0 +1,130 @@
+"""What a sheet shows of an engine: indicator, force triangles, rotating vectors, diagrams, tables."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
+from graphic_tmm.chapters.engine.plan import VIEW, Engine, ordinate
+from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+from graphic_tmm.chapters.flywheel.views import cylinder_view
+from graphic_tmm.chapters.forces.ink_polygons import bar
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.words import number, unit
+from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.result_table import (
+    SIZE,
+    result_table,
+)
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.work import Work
+
+SUMS = ", ".join(
+    f"{bar(whole)} = {bar(one)} + {bar(other)}"
+    for whole, one, other in (("P′", "Q", "N"), ("Q", "K", "T"))
+)
+"""What the force triangles say: P′ of the rod's Q and the pressure N on the guide, Q of K and T."""
+
+
+def engine_views(drawn: Work, lettered: bool) -> list[Drawing]:
+    """Return the indicator diagram, the force triangles and the rotating vectors of an engine."""
+    made = drawn.project.engine
+    if made is None:
+        return []
+    return [
+        *cylinder_view(drawn, lettered),
+        *_triangles(drawn, made, lettered),
+        _rotating(drawn, made, lettered),
+    ]
+
+
+def engine_diagram_views(drawn: Work, lettered: bool) -> list[Drawing]:
+    """Return the diagrams of an engine's forces over the turn, and their tables."""
+    made, project, language = drawn.project.engine, drawn.project, drawn.scene.language
+    if made is None:
+        return []
+    rows = engine_columns(project, drawn.reading)
+    forces = result_table("engine", rows, project.names, language)
+    carried = CAPTIONS[language]["what carries"].split("; ")
+    return [*_diagrams(drawn, made, lettered), captioned(forces, *carried), _results(drawn)]
+
+
+def _shown(drawn: Work) -> list[int]:
+    return [k for k in range(drawn.project.count) if k not in drawn.undrawn]
+
+
+def _triangles(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
+    project, language = drawn.project, drawn.scene.language
+    words, scale = CAPTIONS[language], drawn.scales[VIEW]
+    pivot = project.positions.point(project.structure.pivot)
+    views = [
+        draw_triangles(
+            drawn.reading,
+            made,
+            pivot,
+            place,
+            f"engine-{project.names[place]}",
+            f"{words['triangles']}, {words['position']} {project.names[place]}",
+            scale.value,
+            lettered=lettered,
+        )
+        for place in _shown(drawn)
+    ]
+    titles = [view.title for view in views]
+    told = f"{mu_text(scale, language)}; {SUMS}"
+    return [
+        captioned(view, escape(title), told)
+        for view, title in zip(in_cells(views), titles, strict=True)
+    ]
+
+
+def _rotating(drawn: Work, made: Engine, lettered: bool) -> Drawing:
+    project, language = drawn.project, drawn.scene.language
+    words, scale = CAPTIONS[language], drawn.scales["harmonics"]
+    there = _shown(drawn)
+    place = next((k for k in project.accelerated if k in there), there[min(1, len(there) - 1)])
+    title = f"{words['rotating']}, {words['position']} {escape(project.names[place])}"
+    view = draw_rotating(
+        drawn.reading, made, place, "rotating", title, scale.value, lettered=lettered
+    )
+    return captioned(view, title, mu_text(scale, language))
+
+
+def _diagrams(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
+    """Return the diagrams over the turn in two columns."""
+    project, language = drawn.project, drawn.scene.language
+    words = CAPTIONS[language]
+    names = [escape(name) for name in project.names]
+    views = []
+    for view in made.curves:
+        symbol = view.removeprefix("engine ")
+        letters = [words[f"engine {k}"] for k in made.curves[view]]
+        curves = {
+            ordinate("y", k): letter for k, letter in zip(made.curves[view], letters, strict=True)
+        }
+        title = words[f"diagram engine {symbol}"]
+        graph = draw_graph(
+            project.construction,
+            drawn.reading,
+            view,
+            project.count,
+            Names(names, words[f"engine {symbol}"], "φ", curves if len(curves) > 1 else {}),
+            title,
+            lettered=lettered,
+        )
+        views.append(captioned(graph, title, mu_text(drawn.scales[view], language)))
+    half = (len(views) + 1) // 2
+    return [stacked("engine-diagrams-1", views[:half]), stacked("engine-diagrams-2", views[half:])]
+
+
+def _results(drawn: Work) -> Drawing:
+    language = drawn.scene.language
+    words = CAPTIONS[language]
+    rows = [
+        [words[name], number(value, language), unit(of, language)]
+        for name, (value, of) in engine_results(drawn.project, drawn.reading).items()
+    ]
+    heads = [words["value"], words["results of"], words["unit"]]
+    align = ["left", "centre", "left"]
+    return table("table-lumping", words["lumping"], heads, rows, size=SIZE, align=align)

@@ -1,0 +1,252 @@
+"""The flywheel: reduced moment, works by graphical integration, the energy of the flywheel, its inertia.
+
+ΔT is what the driving forces have done more than the resisting ones; less the energy of the links it is that of
+the flywheel. The highest and the lowest point of its curve, carried to the ordinate axis, give the segment cd.
+The curves of A and ΔT are drawn with their tangents, the rays from the pole; that of the flywheel's energy is
+the difference of two curves: so it turns where the moments balance, between the positions, not at one of them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board import graphs
+from graphic_tmm.board.charts import Chart, integrated_scale
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
+from graphic_tmm.board.operations.energetics import (
+    added,
+    flywheel_inertia,
+    moment_of_drive,
+    moment_of_resistance,
+    reduced_moment,
+)
+from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
+from graphic_tmm.board.operations.graphs import highest, lowest
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.bounds import DELTA
+from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
+from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
+from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
+from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine
+from graphic_tmm.chapters.indicator.plan import Indicator
+from graphic_tmm.errors import StructureError
+
+VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
+
+
+@dataclass(frozen=True)
+class Flywheel:
+    """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
+
+    ``works``: the points of the integrated side and of the straight one; ``segment``: cd (Length).
+    """
+
+    order: FlywheelOrder
+    base: Base
+    indicator: Indicator | None
+    charts: tuple[Chart, ...]
+    energies: Energies
+    works: tuple[Boundaries, Mark]
+    segment: Mark
+    inertia: Mark
+    energy_mass: EnergyMass | None
+    rim: DrawnRim | None
+
+
+def draw_flywheel(
+    draft: Draft,
+    machine: Machine,
+    order: FlywheelOrder,
+    cylinder: Cylinder | None,
+    forces: Forces | None,
+) -> Flywheel:
+    """Draw everything that leads to the moment of inertia of a flywheel.
+
+    ``cylinder``: whose gas drives or resists; else the loads of ``forces`` do.
+
+    Raises
+    ------
+    StructureError
+        If δ or H is not positive, masses or loads are missing.
+    """
+    _refuse(order)
+    board, velocities = draft.board, machine.velocities
+    board.open(VIEWS["moment"])
+    length = draft.take(Length, "L", order.base, "mm")
+    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
+    if cylinder is not None:
+        moment = _by_gas(draft, machine, cylinder, order.constant)
+    else:
+        moment = _by_loads(draft, machine, forces, order.constant)
+    mu_M = board.take(Number, "μ_M", "(N·m)/mm")
+    heights = board.draw(to_board, "y_M", moment, mu_M)
+    axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
+    at = graphs.lay_ordinates(draft, axes, heights, "k")
+    curve = graphs.taut(draft, axes, at)
+    reading = graphs.read(draft, axes, at.points, "M")
+    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
+    done = _works(draft, axes, at, curve, order)
+    energies, gained, own, charts = _energies(draft, machine, axes, at, done)
+    energy_axes = gained.axes
+    segment = _segment(draft, energy_axes, own)
+    assert velocities.speed is not None
+    delta = draft.take(Number, "δ", order.delta)
+    inertia = board.draw(
+        flywheel_inertia, "J_F", segment, energy_axes.mu, delta, velocities.speed, unit="kg·m²"
+    )
+    rim = None
+    if order.rim is not None:
+        rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
+    second = None
+    if order.tangents is not None:
+        second = draw_energy_mass(
+            draft, energies, done.surplus, gained, delta, velocities.speed, order.tangents
+        )
+    more = (second.chart,) if second is not None else ()
+    indicator = cylinder.indicator if cylinder is not None else None
+    first = (indicator.chart,) if indicator is not None else ()
+    found = (*first, chart, *charts, *more)
+    works = (done.points, done.straight)
+    return Flywheel(order, base, indicator, found, energies, works, segment, inertia, second, rim)
+
+
+def _refuse(order: FlywheelOrder) -> None:
+    DELTA.refuse("flywheel", "delta", order.delta)
+    pole = order.A.pole
+    if pole is not None and not pole > 0.0:
+        raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")
+
+
+def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
+    """Calculate the reduced moment of the gas, which pushes the piston from the cover towards the crank.
+
+    It drives; with a constant driving moment it is the resistance of the gas that is told, of a compressor.
+    """
+    board, velocities = draft.board, machine.velocities
+    way = cylinder.outward if constant == "resisting" else -cylinder.outward
+    sign = draft.take(Number, "σ", way)
+    pin = velocities.images.by_letter[machine.mechanism.drive.link][machine.pin]
+    drawn = board.uses(pin)[1]
+    speed = velocities.readings[cylinder.leg.link]
+    force = cylinder.indicator.force
+    return board.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
+
+
+def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:
+    """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
+    if forces is None:
+        raise StructureError(
+            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
+        )
+    board = draft.board
+    found = [forces.lever.moments[k] for k in forces.loads.outer if k in forces.lever.moments]
+    if not found:
+        raise StructureError(
+            "flywheel: no load does work: give gravity or a [[load]] besides inertia"
+        )
+    total = found[0]
+    for more in found[1:]:
+        total = board.draw(added, "ΣM", total, more, unit="N·mm")
+    formula = moment_of_drive if constant == "resisting" else moment_of_resistance
+    return board.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
+
+
+class _Works(NamedTuple):
+    """The works as drawn: their axes, the integrated side, the straight one, ΔT read off (Length).
+
+    ``pole``: from where the rays to the ordinates of the moment have the slopes of ΔT.
+    """
+
+    axes: Axes
+    points: Boundaries
+    straight: Mark
+    surplus: Mark
+    pole: Mark
+    chart: Chart
+
+
+def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder) -> _Works:
+    """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
+    board = draft.board
+    board.open(VIEWS["work"])
+    scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
+    axes = graphs.draw_axes(draft, VIEWS["work"], source.base, scaled.mu)
+    pole = graphs.set_pole(draft, source, scaled.distance)
+    found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
+    graphs.along_rays(draft, axes, found, pole.point, at, source)
+    straight = board.draw(join, "(A′)", axes.origin, found.end)
+    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    other = board.draw(meet, "A′", straight, lines)
+    ahead = order.constant == "resisting"
+    ends = (other, found.points) if ahead else (found.points, other)
+    surplus = board.draw(measure_along, "ΔT", *ends, axes.up)
+    level = _level_pole(draft, source, pole, straight, ahead=ahead)
+    rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
+    chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
+    return _Works(axes, found, other, surplus, level, chart)
+
+
+def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
+    """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
+
+    ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
+    """
+    board = draft.board
+    board.open(source.view)
+    slope = board.draw(parallel, "(PM)", pole.point, straight, sense=1)
+    constant = board.draw(meet, "M_c", source.up, slope)
+    level = board.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
+    return board.draw(lay_off, "P′", level, pole.distance)
+
+
+def _energies(
+    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: _Works
+) -> tuple[Energies, Surplus, Mark, tuple[Chart, ...]]:
+    """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own.
+
+    Returns the energies, ΔT, the curve of the flywheel's energy, the charts. ``source``, ``at``: the moment.
+    """
+    board, work = draft.board, done.axes
+    board.open(VIEWS["energy"])
+    energies = draw_energies(draft, machine.mechanism, machine.velocities)
+    heights = board.draw(to_board, "y_T", energies.total, work.mu)
+    axes = graphs.draw_axes(draft, VIEWS["energy"], work.base, work.mu)
+    gained = graphs.lay_ordinates(draft, axes, done.surplus, "g")
+    ahead = graphs.along_rays(draft, axes, gained, done.pole, at, source)
+    links = graphs.lay_ordinates(draft, axes, heights, "l")
+    carried = graphs.through(draft, axes, links)
+    rest = board.draw(measure_along, "y_F", links.points, gained.points, axes.up)
+    own = graphs.lay_ordinates(draft, axes, rest, "f")
+    curve = graphs.difference(draft, axes, own, ahead, carried)
+    readings = [
+        graphs.read(draft, axes, points.points, letter)
+        for points, letter in ((gained, "ΔT"), (links, "T_L"), (own, "T_F"))
+    ]
+    energy = done.chart._replace(
+        view=VIEWS["energy"], symbol="T", ordinates=tuple(readings), figure=()
+    )
+    return energies, Surplus(axes, ahead), curve, (done.chart, energy)
+
+
+def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
+    """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
+    board, ends = draft.board, []
+    for op, name in ((highest, "c"), (lowest, "d")):
+        top = board.draw(op, f"{name}′", own, axes.origin, axes.end)
+        level = board.draw(parallel, f"({name})", top, axes.along, sense=1)
+        ends.append(board.draw(meet, name, axes.up, level))
+    return board.draw(measure_along, "cd", ends[1], ends[0], axes.up)

@@ -1,0 +1,88 @@
+"""The driving link: the balancing force at the crank pin, or the balancing moment, and the frame's reaction."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.instruments import measure, square
+from graphic_tmm.board.operations.statics import balancing, reversed_
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.forces.loads import Force
+from graphic_tmm.chapters.forces.moments import Acting, Moments
+from graphic_tmm.chapters.forces.polygons import Chain, Polygon, Reaction
+from graphic_tmm.chapters.kinematics.bodies import Body
+
+
+class Driver(NamedTuple):
+    """The driving link: its body, the letters of its pivot and its pin, its drawn arm (Length)."""
+
+    body: Body
+    pivot: Mark
+    pin: Mark
+    arm: Mark
+
+
+class Driven(NamedTuple):
+    """The driving link as solved: the balancing force (N) or moment (N·m), the frame's reaction, the polygon.
+
+    ``force``: the balancing force as it is drawn, None for a moment.
+    """
+
+    balance: Mark
+    force: Force | None
+    reaction: Reaction
+    polygon: Polygon
+
+
+def solve_driver(
+    draft: Draft,
+    driver: Driver,
+    acting: Acting,
+    moments: Moments,
+    views: tuple[str, str],
+    frame: int,
+    kind: str,
+    tried: str = "",
+) -> Driven:
+    """Balance the driving link; ``views``: of its figure and of its polygon; ``kind``: "force" or "moment".
+
+    ``tried``: the number of a pass that others follow.
+    """
+    board, number = draft.board, driver.body.link.number
+    figure, polygon = views
+    board.open(figure)
+    board.say(f"I({number})")
+    forces = acting.forces.get(number, [])
+    couples = acting.couples.get(number, [])
+    total = moments.sum(driver.pivot, forces, couples, f"ΣM_{number}")
+    if total is None:
+        total = draft.take(Number, f"ΣM_{number}", 0.0, "N·m")
+    sides = [(force.letter, force.line, force.value) for force in forces]
+    force, raised = None, f"^{{({tried})}}" if tried else ""
+    if kind == "force":
+        assert draft.mu_l is not None
+        letter = f"P_b{raised}"
+        balance = board.draw(balancing, letter, total, driver.arm, draft.mu_l, unit="N")
+        line = board.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
+        force = Force(letter, number, driver.pin, line, balance)
+        sides.append((letter, line, balance))
+    else:
+        balance = board.draw(reversed_, f"M_b{raised}", total, unit="N·m")
+    board.open(polygon)
+    mu = board.take(Number, "μ_F", "N/mm")
+    start = draft.take(Point, "1", 0j)
+    board.lay_out(start, mu)
+    chain = Chain(draft, mu, start)
+    for letter, line, value in sides:
+        chain.add(letter, line, value)
+    end = chain.end
+    name = f"R_{{{frame}{number}}}"
+    length = board.draw(measure, f"y_{{R{frame}{number}}}", end, start)
+    value = board.draw(in_si, name, length, mu, unit="N")
+    reaction = Reaction(name, (frame, number), end, start, length, value, value)
+    return Driven(
+        balance, force, reaction, Polygon(polygon, mu, (*chain.sides, (name, end, start)))
+    )

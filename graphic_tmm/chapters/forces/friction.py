@@ -1,0 +1,182 @@
+"""Friction from the reactions of the pass before: the angle of friction on guides, the friction circle in pins.
+
+The sense comes from the relative velocities. Both links of a pair get the friction of that pair, so the lever
+carries it like any other load.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.instruments import measure_along
+from graphic_tmm.board.operations.statics import (
+    circle_radius,
+    difference_of,
+    pin_friction,
+    reversed_,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.polygons import Reaction
+from graphic_tmm.chapters.forces.statics import Slope
+from graphic_tmm.chapters.forces.task import Friction
+from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg
+from graphic_tmm.chapters.kinematics.motion import Motion, known_image
+from graphic_tmm.mechanism.structure import Pair
+
+VIEW = "friction"
+
+
+class Joint(NamedTuple):
+    """A pair where friction is called for: its name, its links (link, body), its kind, the closing it is in."""
+
+    pair: Pair
+    links: tuple[int, int]
+    closing: Closing | None
+
+
+@dataclass
+class Rubbing:
+    """Friction of one pass: couples of the pins, slopes of the reactions of guides by pair."""
+
+    couples: list[Couple] = field(default_factory=list)
+    slopes: dict[tuple[int, int], Slope] = field(default_factory=dict)
+
+
+Reactions = dict[tuple[int, int, str], Reaction]
+"""Reactions of a pass by (link, body, name of the pair)."""
+
+
+def guide_leg(joint: Joint) -> GuideLeg:
+    """Return the leg along whose line a pair slides: that of its link, or the inner one."""
+    assert joint.closing is not None
+    link, body = joint.links
+    return next(
+        leg
+        for leg in joint.closing.legs
+        if isinstance(leg, GuideLeg) and (link, body) in ((leg.link, leg.body), (leg.on, leg.link))
+    )
+
+
+def joints(closings: tuple[Closing, ...], driver: tuple[int, int, str]) -> tuple[Joint, ...]:
+    """Return all pairs of a mechanism; ``driver``: crank, frame, the letter of the crank's pivot."""
+    crank, frame, pivot = driver
+    found = [Joint(Pair("R", pivot, (crank, frame)), (crank, frame), None)]
+    for closing in closings:
+        for leg, own in zip(closing.legs, closing.group.legs, strict=True):
+            found.append(Joint(own.pair, (leg.link, leg.body), closing))
+        first, second = closing.legs
+        found.append(Joint(closing.group.inner, (second.link, first.link), closing))
+    return tuple(found)
+
+
+class Rub:
+    """Draws the friction of the joints, pass after pass; radii of friction circles are calculated once."""
+
+    def __init__(
+        self, draft: Draft, velocities: Motion, friction: Friction, pin_speed: Mark, crank: int
+    ) -> None:
+        self.draft, self.velocities, self.friction = draft, velocities, friction
+        self.pin_speed, self.fastest = pin_speed, velocities.rates[crank]
+        self.circles: dict[str, Mark] = {}
+        self._coefficients: dict[str, Mark] = {}
+        self._relative: dict[tuple[int, int], Mark | None] = {}
+
+    def draw(self, found: tuple[Joint, ...], reactions: Reactions) -> Rubbing:
+        """Return the friction that the reactions of the pass before cause."""
+        self.draft.board.open(VIEW)
+        made = Rubbing()
+        for joint in found:
+            if self.friction.f.get(joint.pair.name, 0.0) <= 0.0:
+                continue
+            reaction = reactions[(*joint.links, joint.pair.name)]
+            if joint.pair.kind == "R":
+                self._pin(joint, reaction, made)
+            else:
+                self._guide(joint, reaction, made)
+        return made
+
+    def _coefficient(self, name: str) -> Mark:
+        if name not in self._coefficients:
+            value = self.friction.f[name]
+            self._coefficients[name] = self.draft.take(Number, f"f_{{{name}}}", value)
+        return self._coefficients[name]
+
+    def _pin(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
+        board, (link, body), name = self.draft.board, joint.links, joint.pair.name
+        radius = self.friction.radius.get(name, 0.0)
+        omega = self._turning(link, body)
+        if radius <= 0.0 or omega is None:
+            return
+        if name not in self.circles:
+            of = self.draft.take(Number, f"r_{{{name}}}", radius, "m")
+            self.circles[name] = board.draw(
+                circle_radius, f"ρ_{{{name}}}", self._coefficient(name), of, unit="m"
+            )
+        letter = f"M_{{f{name}{link}}}"
+        value = board.draw(
+            pin_friction,
+            letter,
+            self.circles[name],
+            reaction.value,
+            omega,
+            self.fastest,
+            unit="N·m",
+        )
+        made.couples.append(Couple(letter, link, value))
+        back = board.draw(reversed_, f"M_{{f{name}{body}}}", value, unit="N·m")
+        made.couples.append(Couple(f"M_{{f{name}{body}}}", body, back))
+
+    def _guide(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
+        assert reaction.normal is not None
+        segment = self.velocities.readings[guide_leg(joint).link]
+        f = self._coefficient(joint.pair.name)
+        made.slopes[joint.links] = Slope(f, reaction.normal, segment, self.pin_speed)
+
+    def along_guides(self, found: tuple[Joint, ...], reactions: Reactions) -> list[Force]:
+        """Measure the friction forces along the guides: of each pair on both of its links."""
+        made = []
+        for joint in found:
+            if joint.pair.kind == "P" and self.friction.f.get(joint.pair.name, 0.0) > 0.0:
+                made += self._along(joint, reactions[(*joint.links, joint.pair.name)])
+        return made
+
+    def _along(self, joint: Joint, reaction: Reaction) -> list[Force]:
+        board, (link, body), closing = self.draft.board, joint.links, joint.closing
+        assert closing is not None
+        leg, view = guide_leg(joint), reaction.length.view
+        board.open(view)
+        scale = board.uses(reaction.value)[1]
+        letters = (f"F_{{{body}{link}}}", f"F_{{{link}{body}}}")
+        ends = (reaction.tail, reaction.head)
+        segment = board.draw(measure_along, f"y_{{F{body}{link}}}", *ends, leg.line)
+        value = board.draw(in_si, letters[0], segment, scale, unit="N")
+        own = self.velocities.closed[closing.group.name]
+        under = known_image(self.velocities, closing, leg)
+        made = [Force(letters[0], link, closing.point, leg.line, value, own)]
+        if under != self.velocities.images.pole:
+            back = board.draw(reversed_, letters[1], value, unit="N")
+            made.append(Force(letters[1], body, closing.point, leg.line, back, under))
+        return made
+
+    def _turning(self, link: int, body: int) -> Mark | None:
+        """Return the angular velocity of a link relative to another; None if there is none."""
+        if (link, body) not in self._relative:
+            rates, board = self.velocities.rates, self.draft.board
+            own, other = rates.get(link), rates.get(body)
+            letter = f"ω_{{{link}{body}}}"
+            if own == other:
+                found = None
+            elif own is None and other is not None:
+                found = board.draw(reversed_, letter, other, unit="1/s")
+            elif other is None:
+                found = own
+            else:
+                assert own is not None
+                found = board.draw(difference_of, letter, own, other, unit="1/s")
+            self._relative[link, body] = found
+        return self._relative[link, body]

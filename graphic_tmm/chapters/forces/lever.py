@@ -1,0 +1,233 @@
+"""Zhukovsky's lever: the turned velocity plan as a rigid lever about its pole, with every load at its image.
+
+A force is carried parallel to the image of its point of application; a couple on a link as its moment converted
+to the plan, M·ab/l, or as a pair of forces at the ends of the link's segment. The lever is in equilibrium.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.instruments import measure, parallel, square
+from graphic_tmm.board.operations.statics import (
+    arm,
+    balancing_on_lever,
+    carry,
+    converted,
+    converted_reversed,
+    moment_on_arm,
+    on_lever,
+    per_times,
+    reversed_,
+    tangential,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.forces.driving import Driver
+from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.kinematics.bodies import PinLeg
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.positions import Positions
+
+VIEW = "lever"
+
+
+class Carried(NamedTuple):
+    """A force on the lever: its letter, its image point, its line, its size (N)."""
+
+    letter: str
+    point: Mark
+    line: Mark
+    value: Mark
+
+
+class Lever(NamedTuple):
+    """The lever as drawn: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
+
+    ``balance``: N at the crank pin, or N·m; ``couples``: the converted moments (N·mm) by letter;
+    ``moments``: of all loads (N·mm); ``segment``: of the crank pin, as read (Length).
+    """
+
+    pole: Mark
+    times: Mark
+    mu: Mark
+    images: dict[int, tuple[Mark, ...]]
+    forces: tuple[Carried, ...]
+    couples: dict[str, Mark]
+    moments: dict[str, Mark]
+    balance: Mark
+    pin: Mark
+    segment: Mark
+
+
+class _Plan:
+    """The lever while it is drawn."""
+
+    def __init__(self, draft: Draft, velocities: Motion, quarters: int) -> None:
+        self.draft, self.velocities, self.quarters = draft, velocities, quarters
+        self.pole = draft.take(Point, "p", 0j)
+        self.times = draft.board.take(Number, "k")
+        self.known: dict[Mark, Mark] = {velocities.images.pole: self.pole}
+        self.forces: list[Carried] = []
+        self.moments: dict[str, Mark] = {}
+        self.converted: dict[str, Mark] = {}
+
+    def image(self, of: Mark) -> Mark:
+        if of not in self.known:
+            board = self.draft.board
+            pole = self.velocities.images.pole
+            letter = board.free(of.letter)
+            self.known[of] = board.draw(
+                carry, letter, self.pole, pole, of, self.times, quarters=self.quarters
+            )
+        return self.known[of]
+
+    def carry_force(self, letter: str, image: Mark, line: Mark, value: Mark) -> None:
+        """Carry a force to its image; one at the pole has no arm."""
+        point = self.image(image)
+        if point != self.pole:
+            board = self.draft.board
+            along = board.draw(parallel, board.free(f"({letter})"), point, line, sense=1)
+            self.turn(letter, point, along, value)
+
+    def turn(self, letter: str, point: Mark, along: Mark, value: Mark) -> None:
+        """Measure the arm of a force on the lever and calculate its moment, N·mm."""
+        board = self.draft.board
+        bare = letter.replace("_", "").replace("{", "").replace("}", "")
+        height = board.draw(arm, board.free(f"h_{{{bare}}}"), self.pole, along)
+        found = board.draw(on_lever, board.free(f"M({letter})"), value, height, unit="N·mm")
+        self.forces.append(Carried(letter, point, along, value))
+        self.note(letter, found)
+
+    def note(self, letter: str, moment: Mark) -> None:
+        """Keep a moment; loads of one letter (friction of two pairs at a pin) are told apart by primes."""
+        while letter in self.moments:
+            letter += "′"
+        self.moments[letter] = moment
+
+    def carry_couple(self, couple: Couple, base: _Base, kind: str) -> None:
+        """Convert a couple to the plan, or set a pair of forces at the ends of its link's segment."""
+        draft, board = self.draft, self.draft.board
+        assert draft.mu_l is not None
+        bare = couple.letter.replace("_", "").replace("{", "").replace("}", "")
+        if kind == "moment":
+            formula = converted if base.sense > 0 else converted_reversed
+            found = board.draw(
+                formula,
+                board.free(f"{couple.letter}′"),
+                couple.value,
+                self.times,
+                base.segment,
+                base.length,
+                draft.mu_l,
+                unit="N·mm",
+            )
+            self.converted[couple.letter] = found
+            self.note(couple.letter, found)
+            return
+        force = board.draw(
+            tangential, board.free(f"F_{{{bare}}}"), couple.value, base.length, draft.mu_l, unit="N"
+        )
+        across = board.draw(square, board.free(f"(F_{{{bare}}})"), base.at, base.line, sense=1)
+        self.carry_force(f"F_{{{bare}}}", base.end, across, force)
+        if base.start != self.velocities.images.pole:
+            back = board.draw(reversed_, board.free(f"−F_{{{bare}}}"), force, unit="N")
+            self.carry_force(f"−F_{{{bare}}}", base.start, across, back)
+
+
+class _Base(NamedTuple):
+    """What a link's couple is converted by: its segment on the plan, its length, their ends, the sense."""
+
+    segment: Mark
+    length: Mark
+    start: Mark
+    end: Mark
+    at: Mark
+    line: Mark
+    sense: int
+
+
+def draw_lever(
+    draft: Draft,
+    positions: Positions,
+    velocities: Motion,
+    driver: Driver,
+    loads: tuple[list[Force], list[Couple]],
+    *,
+    quarters: int,
+    sense: int,
+    couples: str,
+    arm: Mark | None,
+) -> Lever:
+    """Draw the lever and find what balances it at the crank.
+
+    ``quarters``: right angles that the velocity plan lacks to be a turned one; ``sense``: of the crank's
+    rotation; ``arm``: the crank's real length (m) if a balancing moment is wanted, None for a force.
+    """
+    draft.board.open(VIEW)
+    plan = _Plan(draft, velocities, quarters)
+    mu = draft.board.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
+    draft.board.lay_out(plan.pole, mu)
+    forces, turned = loads
+    pin_image = velocities.images.by_letter[driver.body.link.number][driver.pin.letter]
+    pin = plan.image(pin_image)
+    for force in forces:
+        assert force.image is not None
+        plan.carry_force(force.letter, force.image, force.line, force.value)
+    for couple in turned:
+        base = _base(draft, positions, velocities, driver, couple.link, sense)
+        if base is not None:
+            plan.carry_couple(couple, base, couples)
+    segment = draft.board.draw(measure, f"p{pin.letter}", plan.pole, pin)
+    balance = _balance(draft, plan, segment, arm)
+    images = {
+        number: tuple(
+            plan.known[image]
+            for image in dict.fromkeys(velocities.images.by_letter[number].values())
+            if image in plan.known
+        )
+        for number in positions.bodies
+    }
+    found = (images, tuple(plan.forces), plan.converted, plan.moments)
+    return Lever(plan.pole, plan.times, mu, *found, balance, pin, segment)
+
+
+def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
+    board = draft.board
+    total: Mark | None = None
+    for found in plan.moments.values():
+        total = found if total is None else board.draw(added, "ΣM", total, found, unit="N·mm")
+    if total is None:
+        total = draft.take(Number, "ΣM", 0.0, "N·mm")
+    force = board.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
+    if arm is None:
+        return force
+    return board.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m")
+
+
+def _base(
+    draft: Draft, positions: Positions, velocities: Motion, driver: Driver, link: int, sense: int
+) -> _Base | None:
+    """Return what a link's couples are converted by; None if the link does not turn.
+
+    A link that slides on another turns with it, and takes its segment.
+    """
+    rate = velocities.rates.get(link)
+    if rate is None:
+        return None
+    crank = driver.body.link.number
+    if rate == velocities.rates[crank]:
+        image = velocities.images.by_letter[crank][driver.pin.letter]
+        segment = draft.board.uses(image)[1]
+        pole = velocities.images.pole
+        return _Base(segment, driver.arm, pole, image, driver.pin, driver.body.axis, 1)
+    for closing in positions.closings:
+        for leg in closing.legs:
+            if isinstance(leg, PinLeg) and velocities.rates[leg.link] == rate:
+                start = velocities.images.by_letter[leg.link][leg.letter]
+                end = velocities.closed[closing.group.name]
+                segment = velocities.readings[leg.link]
+                return _Base(segment, leg.length, start, end, leg.pivot, leg.line, sense)
+    return None

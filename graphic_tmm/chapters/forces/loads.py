@@ -1,0 +1,289 @@
+"""The loads of the links: weights, inertia forces and couples, gas, given forces and moments.
+
+Each force gets a line of action on the plan of positions, through its point of application; its size is signed
+along it. Nothing is drawn of an effect that is not called for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import count
+from operator import attrgetter
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
+from graphic_tmm.board.operations.statics import (
+    action,
+    against_turning,
+    inertia_couple,
+    inertia_force,
+    inertia_force_along,
+    offset,
+    weight,
+    with_motion,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.forces.task import AGAINST, ForcesOrder, Load
+from graphic_tmm.chapters.forces.travel import by_travel
+from graphic_tmm.chapters.indicator.cylinder import Cylinder
+from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
+from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.masses import mass_centre
+from graphic_tmm.mechanism.records import Link, Mechanism
+
+VIEW = "loads"
+
+
+class Force(NamedTuple):
+    """A force on a link: its letter, its point of application, line of action, size (N, signed along it).
+
+    ``image``: of the point, as a point of that link, on the plan of velocities.
+    """
+
+    letter: str
+    link: int
+    point: Mark
+    line: Mark
+    value: Mark
+    image: Mark | None = None
+
+
+class Couple(NamedTuple):
+    """A couple on a link: its letter, its moment (N·m, counter-clockwise positive)."""
+
+    letter: str
+    link: int
+    value: Mark
+
+
+@dataclass
+class Loads:
+    """What acts on the links: as kinetostatics takes it, and as it is carried onto the lever.
+
+    They differ where an inertia force and couple are replaced by one force.
+    """
+
+    forces: list[Force] = field(default_factory=list)
+    couples: list[Couple] = field(default_factory=list)
+    on_lever: list[Force] = field(default_factory=list)
+    couples_on_lever: list[Couple] = field(default_factory=list)
+
+    @property
+    def outer(self) -> tuple[str, ...]:
+        """The letters of the loads that are not inertia's."""
+        letters = [force.letter for force in self.on_lever]
+        letters += [couple.letter for couple in self.couples_on_lever]
+        return tuple(k for k in letters if not k.startswith(("P_{i", "M_{i")))
+
+    def add(self, load: Force | Couple) -> None:
+        """Enter a load that both methods take alike."""
+        if isinstance(load, Force):
+            self.forces.append(load)
+            self.on_lever.append(load)
+        else:
+            self.couples.append(load)
+            self.couples_on_lever.append(load)
+
+
+class Ground(NamedTuple):
+    """What loads are drawn on: the board, the mechanism, its plans, how the velocity plan is turned.
+
+    ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
+    ``numbers``: where each position stands in the row of so many ``intervals``.
+    """
+
+    draft: Draft
+    mechanism: Mechanism
+    positions: Positions
+    velocities: Motion
+    accelerations: Motion | None
+    quarters: int
+    pin_speed: Mark
+    numbers: np.ndarray
+    intervals: int
+
+
+def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Loads:
+    """Calculate the loads and draw their lines of action.
+
+    ``gas``: the cylinder whose gas pushes the piston.
+
+    Raises
+    ------
+    StructureError
+        If a load names a link or point that is not there, or a mass has no centre.
+    """
+    ground.draft.board.open(VIEW)
+    loads = Loads()
+    for link in sorted(ground.mechanism.links, key=attrgetter("number")):
+        if order.gravity and link.mass:
+            loads.add(_weight(ground, link, order.g))
+        if order.inertia:
+            _inertia(ground, link, loads, single=link.number in order.single)
+    for load in order.loads:
+        loads.add(_given(ground, load))
+    if gas is not None:
+        loads.add(_gas(ground, gas))
+    return loads
+
+
+def _at(ground: Ground, link: int, letter: str) -> tuple[Mark, Mark]:
+    """Return a link's point on the plan of positions, and its image on that of velocities."""
+    body = ground.positions.bodies[link]
+    return body.marks[letter], ground.velocities.images.by_letter[link][letter]
+
+
+def _weight(ground: Ground, link: Link, gravity: float) -> Force:
+    draft, n = ground.draft, link.number
+    point, image = _at(ground, n, mass_centre(ground.mechanism, link))
+    assert link.mass is not None
+    mass, g = draft.constant(f"m_{n}", link.mass, "kg"), draft.constant("g", gravity, "m/s²")
+    value = draft.board.draw(weight, f"G_{n}", mass, g, unit="N")
+    line = draft.board.draw(ray, f"(G_{n})", point, draft.direction(-90.0))
+    return Force(f"G_{n}", n, point, line, value, image)
+
+
+def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
+    plan = ground.accelerations
+    assert plan is not None, "inertia needs the plan of accelerations"
+    board, n = ground.draft.board, link.number
+    force = _inertia_force(ground, plan, link) if link.mass else None
+    couple = None
+    if link.inertia and n in plan.rates:
+        inertia = ground.draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
+        letter = f"M_{{i{n}}}"
+        value = board.draw(inertia_couple, letter, inertia, plan.rates[n], unit="N·m")
+        couple = Couple(letter, n, value)
+    if not (single and force is not None and couple is not None):
+        for load in (force, couple):
+            if load is not None:
+                loads.add(load)
+        return
+    loads.on_lever.append(force)
+    loads.couples_on_lever.append(couple)
+    assert ground.draft.mu_l is not None
+    by = board.draw(offset, f"h_{{i{n}}}", couple.value, force.value, ground.draft.mu_l)
+    across = board.draw(square, f"(h_{{i{n}}})", force.point, force.line, sense=1)
+    point = board.draw(lay_off, board.free(f"T{n}"), across, by)
+    line = board.draw(parallel, f"({force.letter}′)", point, force.line, sense=1)
+    loads.forces.append(force._replace(point=point, line=line, image=None))
+
+
+def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
+    draft, n = ground.draft, link.number
+    centre = mass_centre(ground.mechanism, link)
+    point, image = _at(ground, n, centre)
+    end = plan.images.by_letter[n][centre]
+    segment = reading_of(draft, plan, end)
+    if segment is None:
+        return None
+    assert link.mass is not None
+    mass = draft.constant(f"m_{n}", link.mass, "kg")
+    formula = inertia_force_along if is_signed(draft, segment) else inertia_force
+    letter = f"P_{{i{n}}}"
+    value = draft.board.draw(formula, letter, mass, segment, plan.mu, unit="N")
+    line = draft.board.draw(action, f"({letter})", point, end, plan.images.pole)
+    return Force(letter, n, point, line, value, image)
+
+
+def _gas(ground: Ground, cylinder: Cylinder) -> Force:
+    """Draw the force of the gas on the piston: along its guide, from the cover towards the crank."""
+    letter, link = cylinder.indicator.order.point, cylinder.leg.link
+    point, image = _at(ground, link, letter)
+    sense = -1 if cylinder.outward > 0 else 1
+    line = ground.draft.board.draw(parallel, "(P)", point, cylinder.leg.line, sense=sense)
+    return Force("P", link, point, line, cylinder.indicator.force, image)
+
+
+def _given(ground: Ground, load: Load) -> Force | Couple:
+    links = ground.mechanism.by_number
+    if load.link not in links or load.link == ground.mechanism.frame.number:
+        raise StructureError(f"load: there is no moving link {load.link}")
+    if load.point is None:
+        return _moment(ground, load)
+    if load.point not in links[load.link].points:
+        known = ", ".join(links[load.link].points)
+        raise StructureError(
+            f"load on link {load.link}: it has no point {load.point}; its points are {known}"
+        )
+    draft, board = ground.draft, ground.draft.board
+    point, image = _at(ground, load.link, load.point)
+    letter = _letter(ground, "F", load.link)
+    if load.direction != AGAINST:
+        size = _size(ground, load, letter, "N")
+        line = board.draw(ray, f"({letter})", point, draft.direction(float(load.direction)))
+        return Force(letter, load.link, point, line, size, image)
+    reading = reading_of(draft, ground.velocities, image)
+    if reading is None:
+        raise StructureError(
+            f"load on link {load.link}: {load.point} does not move: give the direction as an angle"
+        )
+    size = _size(ground, load, f"|{letter}|", "N")
+    line = _against(ground, letter, point, image, reading)
+    value = board.draw(with_motion, letter, size, reading, ground.pin_speed, unit="N")
+    return Force(letter, load.link, point, line, value, image)
+
+
+def _letter(ground: Ground, symbol: str, link: int) -> str:
+    """Return the letter of a given load: F_5; a second one on its link is F_{5(2)}."""
+    board, letter = ground.draft.board, f"{symbol}_{link}"
+    for k in count(2):
+        if board.free(letter) == letter:
+            break
+        letter = f"{symbol}_{{{link}({k})}}"
+    return letter
+
+
+def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mark) -> Mark:
+    """Draw the line of action against a velocity; where that was read along a line, against its sense."""
+    board, turns = ground.draft.board, ground.quarters
+    if not is_signed(ground.draft, reading):
+        pole = ground.velocities.images.pole
+        return board.draw(action, f"({letter})", point, image, pole, quarters=turns)
+    along = board.uses(reading)[2]
+    if turns == 0:
+        return board.draw(parallel, f"({letter})", point, along, sense=-1)
+    return board.draw(square, f"({letter})", point, along, sense=-turns)
+
+
+def _moment(ground: Ground, load: Load) -> Couple:
+    board, plan = ground.draft.board, ground.velocities
+    letter = _letter(ground, "M", load.link)
+    if load.direction != AGAINST:
+        return Couple(letter, load.link, _size(ground, load, letter, "N·m"))
+    rate = plan.rates.get(load.link)
+    if rate is None:
+        raise StructureError(
+            f"load on link {load.link}: it does not turn: leave the moment's direction out"
+        )
+    size = _size(ground, load, f"|{letter}|", "N·m")
+    fastest = plan.rates[ground.mechanism.drive.link]
+    value = board.draw(against_turning, letter, size, rate, fastest, unit="N·m")
+    return Couple(letter, load.link, value)
+
+
+def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
+    """Take the size of a load: constant, by position, by angle; or find it by a travel."""
+    draft, intervals = ground.draft, ground.intervals
+    letter = draft.board.free(letter)
+    if load.travel is not None:
+        return by_travel(
+            draft, ground.positions, ground.mechanism, load.travel, ground.numbers, (letter, unit)
+        )
+    value: object = load.size
+    if load.by_angle:
+        turned = ground.numbers * (360.0 / intervals)
+        at, sizes = zip(*load.by_angle, strict=True)
+        value = np.interp(turned, at, sizes, period=360.0)[None, :]
+    elif isinstance(load.size, tuple):
+        if len(load.size) != intervals:
+            raise StructureError(
+                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: give one for each"
+            )
+        value = np.array([*load.size, *[np.nan] * (ground.numbers.size - intervals)])[None, :]
+    return draft.take(Number, letter, value, unit)

@@ -1,0 +1,62 @@
+"""What acts on the links of a mechanism, and its moments about points by arms measured on the drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.statics import arm, moment
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces.loads import Couple, Force
+
+
+class Moments:
+    """Moments of forces about points, each arm measured once."""
+
+    def __init__(self, draft: Draft) -> None:
+        self.draft = draft
+        self._known: dict[tuple[Mark, Mark], Mark] = {}
+
+    def sum(
+        self, about: Mark, forces: Iterable[Force], couples: Iterable[Couple], letter: str
+    ) -> Mark | None:
+        """Return the sum of moments about a point, N·m; None where nothing turns about it."""
+        found = [self._of(about, force) for force in forces if force.point != about]
+        found += [couple.value for couple in couples]
+        total: Mark | None = None
+        for one in found:
+            total = one if total is None else self._added(total, one, letter)
+        return total
+
+    def _added(self, first: Mark, second: Mark, letter: str) -> Mark:
+        board = self.draft.board
+        return board.draw(added, board.free(letter), first, second, unit="N·m")
+
+    def _of(self, about: Mark, force: Force) -> Mark:
+        known = self._known.get((about, force.line))
+        if known is None:
+            board, mu_l = self.draft.board, self.draft.mu_l
+            assert mu_l is not None
+            name = force.letter.replace("{", "").replace("}", "").replace("_", "")
+            height = board.draw(arm, board.free(f"h_{{{name}}}"), about, force.line)
+            letter = board.free(f"M_{{{about.letter}}}({force.letter})")
+            known = board.draw(moment, letter, force.value, height, mu_l, unit="N·m")
+            self._known[about, force.line] = known
+        return known
+
+
+@dataclass
+class Acting:
+    """What acts on the links while groups are solved one after another: loads, then reactions handed on."""
+
+    forces: dict[int, list[Force]] = field(default_factory=dict)
+    couples: dict[int, list[Couple]] = field(default_factory=dict)
+
+    def add(self, load: Force | Couple) -> None:
+        """Enter a load."""
+        if isinstance(load, Force):
+            self.forces.setdefault(load.link, []).append(load)
+        else:
+            self.couples.setdefault(load.link, []).append(load)

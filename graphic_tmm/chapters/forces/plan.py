@@ -1,0 +1,216 @@
+"""Kinetostatics of a whole mechanism: groups in reverse order of attachment, the driving link, the lever.
+
+With friction the whole is recorded in passes, the first without it, each further one with the friction that the
+reactions of the pass before cause.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces.driving import Driven, Driver, solve_driver
+from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
+from graphic_tmm.chapters.forces.lever import Lever, draw_lever
+from graphic_tmm.chapters.forces.loads import Couple, Force, Ground, Loads, draw_loads
+from graphic_tmm.chapters.forces.moments import Acting, Moments
+from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
+from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
+from graphic_tmm.chapters.forces.task import ForcesOrder
+from graphic_tmm.chapters.indicator.cylinder import Cylinder
+
+VIEW = "forces"
+"""Polygons are views "forces 4-5"; figures of detached groups "group 4-5", of the driving link "group 1"."""
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The forces of a mechanism as drawn, of the last pass.
+
+    ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %.
+    ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
+    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by letter.
+    """
+
+    order: ForcesOrder
+    loads: Loads
+    groups: tuple[Solved, ...]
+    driven: Driven
+    lever: Lever
+    acting: Acting
+    balance: Mark
+    difference: Mark
+    open: Mark | None = None
+    efficiency: Mark | None = None
+    circles: dict[str, Mark] | None = None
+
+    @staticmethod
+    def owns(view: str) -> bool:
+        """Whether a view of the board is one that forces are drawn in, those of earlier passes too."""
+        kind, _, rest = view.partition(" ")
+        return view in ("loads", "friction", "lever") or (kind in (VIEW, "group") and bool(rest))
+
+    @property
+    def polygons(self) -> tuple[Polygon, ...]:
+        """The polygons in the order in which they were drawn."""
+        return (*(group.polygon for group in self.groups), self.driven.polygon)
+
+    @property
+    def reactions(self) -> tuple[Reaction, ...]:
+        """The reactions in the order in which they were found."""
+        found = [reaction for group in self.groups for reaction in group.reactions]
+        return (*found, self.driven.reaction)
+
+
+class _Pass(NamedTuple):
+    groups: tuple[Solved, ...]
+    driven: Driven
+    acting: Acting
+    rubbing: Rubbing
+
+
+def draw_forces(
+    ground: Ground,
+    driver: Driver,
+    order: ForcesOrder,
+    arm: Mark,
+    gas: Cylinder | None = None,
+) -> Forces:
+    """Record the kinetostatics and the lever.
+
+    ``arm``: the crank's real length (m); ``gas``: the cylinder whose gas pushes the piston.
+
+    Raises
+    ------
+    StructureError
+        If a load names what is not there.
+    """
+    draft = ground.draft
+    loads = draw_loads(ground, order, gas)
+    moments = Moments(draft)
+    crank, frame = driver.body.link.number, ground.mechanism.frame.number
+    friction = order.friction
+    count = friction.passes if friction is not None else 0
+    found = joints(ground.positions.closings, (crank, frame, driver.pivot.letter))
+    rub = Rub(draft, ground.velocities, friction, ground.pin_speed, crank) if friction else None
+    rubbing = Rubbing()
+    passes: list[_Pass] = []
+    for k in range(count + 1):
+        if k and rub is not None:
+            rubbing = rub.draw(found, _by_joint(found, passes[-1]))
+        suffix = "" if k == count else f" {k}"
+        passes.append(_solve(ground, driver, order, loads, rubbing, moments, suffix))
+    last = passes[-1]
+    balance = last.driven.balance
+    open_ = share = None
+    if friction is not None:
+        balance, open_, share = _settle(ground, passes, order.balance)
+    slid = rub.along_guides(found, _by_joint(found, last)) if rub is not None else []
+    carried = ([*loads.on_lever, *slid], [*loads.couples_on_lever, *rubbing.couples])
+    lever = _lever(ground, driver, order, carried, arm)
+    draft.board.open("lever")
+    difference = draft.board.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
+    circles = rub.circles if rub is not None else None
+    return Forces(
+        order,
+        loads,
+        last.groups,
+        last.driven,
+        lever,
+        last.acting,
+        balance,
+        difference,
+        open_,
+        share,
+        circles,
+    )
+
+
+def _solve(
+    ground: Ground,
+    driver: Driver,
+    order: ForcesOrder,
+    loads: Loads,
+    rubbing: Rubbing,
+    moments: Moments,
+    suffix: str,
+) -> _Pass:
+    draft, acting = ground.draft, Acting()
+    frame, crank = ground.mechanism.frame.number, driver.body.link.number
+    for force in loads.forces:
+        acting.add(force)
+    for couple in (*loads.couples, *rubbing.couples):
+        acting.add(couple)
+    figures = {crank: f"group {crank}"}
+    for closing in ground.positions.closings:
+        figures |= dict.fromkeys(closing.group.links, f"group {closing.group.name}")
+    groups = []
+    for closing in reversed(ground.positions.closings):
+        name = closing.group.name
+        solved = solve_group(
+            draft,
+            closing,
+            acting,
+            moments,
+            (f"group {name}", f"{VIEW} {name}{suffix}"),
+            rubbing.slopes,
+            rough=order.friction is not None,
+        )
+        hand_on(draft, solved, acting, frame, figures.__getitem__)
+        groups.append(solved)
+    views = (f"group {crank}", f"{VIEW} {crank}{suffix}")
+    driven = solve_driver(
+        draft, driver, acting, moments, views, frame, order.balance, suffix.strip()
+    )
+    return _Pass(tuple(groups), driven, acting, rubbing)
+
+
+def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str], Reaction]:
+    """Return the reaction of every pair in a pass, by (link, body, name of the pair)."""
+    made = {}
+    for joint in found:
+        if joint.closing is None:
+            reaction = done.driven.reaction
+        else:
+            group = next(g for g in done.groups if g.closing is joint.closing)
+            pairs = [own.pair for own in joint.closing.group.legs] + [joint.closing.group.inner]
+            reaction = group.reactions[pairs.index(joint.pair)]
+        made[(*joint.links, joint.pair.name)] = reaction
+    return made
+
+
+def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark, Mark]:
+    """Tell what further passes can change, refuse what does not settle, and find the efficiency."""
+    board = ground.draft.board
+    board.open("friction")
+    unit, letter = ("N", "P_b") if kind == "force" else ("N·m", "M_b")
+    last, before, first = (done.driven.balance for done in reversed(passes[-3:]))
+    open_ = board.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
+    balance = board.draw(settled, letter, last, open_, unit=unit)
+    speed = ground.velocities.rates[ground.mechanism.drive.link]
+    without = passes[0].driven.balance
+    share = board.draw(efficiency, "η", without, balance, speed, unit="%")
+    return balance, open_, share
+
+
+def _lever(
+    ground: Ground,
+    driver: Driver,
+    order: ForcesOrder,
+    loads: tuple[list[Force], list[Couple]],
+    arm: Mark,
+) -> Lever:
+    sense = 1 if ground.mechanism.drive.speed > 0 else -1
+    return draw_lever(
+        ground.draft,
+        ground.positions,
+        ground.velocities,
+        driver,
+        loads,
+        quarters=0 if ground.quarters else -sense,
+        sense=sense,
+        couples=order.couples,
+        arm=arm if order.balance == "moment" else None,
+    )

@@ -1,0 +1,73 @@
+"""Polygons of forces: reactions as their vectors, the known sides laid off one after another."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import lay_off, parallel, square
+from graphic_tmm.board.record import Mark
+
+Pair = tuple[int, int]
+
+
+class Reaction(NamedTuple):
+    """The force of one link on another: its letter R_{12}, its vector, its length and its size (N).
+
+    ``normal``: of a sliding pair, the part square to its guide (Length, signed); ``place``: how far from the
+    closing point the reaction acts along the guide (Length), None where it acts there.
+    """
+
+    letter: str
+    links: Pair
+    tail: Mark
+    head: Mark
+    length: Mark
+    value: Mark
+    normal: Mark | None = None
+    place: Mark | None = None
+
+
+class Polygon(NamedTuple):
+    """A polygon of forces as drawn: its view, its scale, its sides (letter, tail, head) in order."""
+
+    view: str
+    mu: Mark
+    sides: tuple[tuple[str, Mark, Mark], ...]
+
+
+class Chain:
+    """The known sides of a polygon, laid off one after another."""
+
+    def __init__(self, draft: Draft, mu: Mark, start: Mark) -> None:
+        self.draft, self.mu, self.end = draft, mu, start
+        self.sides: list[tuple[str, Mark, Mark]] = []
+
+    def add(self, letter: str, line: Mark, value: Mark) -> None:
+        """Lay off a load parallel to its line of action."""
+        board = self.draft.board
+        side = board.draw(parallel, board.free(f"({letter})"), self.end, line, sense=1)
+        self.lay(letter, side, value)
+
+    def add_across(self, letter: str, line: Mark, value: Mark) -> None:
+        """Lay off a tangential component: square to its link."""
+        side = self.draft.board.draw(square, f"({letter})", self.end, line, sense=1)
+        self.lay(letter, side, value)
+
+    def lay(self, letter: str, side: Mark, value: Mark) -> None:
+        """Lay off a force along a line that begins at the end of the chain."""
+        board = self.draft.board
+        length = board.draw(to_board, board.free(f"y_{{{_bare(letter)}}}"), value, self.mu)
+        head = self.draft.board.draw(lay_off, str(self.count + 1), side, length)
+        self.sides.append((letter, self.end, head))
+        self.end = head
+
+    @property
+    def count(self) -> int:
+        """How many vertices there are."""
+        return len(self.sides) + 1
+
+
+def _bare(letter: str) -> str:
+    return letter.replace("_", "").replace("{", "").replace("}", "")

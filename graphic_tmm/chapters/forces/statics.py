@@ -1,0 +1,237 @@
+"""A group detached: tangential components from moments, then the polygon that two legs close.
+
+The polygon of links 2 and 3 goes: what is known of the outer reaction of link 2, its loads, the loads of link
+3, what is known of its outer reaction. The lines of the unknown components, drawn through both ends, meet in
+the closing vertex; from there to between the loads of the two links goes the reaction of the inner pair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
+from graphic_tmm.board.operations.statics import action, at_friction_angle, place_of, tangential
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.moments import Acting, Moments
+from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction
+from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
+
+
+class Slope(NamedTuple):
+    """How a sliding pair's reaction leans off the normal: f, the normal part in the pass before, the speed.
+
+    ``normal`` and ``segment`` are those of the first link of the pair against the second; ``pin``: the crank
+    pin's speed on the same plan.
+    """
+
+    f: Mark
+    normal: Mark
+    segment: Mark
+    pin: Mark
+
+
+class Solved(NamedTuple):
+    """A group as solved: its reactions (outer ones by leg, then the inner), its polygon.
+
+    ``turning``: the sum of moments about the closing point that the outer pair of a link has to balance.
+    """
+
+    closing: Closing
+    reactions: tuple[Reaction, Reaction, Reaction]
+    polygon: Polygon
+    turning: dict[int, Mark | None]
+
+
+def solve_group(
+    draft: Draft,
+    closing: Closing,
+    acting: Acting,
+    moments: Moments,
+    views: tuple[str, str],
+    slopes: dict[Pair, Slope],
+    *,
+    rough: bool,
+) -> Solved:
+    """Solve a group; ``views``: of its figure, where moments are taken, and of its polygon.
+
+    ``slopes``: friction along guides by pair (link, body); of the inner guide by (link 3, link 2).
+    ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
+    """
+    first, second = closing.legs
+    inner = closing.group.inner.kind == "P"
+    board, (figure, polygon) = draft.board, views
+    board.open(figure)
+    board.say(f"II({closing.group.name})")
+    turning: dict[int, Mark | None] = {}
+    for leg in closing.legs:
+        both = inner and not (isinstance(leg, GuideLeg) and leg.inner)
+        links = (first.link, second.link) if both else (leg.link,)
+        turning[leg.link] = _moments_of(closing, acting, moments, links, f"ΣM_{leg.link}")
+    tangents = _tangents(draft, closing, turning)
+    board.open(polygon)
+    mu = board.take(Number, "μ_F", "N/mm")
+    start = draft.take(Point, "1", 0j)
+    board.lay_out(start, mu)
+    chain = Chain(draft, mu, start)
+    if first.link in tangents and isinstance(first, PinLeg):
+        chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
+    loads = chain.end
+    for force in acting.forces.get(first.link, []):
+        chain.add(force.letter, force.line, force.value)
+    middle = chain.end
+    for force in acting.forces.get(second.link, []):
+        chain.add(force.letter, force.line, force.value)
+    loaded = chain.end
+    if second.link in tangents and isinstance(second, PinLeg):
+        chain.add_across(_tangent_letter(second), second.line, tangents[second.link])
+    held = isinstance(first, GuideLeg) and first.inner
+    lines = [
+        _unknown(draft, first, middle if held else start, slopes),
+        _unknown(draft, second, chain.end, slopes),
+    ]
+    top = board.draw(meet, str(chain.count + 1), lines[1], lines[0])
+    corners = _Corners(start, loads, middle, loaded, chain.end, top)
+    return _read(draft, closing, chain, corners, (turning, tangents), rough=rough)
+
+
+def _moments_of(
+    closing: Closing, acting: Acting, moments: Moments, links: tuple[int, ...], letter: str
+) -> Mark | None:
+    forces = [force for link in links for force in acting.forces.get(link, [])]
+    couples = [couple for link in links for couple in acting.couples.get(link, [])]
+    return moments.sum(closing.point, forces, couples, letter)
+
+
+def _tangents(draft: Draft, closing: Closing, turning: dict[int, Mark | None]) -> dict[int, Mark]:
+    """Calculate the tangential components of the turning legs, where there is a moment to balance."""
+    found = {}
+    for leg in closing.legs:
+        total = turning[leg.link]
+        if isinstance(leg, PinLeg) and total is not None:
+            assert draft.mu_l is not None
+            letter = _tangent_letter(leg)
+            found[leg.link] = draft.board.draw(
+                tangential, letter, total, leg.length, draft.mu_l, unit="N"
+            )
+    return found
+
+
+def _tangent_letter(leg: PinLeg) -> str:
+    return f"R_{{{leg.body}{leg.link}}}^{{t}}"
+
+
+class _Corners(NamedTuple):
+    """Vertices of a polygon: its beginning, before, between and behind the loads, its end, where lines met."""
+
+    start: Mark
+    loads: Mark
+    middle: Mark
+    loaded: Mark
+    end: Mark
+    top: Mark
+
+
+def _unknown(
+    draft: Draft, leg: PinLeg | GuideLeg, through: Mark, slopes: dict[Pair, Slope]
+) -> Mark:
+    """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
+    board = draft.board
+    if isinstance(leg, PinLeg):
+        letter = board.free(f"(R_{{{leg.body}{leg.link}}})")
+        return board.draw(parallel, letter, through, leg.line, sense=1)
+    pair = _pair(leg)
+    letter = board.free(f"(R_{{{pair[1]}{pair[0]}}})")
+    if pair in slopes:
+        return board.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
+    return board.draw(square, letter, through, leg.line, sense=1)
+
+
+def _pair(leg: GuideLeg) -> Pair:
+    """Return whose reaction a guide's line shows: link and body; of the inner guide rocker and stone."""
+    return (leg.on, leg.link) if leg.inner else (leg.link, leg.body)
+
+
+def _read(
+    draft: Draft,
+    closing: Closing,
+    chain: Chain,
+    at: _Corners,
+    sums: tuple[dict[int, Mark | None], dict[int, Mark]],
+    *,
+    rough: bool,
+) -> Solved:
+    """Measure the reactions; close the polygon with the unknown sides.
+
+    ``sums``: the moments that the outer pairs have to balance, the tangential components found of them.
+    """
+    turning, tangents = sums
+    first, second = closing.legs
+    inner = closing.group.inner.kind == "P"
+    vectors = ((at.top, at.loads), (at.loaded, at.top))
+    found = []
+    for leg, vector in zip(closing.legs, vectors, strict=True):
+        slides = isinstance(leg, GuideLeg) and not leg.inner
+        guide = leg.line if slides and rough else None
+        couple = turning[leg.link] if slides else None
+        found.append(_reaction(draft, chain.mu, (leg.body, leg.link), vector, guide, couple))
+    guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
+    between = _reaction(
+        draft, chain.mu, (first.link, second.link), (at.top, at.middle), guide, couple
+    )
+    letters = [
+        f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
+        for leg in closing.legs
+    ]
+    sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
+    drawn = Polygon(chain.mu.view, chain.mu, sides)
+    return Solved(closing, (found[0], found[1], between), drawn, turning)
+
+
+def _reaction(
+    draft: Draft,
+    mu: Mark,
+    links: Pair,
+    vector: tuple[Mark, Mark],
+    guide: Mark | None,
+    couple: Mark | None,
+) -> Reaction:
+    """Measure a reaction; ``guide``: to which its normal part is wanted; ``couple``: that it has to hold."""
+    board, name = draft.board, f"{links[0]}{links[1]}"
+    length = board.draw(measure, f"y_{{R{name}}}", *vector)
+    value = board.draw(in_si, f"R_{{{name}}}", length, mu, unit="N")
+    force, normal, place = value, None, None
+    if guide is not None:
+        across = board.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
+        normal = board.draw(measure_along, f"y_{{N{name}}}", *vector, across)
+        if couple is not None:
+            force = board.draw(in_si, f"N_{{{name}}}", normal, mu, unit="N")
+    if couple is not None:
+        assert draft.mu_l is not None
+        place = board.draw(place_of, f"h_{{{name}}}", couple, force, draft.mu_l)
+    return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, place)
+
+
+def hand_on(
+    draft: Draft, solved: Solved, acting: Acting, frame: int, figure_of: Callable[[int], str]
+) -> None:
+    """Enter the reactions of a group, reversed, as loads of the bodies that it is attached to.
+
+    ``figure_of``: link -> the view of the figure that shows it.
+    """
+    closing = solved.closing
+    for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
+        if leg.body == frame:
+            continue
+        draft.board.open(figure_of(leg.body))
+        point = leg.pivot if isinstance(leg, PinLeg) else closing.point
+        letter = f"R_{{{leg.link}{leg.body}}}"
+        line = draft.board.draw(action, f"({letter})", point, reaction.head, reaction.tail)
+        acting.add(Force(letter, leg.body, point, line, reaction.value))
+        couple = solved.turning.get(leg.link)
+        if isinstance(leg, GuideLeg) and not leg.inner and couple is not None:
+            acting.add(Couple(f"M_{{{leg.link}{leg.body}}}", leg.body, couple))

@@ -1,0 +1,96 @@
+"""The columns of forces: loads, reactions, what balances the crank by both methods, friction."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.polygons import Reaction
+from graphic_tmm.project import Project
+from graphic_tmm.readers.columns import Column, Row, row_of, segment_name
+
+PLAN = "forces"
+
+
+class _Row(NamedTuple):
+    """A row to be written: its segment and letter, its unit, the marks of its value, its mm, their scale.
+
+    ``size``: its sign tells only which way its line was drawn.
+    """
+
+    segment: str
+    letter: str
+    unit: str
+    value: Mark
+    mm: Mark | None = None
+    scale: Mark | None = None
+    size: bool = False
+
+
+def force_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
+    """Return the columns of forces at the positions whose forces are asked for."""
+    made, count, places = project.forces, len(project.names), project.forced
+    if made is None:
+        return ()
+    rows = [*_loads(made), *_reactions(made, project.mu_l), *_balance(made)]
+    found = []
+    for row in rows:
+        value = _at(reading.figure(row.value, row.scale), places)
+        mm: Row = (None,) * count
+        if row.mm is not None:
+            mm = row_of(_at(reading.figure(row.mm), places), places, count)
+        told = row_of(np.abs(value) if row.size else value, places, count)
+        found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
+    # passes that do not settle leave no force known; without friction each force stands by itself
+    unsettled = [k for k in places if made.open is not None and _balance_at(found, k) is None]
+    return tuple(column.without(unsettled) for column in found)
+
+
+def _at(values: Reals, places: tuple[int, ...]) -> Reals:
+    """Return a mark's values at the positions asked for."""
+    return values[:, list(places)] if values.shape[1] > 1 else values
+
+
+def _balance_at(found: list[Column], place: int) -> float | None:
+    return next(c.value[place] for c in found if c.segment.endswith("_bal_forces"))
+
+
+def _loads(made: Forces) -> list[_Row]:
+    forces = {force.letter: force for force in (*made.loads.on_lever, *made.loads.forces)}
+    couples = {couple.letter: couple for couple in made.loads.couples_on_lever}
+    found = [_Row(segment_name(k), k, "N", f.value, size=True) for k, f in forces.items()]
+    return found + [_Row(segment_name(k), k, "N·m", couple.value) for k, couple in couples.items()]
+
+
+def _reactions(made: Forces, mu_l: Mark) -> list[_Row]:
+    found = []
+    for reaction in made.reactions:
+        segment = segment_name(reaction.letter)
+        found.append(_Row(segment, reaction.letter, "N", reaction.value, reaction.length))
+        found += _place(reaction, mu_l)
+    return found
+
+
+def _place(reaction: Reaction, mu_l: Mark) -> list[_Row]:
+    if reaction.place is None:
+        return []
+    name = segment_name(reaction.letter)[1:]
+    return [_Row(f"h{name}", f"h_{{{name}}}", "m", reaction.place, reaction.place, mu_l)]
+
+
+def _balance(made: Forces) -> list[_Row]:
+    sign, unit = ("P", "N") if made.order.balance == "force" else ("M", "N·m")
+    rows = [
+        _Row(f"{sign}_bal_forces", f"{sign}_bal_forces", unit, made.balance),
+        _Row(f"{sign}_bal_lever", f"{sign}_bal_lever", unit, made.lever.balance),
+        _Row(f"{sign}_bal_difference", "bal_difference", "%", made.difference),
+    ]
+    if made.open is not None and made.efficiency is not None:
+        rows.append(_Row(f"{sign}_bal_open", "bal_open", unit, made.open))
+        rows.append(_Row("efficiency", "η", "%", made.efficiency))
+    return rows

@@ -1,0 +1,103 @@
+"""The size of a load by the travel of a point that slides on the frame: straight lines between given shares.
+
+Which part a position stands on is a choice that is made before the log runs, by the exact travel; the size is a
+step, by the travel as measured.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.energetics import between
+from graphic_tmm.board.operations.graphs import at_zero
+from graphic_tmm.board.operations.instruments import measure
+from graphic_tmm.board.operations.supports import farthest
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.diagrams.plan import sliding_leg
+from graphic_tmm.chapters.forces.task import Travel
+from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Mechanism
+
+SLACK = 1e-9
+"""A share of the stroke that is over by less than this is on the part still."""
+_Part = tuple[float, float, float, float]
+_NOTHING: _Part = (0.0, 1.0, 0.0, 0.0)
+
+
+def by_travel(
+    draft: Draft,
+    positions: Positions,
+    mechanism: Mechanism,
+    travel: Travel,
+    numbers: np.ndarray,
+    named: tuple[str, str],
+) -> Mark:
+    """Calculate the size of a load at every position; ``named``: its letter and its unit.
+
+    Raises
+    ------
+    StructureError
+        If the point does not slide on the frame, or the row does not begin at an end of its travel.
+    """
+    letter, unit = named
+    sliding_leg(positions, travel.of, mechanism.frame.number, "load")
+    board, point = draft.board, positions.point(travel.of)
+    start = board.draw(at_zero, board.free(f"{travel.of}_0"), point)
+    way = board.draw(measure, board.free(f"s_{travel.of}"), start, point)
+    last = board.draw(farthest, board.free(f"{travel.of}_S"), start, point, row=numbers.size)
+    stroke = board.draw(measure, board.free(f"s_{{{travel.of}max}}"), start, last)
+    parts = _parts(draft, travel, (point, start, last), way, stroke, numbers)
+    units = (unit, unit, "", "")
+    values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T
+    given = [
+        draft.take(Number, board.free(""), row[None, :], of)
+        for of, row in zip(units, values, strict=True)
+    ]
+    return board.draw(between, letter, *given, way, stroke, unit=unit)
+
+
+def _parts(
+    draft: Draft,
+    travel: Travel,
+    ends: tuple[Mark, Mark, Mark],
+    way: Mark,
+    stroke: Mark,
+    numbers: np.ndarray,
+) -> list[_Part]:
+    """Return of every position its part: from and to which share, from and to which size.
+
+    ``ends``: the point, where it begins, where it is farthest from there.
+    """
+    assert draft.mu_l is not None
+    given = {**draft.given, draft.mu_l: 1.0}
+    reading = execute(draft.board.construction(), given, [*ends, way, stroke])
+    point, start, last = (reading[mark][0] for mark in ends)
+    shares = np.asarray(reading[way][0] / reading[stroke][0, 0])
+    if not np.isfinite(shares).all():
+        return [_NOTHING] * len(numbers)
+    along = ((point - start) * np.conj(last - start)).real / np.abs(last - start) ** 2
+    if along.min() < -SLACK:
+        raise StructureError(
+            f"load: the row does not begin where the travel of {travel.of} does: begin at an extreme "
+            f'position, zero = {{ point = "{travel.of}", at = "left" }}'
+        )
+    turn = numbers[int(np.argmax(shares))]
+    return [
+        _part(travel.out if n <= turn else travel.back, float(share))
+        for n, share in zip(numbers, shares, strict=True)
+    ]
+
+
+def _part(points: tuple[tuple[float, float], ...], share: float) -> _Part:
+    """Return the part that a share of the stroke stands on; nothing acts outside of them."""
+    ordered = sorted(points)
+    for (a, p), (b, q) in pairwise(ordered):
+        if a - SLACK <= share <= b + SLACK:
+            return (a, b, p, q)
+    return _NOTHING

@@ -1,0 +1,91 @@
+"""The meshing: working parts of the flanks, arcs of engagement, the contact ratio drawn and by formula."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si, to_board
+from graphic_tmm.board.operations.instruments import lay_off, measure, parallel, strike
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.gears.dimensions import GearSizes
+from graphic_tmm.chapters.gears.formulas import percent_off, ratio_of
+from graphic_tmm.chapters.gears.line import ActionLine
+from graphic_tmm.chapters.gears.rolling import (
+    angle_at,
+    curve_meets_arc,
+    measure_arc,
+    smooth_through,
+    turn_about,
+)
+from graphic_tmm.chapters.gears.teeth import Wheel
+
+
+@dataclass(frozen=True)
+class Engagement:
+    """One wheel while a pair of teeth is in contact: from a to b.
+
+    ``lowest``: the lowest working point of the flank through the pitch point. ``entering``, ``leaving``: that
+    flank (Curve) when it touches in a, in b; ``arc``: where it then crosses the working circle, ``length``: of
+    the arc between (Length), ``real``: the same in m.
+    """
+
+    lowest: Mark
+    entering: Mark
+    leaving: Mark
+    arc: tuple[Mark, Mark]
+    length: Mark
+    real: Mark
+
+
+@dataclass(frozen=True)
+class Contact:
+    """The working line laid off in base pitches: ``pair``: where a second pair of teeth leaves, enters.
+
+    ``pitch``: the base pitch as measured (Length); ``drawn``: ab over it; ``difference`` from the formula, %.
+    """
+
+    wheels: tuple[Engagement, Engagement]
+    pair: tuple[Mark, Mark]
+    pitch: Mark
+    drawn: Mark
+    difference: Mark
+
+
+def draw_contact(
+    draft: Draft, sizes: GearSizes, line: ActionLine, wheels: tuple[Wheel, Wheel]
+) -> Contact:
+    """Draw the working parts of the flanks and the arcs of engagement; measure the contact ratio."""
+    board, (a, b) = draft.board, line.ends
+    engaged = (_engagement(draft, 0, line, wheels[0]), _engagement(draft, 1, line, wheels[1]))
+    pitch = board.draw(to_board, "[p_{b}]", sizes.p_b, line.mu)
+    onward = board.draw(parallel, "(ab)", a, line.line, sense=1)
+    backward = board.draw(parallel, "(ba)", b, line.line, sense=-1)
+    second = board.draw(lay_off, "a′", onward, pitch)
+    first = board.draw(lay_off, "b′", backward, pitch)
+    measured = board.draw(measure, "aa′", a, second)
+    drawn = board.draw(ratio_of, "ε_{dr}", line.working, measured)
+    off = board.draw(percent_off, "Δε", drawn, sizes.contact_ratio, unit="%")
+    return Contact(engaged, (first, second), measured, drawn, off)
+
+
+def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagement:
+    """Turn the flank through the pitch point to where it touches in a, and in b."""
+    board, centre, i = draft.board, wheel.circles.centre, k + 1
+    turned, crossings, lows = [], [], []
+    for end, name in zip(line.ends, "ab", strict=True):
+        reach = board.draw(measure, f"O_{i}{name}", centre, end)
+        arc = board.draw(strike, f"(O_{i}{name})", centre, reach)
+        spot = board.draw(curve_meets_arc, board.free(f"{name}_{{{i}}}"), wheel.flank, arc)
+        angle = board.draw(angle_at, f"∠{name}_{i}", centre, spot, end)
+        points = board.draw(turn_about, f"E_{{{name}{i}}}", wheel.points, centre, angle, sense=1)
+        turned.append(
+            board.draw(smooth_through, f"(E_{{{name}{i}}})", points, row=wheel.roll.count)
+        )
+        letter = f"{'cd'['ab'.index(name)]}_{{{i}}}"
+        crossings.append(board.draw(turn_about, letter, line.pole, centre, angle, sense=1))
+        lows.append(spot)
+    sense = 1 if k else -1
+    length = board.draw(measure_arc, f"c_{i}d_{i}", *crossings, wheel.circles.working, sense=sense)
+    real = board.draw(in_si, f"c_{i}d_{i}·μ", length, line.mu, unit="m")
+    return Engagement(lows[k], turned[0], turned[1], (crossings[0], crossings[1]), length, real)

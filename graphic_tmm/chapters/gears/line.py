@@ -1,0 +1,107 @@
+"""Where two gears mesh: centres, circles, the line of action with its limits, its working part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import (
+    bearing,
+    cut,
+    join,
+    lay_off,
+    measure_along,
+    ray,
+    strike,
+    touch,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point, Side
+from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
+
+VIEW = "gear"
+
+
+@dataclass(frozen=True)
+class Circles:
+    """The circles of a wheel (Arc) and its centre: pitch, base, working, root, tip."""
+
+    centre: Mark
+    pitch: Mark
+    base: Mark
+    working: Mark
+    root: Mark
+    tip: Mark
+
+
+@dataclass(frozen=True)
+class ActionLine:
+    """The line of action N1N2 (Line) with its limits N1, N2, the pitch point P, its working part ab.
+
+    ``angle``: its angle with the common tangent in P as drawn (Angle). ``length``: N1N2, ``to_ends``: N1a and
+    N1b, ``to_pole``: N1P, ``working``: ab, all as measured (Length).
+    """
+
+    mu: Mark
+    circles: tuple[Circles, Circles]
+    pole: Mark
+    limits: tuple[Mark, Mark]
+    ends: tuple[Mark, Mark]
+    line: Mark
+    angle: Mark
+    length: Mark
+    to_ends: tuple[Mark, Mark]
+    to_pole: Mark
+    working: Mark
+
+
+def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
+    """Draw the centres, the circles of both wheels and the line of action, wheel 1 below, driving to the right.
+
+    The line of action touches both base circles; wheel 2's tip circle cuts a off it, wheel 1's b.
+    """
+    board = draft.board
+    board.open(VIEW)
+    mu = board.take(Number, "μ_l", "m/mm")
+    board.lay_out(None, mu)
+    first = draft.take(Point, "O_{1}", 0j)
+    centres = board.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0))
+    distance = board.draw(to_board, "[a_{w}]", sizes.a_w, mu)
+    second = board.draw(lay_off, "O_{2}", centres, distance)
+    own, other = sizes.wheels
+    circles = (_circles(draft, mu, own, first), _circles(draft, mu, other, second))
+    reach = next(m for m in board.uses(circles[0].working) if m != first)
+    pole = board.draw(lay_off, "P", centres, reach)
+    side = draft.take(Side, "σ", -1.0)
+    limits = (
+        board.draw(touch, "N_{1}", pole, circles[0].base, side),
+        board.draw(touch, "N_{2}", pole, circles[1].base, side),
+    )
+    line = board.draw(join, "(N_{1}N_{2})", *limits)
+    forward, back = draft.take(Side, "+", 1.0), draft.take(Side, "−", -1.0)
+    a = board.draw(cut, "a", line, circles[1].tip, back)
+    b = board.draw(cut, "b", line, circles[0].tip, forward)
+    angle = board.draw(bearing, "α_{w}", *limits)
+    spans = [
+        board.draw(measure_along, f"{start.letter}{end.letter}", start, end, line)
+        for start, end in (
+            (limits[0], limits[1]),
+            (limits[0], a),
+            (limits[0], b),
+            (limits[0], pole),
+            (a, b),
+        )
+    ]
+    return ActionLine(
+        mu, circles, pole, limits, (a, b), line, angle, spans[0], (spans[1], spans[2]), spans[3], spans[4]
+    )  # fmt: skip
+
+
+def _circles(draft: Draft, mu: Mark, wheel: WheelSizes, centre: Mark) -> Circles:
+    """Strike the five circles of a wheel."""
+    board, arcs = draft.board, []
+    for real in (wheel.r, wheel.r_b, wheel.r_w, wheel.r_f, wheel.r_a):
+        radius = board.draw(to_board, f"[{real.letter}]", real, mu)
+        arcs.append(board.draw(strike, f"({real.letter})", centre, radius))
+    return Circles(centre, *arcs)

@@ -1,0 +1,92 @@
+"""The outlines of drawn teeth: where flanks and fillets begin and end, arcs of tip and root between them."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.curve import bezier
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
+from graphic_tmm.paper.drawing import Bezier, Stroke, arc
+from graphic_tmm.paper.pieces import Controls, cut, nearest
+
+BESIDE = 0.3
+"""How far the root goes on beside the outer teeth, of a pitch."""
+
+
+def controls(reading: Reading, curve: Mark) -> Controls:
+    """Return a curve as control points of cubic arcs; () if it cannot be drawn as one piece."""
+    runs = bezier(reading[curve])
+    return tuple(complex(z) for z in runs[0]) if len(runs) == 1 else ()
+
+
+def spot(reading: Reading, mark: Mark) -> complex:
+    """Return where a point stands."""
+    return complex(reading[mark][0, 0])
+
+
+def part(reading: Reading, curve: Mark, like: Mark, start: complex, end: complex) -> Controls:
+    """Return the part of ``curve`` that corresponds to the part of ``like`` between two points of that."""
+    model, own = controls(reading, like), controls(reading, curve)
+    if not (model and own and cmath.isfinite(start) and cmath.isfinite(end)):
+        return ()
+    return cut(own, nearest(model, start), nearest(model, end))
+
+
+def flank(reading: Reading, side: Flank) -> Controls:
+    """Return a flank from where it begins to the tip."""
+    start, tip = spot(reading, side.start), spot(reading, side.tip)
+    return part(reading, side.flank, side.flank, start, tip)
+
+
+def fillet(reading: Reading, side: Flank) -> Controls:
+    """Return a fillet from the root to where the flank begins."""
+    own, start = controls(reading, side.fillet), spot(reading, side.start)
+    if not (own and cmath.isfinite(start)):
+        return ()
+    return cut(own, float(len(own) // 3), nearest(own, start))
+
+
+def outline(reading: Reading, wheel: Wheel) -> Iterator[Stroke | Bezier]:
+    """Yield the outline of the three teeth of a wheel, with the root circle between and beside them."""
+    centre = spot(reading, wheel.circles.centre)
+    roots = []
+    for tooth in wheel.teeth:
+        yield from tooth_outline(reading, tooth, centre)
+        roots += [fillet(reading, side)[:1] for side in (tooth.left, tooth.right)]
+    spread = BESIDE * 2 * math.pi / float(reading[wheel.sizes.z][0, 0])
+    if all(roots):
+        spots = [piece[0] for piece in roots]
+        yield _between(spots[0], centre, spread)
+        yield _between(spots[-1], centre, -spread)
+        for right, left in ((spots[1], spots[2]), (spots[3], spots[4])):
+            yield _between(right, centre, cmath.phase((left - centre) / (right - centre)))
+
+
+def tooth_outline(reading: Reading, tooth: Tooth, centre: complex) -> Iterator[Stroke | Bezier]:
+    """Yield the sides of a tooth and the arc of its tip, if it has one."""
+    for side in (tooth.left, tooth.right):
+        for piece in (fillet(reading, side), flank(reading, side)):
+            if piece:
+                yield Bezier("main", piece, side.flank.name)
+    left, right = (spot(reading, side.tip) for side in (tooth.left, tooth.right))
+    if cmath.isfinite(left) and cmath.isfinite(right) and abs(left - right) > 1e-9:
+        yield _between(left, centre, cmath.phase((right - centre) / (left - centre)))
+
+
+def _between(start: complex, centre: complex, turn: float) -> Stroke:
+    """Return the arc about a centre from a point over an angle (radians)."""
+    reach = start - centre
+    return arc("main", centre, abs(reach), math.degrees(cmath.phase(reach)), math.degrees(turn))
+
+
+def sector(reading: Reading, wheel: Wheel) -> tuple[float, float]:
+    """Return from where to where (degrees, counter-clockwise) the teeth of a wheel and their root reach."""
+    centre, pole = spot(reading, wheel.circles.centre), spot(reading, wheel.middle)
+    z = float(reading[wheel.sizes.z][0, 0])
+    middle = math.degrees(cmath.phase(pole - centre))
+    half = 360.0 / z * (1.0 + 0.5 + BESIDE)
+    return middle - half, middle + half

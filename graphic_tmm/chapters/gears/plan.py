@@ -1,0 +1,83 @@
+"""A pair of spur gears, drawn as by hand: dimensions, circles, flanks, contact ratio, specific sliding."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.chapters.gears.checks import Check, record_checks
+from graphic_tmm.chapters.gears.contact import Contact, draw_contact
+from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes
+from graphic_tmm.chapters.gears.line import ActionLine, draw_action_line
+from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_sizes
+from graphic_tmm.chapters.gears.rows import Rows, choose_rows
+from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
+from graphic_tmm.chapters.gears.sliding import Sliding, draw_sliding
+from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.teeth import Wheel, draw_wheel
+
+ROOM = 430.0
+"""Room for the centre distance, mm."""
+TOOTH, ACTION = 25.0, 400.0
+"""Room for the height of a tooth where the centres have none, and for the line of action, mm."""
+
+
+@dataclass(frozen=True)
+class Gear:
+    """The pair as drawn: its dimensions, line of action, wheels, contact, diagram of sliding, checks."""
+
+    order: GearOrder
+    sizes: GearSizes
+    rows: Rows
+    line: ActionLine
+    wheels: tuple[Wheel, Wheel]
+    contact: Contact
+    sliding: Sliding
+    checks: tuple[Check, ...]
+
+
+def draw_gear(draft: Draft, order: GearOrder) -> Gear:
+    """Draw the whole pair on a draft of its own: its axis of positions are the steps of the rolling.
+
+    Raises
+    ------
+    StructureError
+        If the order cannot be a gear pair; what is merely poor is told by the checks.
+    """
+    refuse_order(order)
+    sizes = calculate_sizes(draft, order)
+    exact = execute(draft.board.construction(), draft.given)
+
+    def value(mark: Mark) -> float:
+        return float(exact[mark][0, 0])
+
+    refuse_sizes(sizes, value)
+    checks = record_checks(draft, sizes)
+    rows = choose_rows(sizes, value)
+    line = draw_action_line(draft, sizes)
+    wheels = (
+        draw_wheel(draft, 0, sizes, line, rows, value),
+        draw_wheel(draft, 1, sizes, line, rows, value),
+    )
+    contact = draw_contact(draft, sizes, line, wheels)
+    sliding = draw_sliding(draft, sizes, line, rows)
+    return Gear(order, sizes, rows, line, wheels, contact, sliding, checks)
+
+
+def gear_scales(draft: Draft, gear: Gear) -> dict[Mark, float]:
+    """Return μ_l (m/mm) and the scale of the sliding (1/mm): what the order fixes, else standard ones.
+
+    Both centres shall stand on the drawing; where the teeth would be too small for that, a larger scale is
+    taken, as far as the line of action has room.
+    """
+    sizes, free = gear.sizes, {gear.line.mu: 1.0}
+    wanted = (sizes.a_w, sizes.h, gear.line.length)
+    exact = execute(draft.board.construction(), {**draft.given, **free}, wanted)
+    distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
+    larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
+    mu = gear.order.mu or min(standard_length(distance, ROOM), larger)
+    chart, floor = gear.sliding.chart, gear.sliding.floor
+    return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, SLIDING)}

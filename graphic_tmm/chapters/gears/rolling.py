@@ -1,0 +1,177 @@
+"""Arcs laid off and measured, figures turned and reflected, curves met: what a profile is drawn with."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.geometry import TANGENT, cis, degrees, wedge
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.operations.graph_curves import open_graph
+from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Point, Reals
+
+_HALVINGS = 60
+_SAMPLES = 16
+"""Chords to an arc of a curve while a crossing is looked for."""
+_PASSES = 8
+
+
+@operation(
+    "От {start} по дуге {arc} отложить дугу длиной {length}; отметить {it}.",
+    fails=("the arc has no radius", "дуга не имеет радиуса"),
+)
+def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Point:
+    """From {start} lay off along the arc {arc} the length {length}; mark {it}.
+
+    ``sense``: 1 counter-clockwise, −1 clockwise.
+    """
+    turned = np.where(arc.radius == 0.0, np.nan, sense * length / arc.radius)
+    return Point(arc.centre + (start - arc.centre) * np.exp(1j * turned))
+
+
+@operation("Измерить дугу {start}{end} по {arc}.", reads=True)
+def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length:
+    """Measure the arc {start}{end} along {arc}.
+
+    ``sense``: 1 if it is positive counter-clockwise, −1 if clockwise; less than half a turn.
+    """
+    turned = np.angle((end - arc.centre) / (start - arc.centre))
+    return Length(sense * arc.radius * turned)
+
+
+@operation(
+    "Измерить угол {start}{centre}{end}.",
+    fails=("a side has no length", "сторона угла не имеет длины"),
+)
+def angle_at(centre: Point, start: Point, end: Point) -> Angle:
+    """Measure the angle {start}{centre}{end}, counter-clockwise positive."""
+    return Angle(degrees((end - centre) / (start - centre)))
+
+
+@operation("Повернуть {of} вокруг {about} на угол {by}; отметить {it}.")
+def turn_about(of: Point, about: Point, by: Angle, *, sense: int = 1) -> Point:
+    """Turn {of} about {about} by the angle {by}; mark {it}."""
+    return Point(about + (of - about) * cis(sense * by))
+
+
+@operation("Симметрично {of} относительно {axis} отметить {it}.")
+def reflect(of: Point, axis: Line) -> Point:
+    """Mark {it}, symmetrical to {of} about {axis}."""
+    return Point(axis.at + np.conj((of - axis.at) / axis.along) * axis.along)
+
+
+@operation("Через точки {through} по лекалу провести кривую {it}.", across=True)
+def smooth_through(through: Point, *, row: int) -> Curve:
+    """Through the points {through} draw the smooth curve {it} with the French curve.
+
+    ``row``: how many points it passes through, from the first one.
+    """
+    return open_graph.run(through[:, : row - 1], through[:, row - 1 : row], row=row - 1)  # type: ignore[no-any-return]
+
+
+@operation("Начало кривой {curve} отметить {it}.")
+def beginning(curve: Curve) -> Point:
+    """Mark {it}, the beginning of the curve {curve}."""
+    return Point(curve.knots[:, :1])
+
+
+class _Arcs(NamedTuple):
+    """Arcs of a curve: where each begins and ends, and its tangents there."""
+
+    p: Complexes
+    q: Complexes
+    m: Complexes
+    n: Complexes
+
+    def pick(self, at: Any) -> _Arcs:
+        """The arcs of these indices."""
+        return _Arcs(*(values[at] for values in self))
+
+    def on(self, u: Any) -> Complexes:
+        """The points at the parameters ``u``, 0 … 1."""
+        bend, twist = 3 * (self.q - self.p) - 2 * self.m - self.n, self._twist()
+        return np.asarray(self.p + u * (self.m + u * (bend + u * twist)))
+
+    def slope(self, u: Any) -> Complexes:
+        """The derivatives by the parameter."""
+        bend, twist = 3 * (self.q - self.p) - 2 * self.m - self.n, self._twist()
+        return np.asarray(self.m + u * (2 * bend + 3 * u * twist))
+
+    def _twist(self) -> Complexes:
+        return np.asarray(2 * (self.p - self.q) + self.m + self.n)
+
+
+def _arcs(curve: Curve, trial: int) -> _Arcs:
+    k = min(trial, curve.knots.shape[0] - 1)
+    p, m = curve.knots[k], curve.tangents[k]
+    return _Arcs(p[:-1], p[1:], m[:-1], m[1:])
+
+
+@operation(
+    "На пересечении кривой {curve} с дугой {arc} отметить {it}.",
+    fails=("the curve does not reach the arc", "кривая не достигает дуги"),
+)
+def curve_meets_arc(curve: Curve, arc: Arc) -> Point:
+    """Where the curve {curve} first meets the arc {arc}, mark {it}."""
+    trials = max(curve.knots.shape[0], arc.radius.shape[0], arc.centre.shape[0])
+    centres, radii = np.broadcast_arrays(arc.centre, arc.radius)
+    return Point(
+        np.array(
+            [
+                _reach(_arcs(curve, k), *(a[min(k, a.shape[0] - 1)] for a in (centres, radii)))
+                for k in range(trials)
+            ]
+        )
+    )
+
+
+def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
+    """Return where arcs of a curve first reach circles: a knot, or by halving the arc that crosses."""
+    knots = np.append(arcs.p, arcs.q[-1:])[:, None]
+    gap = np.abs(knots - centre) - radius
+    outside, slack = gap >= 0.0, TANGENT * (np.abs(knots) + np.abs(knots - centre) + radius)
+    there = np.isfinite(knots[1:]) & np.isfinite(knots[:-1]) & np.isfinite(radius)
+    changes = (outside[1:] != outside[:-1]) & there
+    at = np.argmax(changes, axis=0)
+    own, begins = arcs.pick(at), np.take_along_axis(outside, at[None, :], axis=0)[0]
+    low, high = np.zeros(at.shape), np.ones(at.shape)
+    for _ in range(_HALVINGS):
+        u = (low + high) / 2.0
+        still = (np.abs(own.on(u) - centre) >= radius) == begins
+        low, high = np.where(still, u, low), np.where(still, high, u)
+    crossed = np.where(changes.any(axis=0), own.on((low + high) / 2.0), np.nan)
+    stands = np.abs(gap) <= slack
+    knot, last = np.argmax(stands, axis=0), np.where(changes.any(axis=0), at + 1, gap.shape[0])
+    return np.where(stands.any(axis=0) & (knot <= last), knots[knot, 0], crossed)
+
+
+@operation(
+    "На пересечении кривых {first} и {second} отметить {it}.",
+    fails=("the curves do not meet", "кривые не пересекаются"),
+)
+def curves_cross(first: Curve, second: Curve) -> Point:
+    """Where the curves {first} and {second} cross, mark {it}: the first such place along {first}."""
+    trials = max(first.knots.shape[0], second.knots.shape[0])
+    spots = [_crossing(_arcs(first, k), _arcs(second, k)) for k in range(trials)]
+    return Point(np.array(spots, dtype=np.complex128)[:, None])
+
+
+def _crossing(first: _Arcs, second: _Arcs) -> complex:
+    """Return the first crossing of two chains of arcs: that of their chords, then Newton's steps."""
+    share = np.linspace(0.0, 1.0, _SAMPLES + 1)[None, :]
+    spots = [arcs.pick((slice(None), None)).on(share) for arcs in (first, second)]
+    (a, da), (b, db) = ((s[:, :-1].ravel(), np.diff(s, axis=1).ravel()) for s in spots)
+    between, sine = b[None, :] - a[:, None], wedge(da[:, None], db[None, :])
+    s, t = wedge(between, db[None, :]) / sine, wedge(between, da[:, None]) / sine
+    hit = (s >= 0.0) & (s <= 1.0) & (t >= 0.0) & (t <= 1.0)
+    if not hit.any():
+        return complex(np.nan, np.nan)
+    i, j = np.unravel_index(int(np.argmax(hit)), hit.shape)
+    u, v = (i % _SAMPLES + s[i, j]) / _SAMPLES, (j % _SAMPLES + t[i, j]) / _SAMPLES
+    one, other = first.pick(i // _SAMPLES), second.pick(j // _SAMPLES)
+    for _ in range(_PASSES):
+        gap, along, across = other.on(v) - one.on(u), one.slope(u), other.slope(v)
+        sine = wedge(along, across)
+        u, v = u + wedge(gap, across) / sine, v + wedge(gap, along) / sine
+    return complex(one.on(u))

@@ -1,0 +1,224 @@
+"""The teeth of a wheel: its flank by rolling a tangent on the base circle, thickness, fillet, three teeth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import abscissa, to_board
+from graphic_tmm.board.operations.instruments import incline, join, lay_off, measure, square
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
+from graphic_tmm.chapters.gears.formulas import half_of
+from graphic_tmm.chapters.gears.line import ActionLine, Circles
+from graphic_tmm.chapters.gears.rack import ray_of_rounding, reach_of_ray, rolled_of_ray
+from graphic_tmm.chapters.gears.rolling import (
+    along_arc,
+    beginning,
+    curve_meets_arc,
+    curves_cross,
+    reflect,
+    smooth_through,
+    turn_about,
+)
+from graphic_tmm.chapters.gears.rows import Roll, Rows
+
+UNDERCUT = 0.01
+"""The depth of an undercut goes with |ρ_l|³/r², about an eighth of it; below so many modules none is seen."""
+
+
+@dataclass(frozen=True)
+class Flank:
+    """One side of a tooth: the flank and its fillet (Curve), where the flank begins, and ends."""
+
+    flank: Mark
+    fillet: Mark
+    start: Mark
+    tip: Mark
+
+
+@dataclass(frozen=True)
+class Tooth:
+    """A tooth: its sides as seen from the wheel's centre; the right one drives, or is driven."""
+
+    right: Flank
+    left: Flank
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """A wheel as drawn: the rolling of its flank (rows), thickness laid off, three teeth.
+
+    ``origin``: where the involute through the pitch point begins on the base circle; ``feet``: of the
+    tangents, ``points``: of the involute. ``at_pitch``: where the flank crosses the pitch circle, ``middle`` of
+    the tooth there, ``axis`` of the tooth (Line). ``corner``: of the flank with the tip circle. ``teeth``: from
+    left to right; the flank of the middle one passes through the pitch point.
+    """
+
+    sizes: WheelSizes
+    circles: Circles
+    roll: Roll
+    origin: Mark
+    feet: Mark
+    points: Mark
+    flank: Mark
+    at_pitch: Mark
+    middle: Mark
+    axis: Mark
+    corner: Mark
+    teeth: tuple[Tooth, Tooth, Tooth]
+
+
+class _Spots(NamedTuple):
+    """What a side of a tooth is drawn by: points of its flank and of its fillet (rows), beginning, end."""
+
+    flank: Mark
+    fillet: Mark
+    start: Mark
+    tip: Mark
+
+
+def draw_wheel(
+    draft: Draft,
+    k: int,
+    sizes: GearSizes,
+    line: ActionLine,
+    rows: Rows,
+    value: Callable[[Mark], float],
+) -> Wheel:
+    """Draw three teeth of wheel ``k`` (0 or 1).
+
+    ``value``: of a calculated mark; by it a tooth is known to be undercut, or pointed.
+    """
+    board, wheel, circles = draft.board, sizes.wheels[k], line.circles[k]
+    i, roll = wheel.number, rows.flanks[k]
+    origin, feet, points = _involute(draft, k, line, rows)
+    curve = board.draw(smooth_through, f"(E_{i})", points, row=roll.count)
+    at_pitch = board.draw(curve_meets_arc, f"D_{{{i}}}", curve, circles.pitch)
+    thickness = board.draw(to_board, f"[s_{i}]", wheel.s, line.mu)
+    half = board.draw(half_of, f"[s_{i}]/2", thickness)
+    middle = board.draw(along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1)
+    axis = board.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
+    bends = _fillet(draft, k, sizes, line, rows, middle)
+    fillet = board.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet)
+    start = _start(draft, wheel, (curve, fillet, origin), value, sizes.order.m)
+    corner = board.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
+    right = _Spots(points, bends, start, corner)
+    left = _Spots(*(board.draw(reflect, board.free(f"{mark.name}′"), mark, axis) for mark in right))
+    mirrored = _curves(draft, left, i, (roll.count, rows.fillet))
+    if value(wheel.s_a) < 0.0:
+        apex = board.draw(curves_cross, f"V_{{{i}}}", curve, mirrored[0])
+        right, left = right._replace(tip=apex), left._replace(tip=apex)
+    sides = (
+        Flank(curve, fillet, right.start, right.tip),
+        Flank(*mirrored, left.start, left.tip),
+    )
+    teeth = (
+        _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=1),
+        Tooth(*sides),
+        _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=-1),
+    )
+    return Wheel(
+        wheel, circles, roll, origin, feet, points, curve, at_pitch, middle, axis, corner, teeth
+    )
+
+
+def _start(
+    draft: Draft,
+    wheel: WheelSizes,
+    drawn: tuple[Mark, Mark, Mark],
+    value: Callable[[Mark], float],
+    m: float,
+) -> Mark:
+    """Mark where the flank begins: at the fillet's beginning, or, undercut, where the fillet crosses it.
+
+    ``drawn``: the flank, the fillet, the beginning of the involute, where a flank begins whose cut is not seen.
+    """
+    curve, fillet, origin = drawn
+    limit, letter = value(wheel.limit), f"L_{{{wheel.number}}}"
+    if limit >= 0.0:
+        return draft.board.draw(beginning, letter, fillet)
+    if -(limit**3) > UNDERCUT * m * value(wheel.r) ** 2:
+        return draft.board.draw(curves_cross, letter, fillet, curve)
+    return origin
+
+
+def _beside(
+    draft: Draft,
+    sides: tuple[_Spots, _Spots],
+    wheel: WheelSizes,
+    circles: Circles,
+    counts: tuple[int, int],
+    *,
+    sense: int,
+) -> Tooth:
+    """Draw the tooth one pitch to the left (``sense`` 1) of the middle one, or to its right (−1)."""
+    board, name, flanks = draft.board, "^{+}" if sense > 0 else "^{−}", []
+    for side in sides:
+        turned = []
+        for mark in side:
+            letter = board.free(f"{mark.letter}{name}")
+            turn = (circles.centre, wheel.angular_pitch)
+            turned.append(board.draw(turn_about, letter, mark, *turn, sense=sense))
+        spots = _Spots(*turned)
+        flanks.append(Flank(*_curves(draft, spots, wheel.number, counts), spots.start, spots.tip))
+    return Tooth(flanks[0], flanks[1])
+
+
+def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark, Mark, Mark]:
+    """Roll the tangent N-P on the base circle: arcs of the circle laid off on its tangents.
+
+    Returns where the involute begins, the feet of the tangents and the points of the involute (rows). The
+    string from N to the tip circle is divided evenly, so that one of the points stands on it.
+    """
+    board, circles, roll = draft.board, line.circles[k], rows.flanks[k]
+    i, limit, end = k + 1, line.limits[k], line.ends[1 - k]
+    string = line.to_pole if k == 0 else board.draw(measure, f"N_{i}P", limit, line.pole)
+    origin = board.draw(along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1)
+    whole = line.to_ends[1] if k == 0 else board.draw(measure, f"N_{i}a", limit, end)
+    parts = draft.take(Number, f"k_{i}", float(roll.parts))
+    n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
+    unrolled = board.draw(abscissa, f"u_{i}", n, whole, parts)
+    feet = board.draw(along_arc, f"B_{{{i}}}", origin, circles.base, unrolled, sense=1)
+    radii = board.draw(join, f"(O_{i}B_{i})", circles.centre, feet)
+    tangents = board.draw(square, f"(B_{i}E_{i})", feet, radii, sense=-1)
+    return origin, feet, board.draw(lay_off, f"E_{{{i}}}", tangents, unrolled)
+
+
+def _fillet(
+    draft: Draft, k: int, sizes: GearSizes, line: ActionLine, rows: Rows, middle: Mark
+) -> Mark:
+    """Find points of the fillet that the rounding of the rack leaves beside the middle tooth (a row).
+
+    The rack's pitch line rolls on the pitch circle; where it touches, the normal of the contact passes.
+    """
+    board, circles, wheel, i = draft.board, line.circles[k], sizes.wheels[k], k + 1
+    pitch = board.draw(to_board, f"[p]_{i}", sizes.p, line.mu)
+    half = board.draw(half_of, f"[p]_{i}/2", pitch)
+    space = board.draw(along_arc, f"W_{{{i}}}", middle, circles.pitch, half, sense=-1)
+    n = draft.take(Number, f"j_{i}", rows.row(np.arange(rows.fillet)))
+    parts = draft.take(Number, f"k_{{F{i}}}", float(rows.fillet - 1))
+    phi = board.draw(ray_of_rounding, f"φ_{i}", sizes.alpha, n, parts)
+    reals = ((sizes.rack.offset, "e_{F}"), (wheel.depth, "d_{F}"), (sizes.rack.rounding, "ρ_{f}"))
+    offset, depth, rho = (board.draw(to_board, f"[{name}]_{i}", m, line.mu) for m, name in reals)
+    rolled = board.draw(rolled_of_ray, f"t_{i}", offset, depth, phi)
+    reach = board.draw(reach_of_ray, f"l_{i}", depth, phi, rho)
+    touching = board.draw(along_arc, f"T_{{{i}}}", space, circles.pitch, rolled, sense=1)
+    radii = board.draw(join, f"(O_{i}T_{i})", circles.centre, touching)
+    tangents = board.draw(square, f"(T_{i})", touching, radii, sense=1)
+    normals = board.draw(incline, f"(T_{i}K_{i})", touching, tangents, phi)
+    return board.draw(lay_off, f"K_{{{i}}}", normals, reach)
+
+
+def _curves(draft: Draft, spots: _Spots, i: int, counts: tuple[int, int]) -> tuple[Mark, Mark]:
+    """Draw the flank and the fillet through their points."""
+    board = draft.board
+    return (
+        board.draw(smooth_through, f"(E_{i})", spots.flank, row=counts[0]),
+        board.draw(smooth_through, f"(K_{i})", spots.fillet, row=counts[1]),
+    )

@@ -1,0 +1,98 @@
+"""A cylinder on a mechanism: the piston's travel, its indicator diagram, the force of the gas on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.graphs import at_zero
+from graphic_tmm.board.operations.instruments import measure
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.diagrams.plan import sliding_leg
+from graphic_tmm.chapters.indicator.plan import Indicator, draw_indicator
+from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
+from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Mechanism
+
+STANDS = 1e-6
+"""A piston slower than this share of its fastest stands."""
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What a flywheel is drawn for: the mechanism and its plans, where positions stand in the row."""
+
+    mechanism: Mechanism
+    positions: Positions
+    velocities: Motion
+    pivot: str
+    pin: str
+    arm: Mark
+    numbers: np.ndarray
+    count: int
+
+
+@dataclass(frozen=True)
+class Cylinder:
+    """A cylinder: its indicator diagram, the leg of its piston, the sense of the guide to its cover."""
+
+    indicator: Indicator
+    leg: GuideLeg
+    outward: float
+
+
+def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorOrder, section: str) -> Cylinder:
+    """Draw the indicator diagram of the piston's point, which slides on the frame.
+
+    Raises
+    ------
+    StructureError
+        If it does not, the row does not begin at a dead centre of it, or pressures are missing.
+    """
+    frame = machine.mechanism.frame.number
+    leg = sliding_leg(machine.positions, order.point, frame, section)
+    outward = _outward(draft, machine, leg)
+    _refuse_zero(draft, machine, leg, outward, order)
+    board, point = draft.board, machine.positions.point(order.point)
+    board.open(POSITIONS)
+    start = board.draw(at_zero, board.free(f"{order.point}_0"), point)
+    travel = board.draw(measure, f"s_{order.point}", start, point)
+    extras = machine.numbers.size - machine.count
+    indicator = draw_indicator(draft, travel, machine.count, extras, order)
+    return Cylinder(indicator, leg, outward)
+
+
+def _outward(draft: Draft, machine: Machine, leg: GuideLeg) -> float:
+    """Return the sense of the guide, +1 or −1, in which the cover lies: away from the crank."""
+    closing = next(c for c in machine.positions.closings if leg in c.legs)
+    side = machine.positions.sides.get(closing.group.name)
+    return 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
+
+
+def _refuse_zero(
+    draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: IndicatorOrder
+) -> None:
+    """Refuse a row that does not begin at a dead centre, or parts of a diagram that begin at the inner one."""
+    assert draft.mu_l is not None
+    speed = machine.velocities.readings[leg.link]
+    given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
+    found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
+    point = order.point
+    remedy = f"begin where {point} is farthest from the crank, by zero in [drive]"
+    fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
+    if abs(found[0]) > STANDS * fastest:
+        raise StructureError(
+            f"indicator: the row does not begin at a dead centre of {point}: {remedy}"
+        )
+    sides = (order.cover, order.shaft)
+    if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
+        raise StructureError(
+            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}"
+        )

@@ -1,0 +1,153 @@
+"""The indicator diagram of a cylinder: its base divided as the piston travels, the gas forces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.charts import Chart
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.curve import taut_curve
+from graphic_tmm.board.operations.energetics import gas_force, mean_ordinate, net_force, ring_area
+from graphic_tmm.board.operations.formulas import in_si, to_board
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure,
+    measure_along,
+    meet,
+    parallel,
+    ray,
+    square,
+)
+from graphic_tmm.board.operations.supports import farthest, planimeter
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.chapters.indicator.strokes import by_stretches
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.errors import StructureError
+
+VIEW = "indicator"
+AUXILIARY = -30.0
+"""The angle of the auxiliary ray below the base, degrees."""
+NAMES = {"cover": "k", "shaft": "v"}
+"""Letters of the sides: of the cover, of the shaft."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """One side of the piston on the diagram: its points, curve, ordinates read, mean pressure, gas force."""
+
+    name: str
+    points: Mark
+    curve: Mark
+    ordinate: Mark
+    mean: Mark
+    force: Mark
+
+
+@dataclass(frozen=True)
+class Indicator:
+    """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force."""
+
+    order: IndicatorOrder
+    chart: Chart
+    origin: Mark
+    end: Mark
+    feet: Mark
+    sides: tuple[Side, ...]
+    force: Mark
+
+
+def draw_indicator(
+    draft: Draft, travel: Mark, count: int, extras: int, order: IndicatorOrder
+) -> Indicator:
+    """Draw the diagram; ``travel``: the piston's way from the zero position, as read (Length).
+
+    ``extras``: how many positions stand behind the row; no pressure is known there.
+
+    Raises
+    ------
+    StructureError
+        If the pressures are not as many as the positions of the row.
+    """
+    board = draft.board
+    board.open(VIEW)
+    mu = board.take(Number, "μ_p", "Pa/mm")
+    board.lay_out(None, mu)
+    origin = draft.take(Point, "O", 0j)
+    base = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
+    up = board.draw(square, "(Oy)", origin, base, sense=1)
+    length = draft.take(Length, "L", order.base, "mm")
+    end = board.draw(lay_off, "E", base, length)
+    feet, stroke = _divide(draft, origin, base, end, travel, count)
+    lines = board.draw(square, "(i)", feet, base, sense=1)
+    ground = _Ground(mu, length, lines, feet, up, travel, stroke)
+    sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
+    force = sides[0].force
+    if order.shaft is not None:
+        sides.append(_side(draft, "shaft", order.shaft, (count, extras), ground))
+        force = board.draw(net_force, "P", force, sides[1].force, unit="N")
+    ordinates = tuple(side.ordinate for side in sides)
+    chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
+    return Indicator(order, chart, origin, end, feet, tuple(sides), force)
+
+
+class _Ground(NamedTuple):
+    """What both sides stand on: μ_p, the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
+
+    mu: Mark
+    length: Mark
+    lines: Mark
+    feet: Mark
+    up: Mark
+    travel: Mark
+    stroke: Mark
+
+
+def _divide(
+    draft: Draft, origin: Mark, base: Mark, end: Mark, travel: Mark, count: int
+) -> tuple[Mark, Mark]:
+    """Divide the base in proportion to the travel by similar triangles on an auxiliary ray.
+
+    Returns the feet of the positions, and the stroke as it lies on the ray (Length).
+    """
+    board = draft.board
+    way = board.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
+    marks = board.draw(lay_off, "q", way, travel)
+    last = board.draw(farthest, "q_S", origin, marks, row=count)
+    closing = board.draw(join, "(q_SE)", last, end)
+    lines = board.draw(parallel, "(q)", marks, closing, sense=1)
+    stroke = board.draw(measure, "s_{max}", origin, last)
+    return board.draw(meet, "i", base, lines), stroke
+
+
+def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
+    """Lay off the pressures of one side, read them, go round them with the planimeter."""
+    board, sign, (count, extras) = draft.board, NAMES[name], row
+    if gas.stretches:
+        pressure = by_stretches(
+            draft, sign, gas, row, on.travel, on.stroke, at_shaft=name == "shaft"
+        )
+    elif len(gas.pressures) == count:
+        values = np.array([*gas.pressures, *[np.nan] * extras])[None, :]
+        pressure = draft.take(Number, f"p_{sign}", values, "Pa")
+    else:
+        raise StructureError(
+            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
+        )
+    height = board.draw(to_board, f"h_{sign}", pressure, on.mu)
+    points = board.draw(lay_off, sign, on.lines, height)
+    curve = board.draw(taut_curve, f"({sign}–{sign})", points, row=count)
+    ordinate = board.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
+    read = board.draw(in_si, f"p_{sign}", ordinate, on.mu, unit="Pa")
+    area = board.draw(planimeter, f"f_{sign}", curve, unit="mm²")
+    height = board.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
+    mean = board.draw(in_si, f"p_{{{sign}m}}", height, on.mu, unit="Pa")
+    outer = draft.take(Number, f"D_{sign}", gas.bore, "m")
+    inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
+    face = board.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
+    force = board.draw(gas_force, f"P_{sign}", read, face, unit="N")
+    return Side(name, points, curve, ordinate, mean, force)

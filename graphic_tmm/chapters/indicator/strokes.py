@@ -1,0 +1,84 @@
+"""Pressures by the parts of an indicator diagram: polytropic strokes, or straight lines between given points.
+
+Which part a position stands on is a choice that is made before the log runs, like the side of an assembly: by
+the piston's exact travel. The pressure itself is a step, by the travel as measured.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.energetics import between, polytropic, polytropic_at_shaft
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Reals
+from graphic_tmm.chapters.indicator.task import Gas, Stretch
+from graphic_tmm.errors import StructureError
+
+SLACK = 1e-9
+"""A share of the stroke that is over by less than this is on the stretch still."""
+
+
+def by_stretches(
+    draft: Draft,
+    sign: str,
+    gas: Gas,
+    row: tuple[int, int],
+    travel: Mark,
+    stroke: Mark,
+    *,
+    at_shaft: bool = False,
+) -> Mark:
+    """Calculate the pressure of every position of the row by the stretch that it stands on.
+
+    ``row``: how many positions make it, and how many stand behind it; these have no pressure. ``at_shaft``:
+    the volume is that on the side of the shaft, which is least at the far end of the stroke.
+
+    Raises
+    ------
+    StructureError
+        If a position stands on no stretch.
+    """
+    count, extras = row
+    shares = _shares(draft, travel, stroke)[:count]
+    found = [_at(gas, k, shares) for k in range(count)]
+
+    def values(name: str) -> Reals:
+        told = [float(getattr(stretch, name) or 0.0) for stretch in found]
+        return np.array([*told, *[np.nan] * extras])[None, :]
+
+    def take(letter: str, name: str, unit: str = "") -> Mark:
+        return draft.take(Number, letter, values(name), unit)
+
+    first, start = take(f"p_{sign}0", "pressure", "Pa"), take(f"x_{sign}0", "start")
+    if any(stretch.exponent is not None for stretch in gas.stretches):
+        clearance = draft.take(Number, f"c_{sign}", gas.clearance)
+        exponent = take(f"n_{sign}", "exponent")
+        uses = (first, clearance, start, travel, stroke, exponent)
+        formula = polytropic_at_shaft if at_shaft else polytropic
+        return draft.board.draw(formula, f"p_{sign}", *uses, unit="Pa")
+    last, end = take(f"p_{sign}1", "last", "Pa"), take(f"x_{sign}1", "end")
+    uses = (first, last, start, end, travel, stroke)
+    return draft.board.draw(between, f"p_{sign}", *uses, unit="Pa")
+
+
+def _shares(draft: Draft, travel: Mark, stroke: Mark) -> Reals:
+    """Return the exact travel of every position as a share of the stroke."""
+    assert draft.mu_l is not None
+    given = {**draft.given, draft.mu_l: 1.0}
+    reading = execute(draft.board.construction(), given, [travel, stroke])
+    return np.asarray(reading[travel][0] / reading[stroke][0, 0])
+
+
+def _at(gas: Gas, place: int, shares: Reals) -> Stretch:
+    """Return the stretch on which a position of the row stands: out until the far end, back after it."""
+    share, way = float(shares[place]), "out" if place <= int(np.argmax(shares)) else "back"
+    for stretch in gas.stretches:
+        low, high = sorted((stretch.start, stretch.end))
+        if stretch.stroke == way and low - SLACK <= share <= high + SLACK:
+            return stretch
+    raise StructureError(
+        f"indicator: no part of the diagram stands over {share:.3f} of the stroke {way}: "
+        "let its parts go from 0 to 1 and back"
+    )

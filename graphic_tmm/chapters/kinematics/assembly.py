@@ -1,0 +1,251 @@
+"""Does the mechanism assemble, and over which part of the turn; does a side hold through it.
+
+Every step with two roots measures its own gap. Over a turn the gap tells: always negative, the lengths never
+assemble; negative in part, the crank rocks; zero without becoming negative, a change point, where both
+assemblies meet and a side fixed for the whole turn would give a plausible wrong plan.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.grammar import Gap
+from graphic_tmm.board.operations.locus import narrow
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Line, Reals
+from graphic_tmm.chapters.kinematics.positions import side_record
+from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.structure import Group
+
+CHANGE = 1e-9
+"""A gap whose least value is below this share of the lengths is zero: a change point."""
+NEAR = 1e-2
+"""Degrees: crank angles nearer to each other than this are one change point."""
+
+
+class Closure(NamedTuple):
+    """A step with two roots: its group, the step, one of its gaps."""
+
+    group: Group
+    step: Step
+    gap: Gap
+
+
+class Assembly(NamedTuple):
+    """What is found of a mechanism that can be drawn: the ranges of the crank (degrees); empty: all of it."""
+
+    ranges: tuple[tuple[float, float], ...]
+    groups: tuple[str, ...]
+
+    @property
+    def said(self) -> str:
+        """The ranges as a sentence; "" if it is all of the turn."""
+        if not self.ranges:
+            return ""
+        ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in self.ranges)
+        return f"group {', '.join(self.groups)} assembles for crank angles {ranges} only"
+
+
+def closures(survey: Survey) -> tuple[Closure, ...]:
+    """Return the steps that close the groups, with their gaps."""
+    found = []
+    for closing in survey.positions.closings:
+        step = survey.construction.step(closing.root)
+        assert step is not None
+        found += [Closure(closing.group, step, gap) for gap in step.op.gaps]
+    return tuple(found)
+
+
+def check_assembly(survey: Survey) -> Assembly:
+    """Return over which ranges of the crank the mechanism assembles.
+
+    Raises
+    ------
+    StructureError
+        If a group never assembles (which lengths, and by how much), or its side cannot hold
+        through a change point, or is told to flip where there is none.
+    """
+    names: list[str] = []
+    critical: list[float] = []
+    for group in survey.structure.groups:
+        touched: list[float] = []
+        partly = False
+        for closure in (c for c in closures(survey) if c.group == group):
+            rooms = _room(survey, closure)
+            critical += _refuse_never(survey, closure, rooms)
+            size = _size(survey, closure)
+            lows = _lows(survey, closure, rooms)
+            critical += [angle for angle, _ in lows]
+            short = rooms[1][0, np.isfinite(rooms[1][0])] < -CHANGE * size
+            partly |= bool(short.any() or any(room < -CHANGE * size for _, room in lows))
+            touched += [angle for angle, room in lows if abs(room) <= CHANGE * size]
+        if partly:
+            names.append(group.name)
+        if group.kind < 4:
+            _refuse_sides(survey, group, _apart(touched))
+    ranges = _ranges(survey, critical) if names else []
+    return Assembly(tuple(ranges), tuple(names))
+
+
+def _measured(survey: Survey, closure: Closure, angles: Reals) -> Reals:
+    reading = survey.at(angles, closure.step.uses)
+    with np.errstate(all="ignore"):
+        room = closure.gap.measure(*(reading[mark] for mark in closure.step.uses))
+    return np.broadcast_to(room, angles.shape)
+
+
+def _room(survey: Survey, closure: Closure) -> tuple[Reals, Reals]:
+    angles = np.arange(STEPS, dtype=np.float64)[None, :] * (360.0 / STEPS)
+    return angles, _measured(survey, closure, angles)
+
+
+def _size(survey: Survey, closure: Closure) -> float:
+    return sum(
+        abs(a - b)
+        for leg in closure.group.legs
+        for link in [survey.mechanism.by_number[leg.link]]
+        for a in link.points.values()
+        for b in link.points.values()
+    ) + abs(_arm(survey))
+
+
+def _arm(survey: Survey) -> complex:
+    crank = survey.mechanism.by_number[survey.structure.driver]
+    return crank.points[survey.structure.pin] - crank.points[survey.structure.pivot]
+
+
+def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) -> list[float]:
+    """Return the crank angle of the greatest gap where the samples alone do not show that it closes."""
+    angles, room = rooms
+    size = _size(survey, closure)
+    if not np.isfinite(room).any() or (room >= -CHANGE * size).any():
+        return []
+    best = float(angles[0, int(np.nanargmax(room[0]))])
+    at, least = _least(survey, closure, best, 360.0 / STEPS, sign=-1)
+    if -least >= -CHANGE * size:
+        return [at]
+    letters = dict(zip(closure.step.op.arguments, closure.step.uses, strict=True))
+    words = closure.gap.en.format(**{name: mark.letter for name, mark in letters.items()})
+    raise StructureError(
+        f"group {closure.group.name} never assembles: {words} "
+        f"(short by {_mm(least)} at the best crank angle, {at:.4g}°): change {_lengths(closure)}"
+    )
+
+
+def _lengths(closure: Closure) -> str:
+    inner = closure.group.inner
+    if inner.kind == "P":
+        links = " or ".join(str(leg.link) for leg in closure.group.legs)
+        return f"the distance of the guide {inner.name} from the pivots (link {links})"
+    return " or ".join(
+        f"{leg.pair.name}{inner.name} (link {leg.link})"
+        if leg.pair.kind == "R"
+        else f"the guide {leg.pair.name} (link {leg.pair.links[1]})"
+        for leg in closure.group.legs
+    )
+
+
+def _mm(metres: float) -> str:
+    return f"{metres * 1000:.4g} mm"
+
+
+def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
+    """Refuse a side that does not say what it does at the change points, or says it of other angles."""
+    side = side_record(survey.mechanism, group)
+    assert side is not None
+    places = ", ".join(f'"{angle:.6g} deg"' for angle in touched)
+    if side.flips_at is None and touched:
+        raise StructureError(
+            f"group {group.name}: its side cannot hold through the change point at crank angle "
+            f"{', '.join(f'{angle:.6g}°' for angle in touched)}, where both assemblies meet: "
+            f"say beside it where it flips, flips_at = [{places}], or flips_at = [] if it does not"
+        )
+    flips = side.flips_at or ()
+    for angle in flips:
+        if min((_between(angle, place) for place in touched), default=360.0) > NEAR:
+            raise StructureError(
+                f"group {group.name}: flips_at names {angle:.6g}°, but the two assemblies do not meet there "
+                + (f"(they meet at {places})" if touched else "(they meet nowhere)")
+                + ": leave it out"
+            )
+    if len(_apart(list(flips))) < len(flips):
+        raise StructureError(f"group {group.name}: flips_at names the same crank angle twice")
+    if len(flips) % 2 and len(flips) < len(touched):
+        raise StructureError(
+            f"group {group.name}: flips_at names {len(flips)} of the {len(touched)} change points, so after a "
+            f"whole turn the group would stand on its other side: name an even number of {places}, or all"
+        )
+
+
+def _between(one: float, other: float) -> float:
+    return abs((one - other + 180.0) % 360.0 - 180.0)
+
+
+def _apart(angles: list[float]) -> list[float]:
+    """Return the angles in order, each but once, as far as a flat minimum tells them: 1e-5°."""
+    kept: list[float] = []
+    for angle in (round(angle, 5) % 360.0 for angle in angles):
+        if all(_between(angle, other) > NEAR for other in kept):
+            kept.append(angle)
+    return sorted(kept)
+
+
+def _lows(
+    survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]
+) -> list[tuple[float, float]]:
+    """Return where the gap is least: crank angles (degrees) and gaps (m); only small or negative ones."""
+    angles, room = rooms
+    row, size = np.where(np.isfinite(room[0]), room[0], np.inf), _size(survey, closure)
+    before, after = np.roll(row, 1), np.roll(row, -1)
+    lowest = np.flatnonzero((row <= before) & (row <= after) & (np.abs(row) < 0.01 * size))
+    return [_least(survey, closure, float(angles[0, at]), 360.0 / STEPS) for at in lowest]
+
+
+def _least(
+    survey: Survey, closure: Closure, centre: float, reach: float, sign: int = 1
+) -> tuple[float, float]:
+    """Narrow down the least gap near an angle; return the angle (degrees, [0, 360)) and the gap, m.
+
+    ``sign`` = −1: the greatest gap, with its sign changed.
+    """
+    for _ in range(24):
+        row = centre + reach * np.linspace(-1.0, 1.0, 33)[None, :]
+        value = sign * _measured(survey, closure, row)[0]
+        value = np.where(np.isfinite(value), value, np.inf)
+        best = int(np.argmin(value))
+        centre, reach = float(row[0, best]), reach / 8
+    return round(centre, 7) % 360.0, float(value[best])
+
+
+def _ranges(survey: Survey, critical: list[float]) -> list[tuple[float, float]]:
+    """Return the ranges of the crank over which everything can be drawn, degrees.
+
+    ``critical``: crank angles to be tried besides the even steps, lest a narrow range be missed.
+    """
+    last: list[Mark] = [closing.point for closing in survey.positions.closings]
+    last += [body.axis for body in survey.positions.bodies.values() if body.drawn]
+
+    def drawable(angles: Reals) -> Reals:
+        reading = survey.at(angles, last)
+        total = np.zeros(angles.shape)
+        for mark in last:
+            value = reading[mark]
+            part = value.along if isinstance(value, Line) else value
+            total = total + np.abs(part)
+        return np.where(np.isfinite(total), 1.0, -1.0)
+
+    even = np.arange(STEPS + 1, dtype=np.float64) * (360.0 / STEPS)
+    angles = np.union1d(even, np.asarray(critical, dtype=np.float64))[None, :]
+    good = drawable(angles)[0] > 0
+    edges = np.flatnonzero(good[1:] != good[:-1])
+    low, high = angles[0, edges], angles[0, edges + 1]
+    at = [
+        float(narrow(drawable, np.array([[a]]), np.array([[b]]))[0, 0])
+        for a, b in zip(low, high, strict=True)
+    ]
+    if at and good[0]:
+        at = [*at[1:], at[0] + 360.0]
+    return list(zip(at[0::2], at[1::2], strict=True))

@@ -1,0 +1,164 @@
+"""Links as they stand on the plan of positions: their points, and a line fixed in each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import ROUNDING, Draft
+from graphic_tmm.board.operations.instruments import (
+    incline,
+    lay_off,
+    parallel,
+    place,
+    shift,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.mechanism.guides import direction, level, turn
+from graphic_tmm.mechanism.records import Link
+from graphic_tmm.mechanism.structure import Group, Pair
+
+
+@dataclass
+class Body:
+    """A link on the plan of positions while it is being drawn.
+
+    ``marks``: its points by letter; ``own``: where they are in the link's own axes, m. Its axis is a line
+    whose beginning stands at ``at`` (own axes, m) and whose direction is ``angle`` (own axes, degrees); it
+    is drawn when it is first needed.
+    """
+
+    link: Link
+    at: complex
+    angle: float
+    draw_axis: Callable[[], Mark]
+    marks: dict[str, Mark] = field(default_factory=dict)
+    own: dict[str, complex] = field(default_factory=dict)
+    _axis: Mark | None = None
+
+    @property
+    def drawn(self) -> bool:
+        """Whether the axis has been drawn."""
+        return self._axis is not None
+
+    @property
+    def axis(self) -> Mark:
+        """The line fixed in the link."""
+        if self._axis is None:
+            self._axis = self.draw_axis()
+        return self._axis
+
+
+class Closing(NamedTuple):
+    """What a group leaves for the other plans: the closing point Q (with its letter) and its two legs.
+
+    ``root`` is the mark in which the group was closed: where two loci met, or the line of a rocker.
+    """
+
+    group: Group
+    letter: str
+    point: Mark
+    root: Mark
+    legs: tuple[PinLeg | GuideLeg, PinLeg | GuideLeg]
+
+    @property
+    def image_letter(self) -> str:
+        """The letter of Q's image: "b", or "a3" where Q is the point of link 3 over the pivot A."""
+        small = self.letter.lower()
+        return f"{small}{self.legs[1].link}" if self.group.kind in (3, 5) else small
+
+
+class PinLeg(NamedTuple):
+    """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q."""
+
+    link: int
+    body: int
+    letter: str
+    pivot: Mark
+    line: Mark
+    length: Mark
+
+
+class GuideLeg(NamedTuple):
+    """S: link ``link`` slides on ``body`` along ``line``. I (``inner``): Q slides off its pivot on ``body``.
+
+    ``on``: the link that is slid on.
+    """
+
+    link: int
+    body: int
+    line: Mark
+    inner: bool
+    on: int
+
+
+def off_axis(body: Body, point: complex) -> tuple[float, float]:
+    """Return where a point (own axes, m) stands along and to the left of the body's axis, m."""
+    z = (point - body.at) * turn(-body.angle)
+    size = max(abs(point), abs(body.at), abs(z))
+    return z.real, 0.0 if abs(z.imag) <= ROUNDING * size else z.imag
+
+
+def draw_points(draft: Draft, body: Body, anchor: str) -> None:
+    """Draw the points of the body that do not stand on the board yet, from its axis.
+
+    ``anchor`` is the letter (or sign) at the axis' beginning: it names the lengths laid off.
+    """
+    for letter, own in body.link.points.items():
+        if letter in body.marks:
+            continue
+        x, y = off_axis(body, own)
+        stand(body, letter, lay_out(draft, body.axis, letter, anchor, x, y), own)
+
+
+def stand(body: Body, letter: str, mark: Mark, own: complex) -> None:
+    """Note that a point of the body stands on the board."""
+    body.marks[letter] = mark
+    body.own[letter] = own
+
+
+def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: float) -> Mark:
+    """Draw the point at x along and y to the left of an axis (m)."""
+    if y == 0.0:
+        return draft.board.draw(lay_off, letter, axis, draft.length(f"{anchor}{letter}", x))
+    along, left = draft.length(f"x_{{{letter}}}", x), draft.length(f"y_{{{letter}}}", y)
+    return draft.board.draw(place, letter, axis, along, left)
+
+
+def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float) -> Mark:
+    """Draw a line through a point at an angle to another line: parallel, square or by the protractor."""
+    rest = degrees % 360.0
+    name = draft.board.free(f"({name})")
+    if rest in (0.0, 180.0):
+        return draft.board.draw(parallel, name, through, to, sense=1 if rest == 0.0 else -1)
+    if rest in (90.0, 270.0):
+        return draft.board.draw(square, name, through, to, sense=1 if rest == 90.0 else -1)
+    return draft.board.draw(incline, name, through, to, draft.direction(degrees))
+
+
+def nearest(body: Body, pair: Pair, levelled: float) -> str:
+    """Return the letter of the body's point that lies nearest to a level (m) of a guide."""
+    number = body.link.number
+    return min(body.own, key=lambda k: abs(levelled - level(pair, number, body.own[k])))
+
+
+def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str) -> Mark:
+    """Draw the path, on a body, of the point that slides at the given level (m) off the guide.
+
+    The line starts from the point of the body that is nearest to it.
+    """
+    number = body.link.number
+    letter = nearest(body, pair, levelled)
+    own = body.own[letter]
+    size = max(abs(own), abs(body.at), abs(levelled))
+    by = levelled - level(pair, number, own)
+    bend = direction(pair, number) - body.angle
+    if abs(by) <= ROUNDING * size and own == body.at and bend % 360.0 == 0.0:
+        return body.axis
+    if abs(by) <= ROUNDING * size:
+        return incline_by(draft, name, body.marks[letter], body.axis, bend)
+    inclined = incline_by(draft, f"{name}′", body.marks[letter], body.axis, bend)
+    free = draft.board.free(f"({name})")
+    return draft.board.draw(shift, free, inclined, draft.length(f"h_{{{name}}}", by))

@@ -1,0 +1,213 @@
+"""The five kinds of dyads on the plan of positions: each is closed where two loci meet.
+
+Arcs (kind 1), an arc and a guide (2), the line of a rocker or a tangent (3), two guides (4, 5). What the other
+plans need of it, the closing point and two legs, is left in `Closing`.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import ROUNDING, Draft
+from graphic_tmm.board.operations.instruments import (
+    cross,
+    cut,
+    directed,
+    join,
+    measure,
+    meet,
+    parallel,
+    rocker_line,
+    strike,
+    tangent,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Closing,
+    GuideLeg,
+    PinLeg,
+    draw_guide,
+    incline_by,
+    stand,
+)
+from graphic_tmm.mechanism.guides import direction, level, turn
+from graphic_tmm.mechanism.records import Link
+from graphic_tmm.mechanism.structure import Group, Leg, Pair
+
+
+class Site(NamedTuple):
+    """Where a group is attached: the board, the bodies that stand there, the group, its links, its side.
+
+    ``letters``: those of the scene, which no point that the plan needs besides may bear.
+    """
+
+    draft: Draft
+    bodies: dict[int, Body]
+    group: Group
+    links: tuple[Link, Link]
+    side: Mark | None
+    letters: frozenset[str]
+
+    def pivot(self, leg: Leg) -> Mark:
+        """Return the mark of a leg's outer pivot."""
+        return self.bodies[leg.body].marks[leg.pair.name]
+
+    def swung(self, link: Link, leg: Leg, pin: str) -> tuple[Mark, Mark]:
+        """Strike the arc of the inner pin about the outer pivot; return it and its opening."""
+        outer = leg.pair.name
+        opening = self.draft.length(f"{outer}{pin}", abs(link.points[pin] - link.points[outer]))
+        name = f"({outer}; {outer}{pin})"
+        return self.draft.board.draw(strike, name, self.pivot(leg), opening), opening
+
+    def pinned(self, link: Link, leg: Leg, pin: str, mark: Mark, opening: Mark) -> PinLeg:
+        """Enter a link that turns about an outer pivot and whose inner pin stands at ``mark``."""
+        outer, pivot = leg.pair.name, self.pivot(leg)
+        line = self.draft.board.draw(join, f"({outer}{pin})", pivot, mark)
+        arm = link.points[pin] - link.points[outer]
+        body = Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: line)
+        stand(body, outer, pivot, link.points[outer])
+        stand(body, pin, mark, link.points[pin])
+        self.bodies[link.number] = body
+        return PinLeg(link.number, leg.body, outer, pivot, line, opening)
+
+    def path(self, leg: Leg, own: complex, name: str) -> Mark:
+        """Draw the path of a point (own axes of the leg's link) along the outer guide."""
+        height = level(leg.pair, leg.link, own)
+        return draw_guide(self.draft, self.bodies[leg.body], leg.pair, height, name)
+
+    def sliding(
+        self,
+        link: Link,
+        pair: Pair,
+        point: tuple[str, complex, Mark],
+        line: Mark,
+        side: Mark | None = None,
+    ) -> None:
+        """Enter a link that lies along ``line`` (in the sense ``side``); ``point``: letter, own axes, mark."""
+        letter, own, mark = point
+
+        def axis() -> Mark:
+            if side is not None:
+                return self.draft.board.draw(directed, f"({link.number})", mark, line, side)
+            return self.draft.board.draw(parallel, f"({link.number})", mark, line)
+
+        body = Body(link, own, direction(pair, link.number), axis)
+        stand(body, letter, mark, own)
+        self.bodies[link.number] = body
+
+
+def _rrr(site: Site) -> Closing:
+    assert site.side is not None
+    group, pin = site.group, site.group.inner.name
+    struck = [site.swung(link, leg, pin) for link, leg in zip(site.links, group.legs, strict=True)]
+    mark = site.draft.board.draw(cross, pin, *(arc for arc, _ in struck), site.side)
+    first, second = (
+        site.pinned(link, leg, pin, mark, opening)
+        for link, leg, (_, opening) in zip(site.links, group.legs, struck, strict=True)
+    )
+    return Closing(group, pin, mark, mark, (first, second))
+
+
+def _rrp(site: Site) -> Closing:
+    assert site.side is not None
+    pin, (turning, sliding) = site.group.inner.name, site.group.legs
+    rod, slider = site.links
+    arc, opening = site.swung(rod, turning, pin)
+    guide = site.path(sliding, slider.points[pin], sliding.pair.name)
+    mark = site.draft.board.draw(cut, pin, guide, arc, site.side)
+    pinned = site.pinned(rod, turning, pin, mark, opening)
+    site.sliding(slider, sliding.pair, (pin, slider.points[pin], mark), guide)
+    held = GuideLeg(slider.number, sliding.body, guide, False, sliding.body)
+    return Closing(site.group, pin, mark, mark, (pinned, held))
+
+
+def rocker_offset(group: Group, stone: Link, rocker: Link) -> float:
+    """Return how far, in kind 3, the stone's pivot lies to the left of the guide through the rocker's, m.
+
+    Zero if it is nothing but rounding.
+    """
+    pin, centre = (leg.pair.name for leg in group.legs)
+    offset = level(group.inner, stone.number, stone.points[pin]) - level(
+        group.inner, rocker.number, rocker.points[centre]
+    )
+    size = max(map(abs, (*stone.points.values(), *rocker.points.values(), offset)))
+    return 0.0 if abs(offset) <= ROUNDING * size else offset
+
+
+def _rpr(site: Site) -> Closing:
+    assert site.side is not None
+    board, (stone_leg, rocker_leg) = site.draft.board, site.group.legs
+    stone, rocker = site.links
+    pin, centre, inner = stone_leg.pair.name, rocker_leg.pair.name, site.group.inner
+    a, c = site.pivot(stone_leg), site.pivot(rocker_leg)
+    offset = rocker_offset(site.group, stone, rocker)
+    if offset == 0.0:
+        guide = line = board.draw(rocker_line, f"({centre}{pin})", c, a)
+        side: Mark | None = site.side
+    else:
+        height = site.draft.length(f"h_{{{pin}}}", offset)
+        guide = board.draw(tangent, f"({pin})", a, c, height, site.side)
+        line, side = board.draw(join, f"({centre}{pin})", c, a), None
+    distance = board.draw(measure, f"{centre}{pin}", c, a)
+    site.sliding(stone, inner, (pin, stone.points[pin], a), guide, side)
+    site.sliding(rocker, inner, (centre, rocker.points[centre], c), guide, side)
+    slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)
+    turned = PinLeg(rocker.number, rocker_leg.body, centre, c, line, distance)
+    return Closing(site.group, pin, a, guide, (slid, turned))
+
+
+def _prp(site: Site) -> Closing:
+    group, pin = site.group, site.group.inner.name
+    guides = [
+        site.path(leg, link.points[pin], leg.pair.name)
+        for link, leg in zip(site.links, group.legs, strict=True)
+    ]
+    mark = site.draft.board.draw(meet, pin, *guides)
+    held = []
+    for link, leg, guide in zip(site.links, group.legs, guides, strict=True):
+        site.sliding(link, leg.pair, (pin, link.points[pin], mark), guide)
+        held.append(GuideLeg(leg.link, leg.body, guide, False, leg.body))
+    return Closing(group, pin, mark, mark, (held[0], held[1]))
+
+
+def _rpp(site: Site) -> Closing:
+    stone_leg, yoke_leg = site.group.legs
+    stone, yoke = site.links
+    pin, inner, a = stone_leg.pair.name, site.group.inner, site.pivot(stone_leg)
+    height = level(inner, stone.number, stone.points[pin])
+    letter, own = _on_inner_guide(yoke, inner, height, site.letters)
+    path = site.path(yoke_leg, own, yoke_leg.pair.name)
+    bend = direction(inner, yoke.number) - direction(yoke_leg.pair, yoke.number)
+    guide = incline_by(site.draft, inner.name, a, path, bend)
+    mark = site.draft.board.draw(meet, site.draft.board.free(letter), path, guide)
+    site.sliding(stone, inner, (pin, stone.points[pin], a), guide)
+    site.sliding(yoke, yoke_leg.pair, (letter, own, mark), path)
+    slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)
+    held = GuideLeg(yoke.number, yoke_leg.body, path, False, yoke_leg.body)
+    return Closing(site.group, pin, a, mark, (slid, held))
+
+
+def _on_inner_guide(
+    yoke: Link, inner: Pair, wanted: float, taken: frozenset[str]
+) -> tuple[str, complex]:
+    """Return a point of the yoke that the stone's pivot slides over: one of its letters, or a new one."""
+    size = max([abs(wanted), *map(abs, yoke.points.values())])
+    levels = {k: level(inner, yoke.number, own) for k, own in yoke.points.items()}
+    for letter, at in levels.items():
+        if abs(at - wanted) <= ROUNDING * size:
+            return letter, yoke.points[letter]
+    letter, own = next(iter(yoke.points.items()), (str(yoke.number), 0j))
+    lifted = own + 1j * turn(direction(inner, yoke.number)) * (
+        wanted - level(inner, yoke.number, own)
+    )
+    letter += "′"
+    while letter in taken:
+        letter += "′"
+    return letter, lifted
+
+
+DYADS = {1: _rrr, 2: _rrp, 3: _rpr, 4: _prp, 5: _rpp}
+"""How each kind is closed: a function of its `Site`."""

@@ -1,0 +1,152 @@
+r"""The vector equations of a plan, read off the log: how the lines of each group met, what is known of them.
+
+A group's point is where two lines met. Each line begins at an image that was known, or at the end of segments
+of calculated length laid off from one. So each line is a side of the equation: a vector known in length and
+direction (two lines under it) for the image and every segment, and one known in direction (one line) along
+the line itself. A side that begins at the pole has no vector but that of the line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel
+from graphic_tmm.board.record import Construction, Mark, Step
+
+QUANTITIES = {"p": "v", "π": "a"}
+"""What a segment from a pole stands for."""
+
+
+class Term(NamedTuple):
+    """A vector of an equation: its letter as mark-up, known wholly or in direction, and that direction."""
+
+    symbol: str
+    known: bool
+    direction: str = ""
+
+    def __str__(self) -> str:
+        under = "uu" if self.known else "u"
+        return f"\\{under}{{{_bar(self.symbol)}}}"
+
+
+class Equation(NamedTuple):
+    """The equation of a group: its heading in the log, the vector sought, the sides that it equals."""
+
+    group: str
+    sought: Term | str
+    sides: tuple[tuple[Term, ...], ...]
+
+    @property
+    def markup(self) -> str:
+        """The equation as lettered on a sheet."""
+        left = self.sought if isinstance(self.sought, Term) else _bar(self.sought)
+        return " = ".join([str(left), *(" + ".join(map(str, side)) for side in self.sides)])
+
+    @property
+    def text(self) -> str:
+        """The equation in plain text, as the protocol prints it: v_B = v_A + v_BA."""
+        sides = [self.sought if isinstance(self.sought, str) else self.sought.symbol]
+        sides += [" + ".join(term.symbol for term in side) for side in self.sides]
+        return " = ".join(sides).replace("{", "").replace("}", "")
+
+    @property
+    def directions(self) -> str:
+        """The directions that are known, as lettered on a sheet: v_{BA} ⊥ AB."""
+        found = [self.sought] if isinstance(self.sought, Term) else []
+        found += [term for side in self.sides for term in side if term.direction]
+        return ", ".join(
+            f"{term.symbol}{': ' if '→' in term.direction else ' '}{term.direction}"
+            for term in found
+        )
+
+
+def _bar(symbol: str) -> str:
+    r"""Return a vector's letter with its bar: a_{BA}^{n} -> \bar{a}_{BA}^{n}."""
+    return f"\\bar{{{symbol[0]}}}{symbol[1:]}"
+
+
+def quantity(letter: str) -> str:
+    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}."""
+    stem, _, rest = letter.partition("_")
+    if rest and stem in "ωε":
+        return letter
+    ends = ends_of((rest or letter).strip("{}"))
+    if rest:
+        return f"a_{{{''.join(reversed(ends)).upper()}}}^{{{stem}}}"
+    if ends[0] in QUANTITIES:
+        return f"{QUANTITIES[ends[0]]}_{{{''.join(ends[1:]).upper()}}}"
+    return f"v_{{{''.join(reversed(ends)).upper()}}}"
+
+
+def ends_of(letter: str) -> list[str]:
+    """Split a segment into the letters of its ends: aa3 -> a, a3."""
+    ends: list[str] = []
+    for sign in letter:
+        if ends and (sign.isdigit() or sign == "′"):
+            ends[-1] += sign
+        else:
+            ends.append(sign)
+    return ends
+
+
+def equations(construction: Construction, plan: str, *, turned: bool = False) -> Iterator[Equation]:
+    """Yield the vector equations of a plan of velocities or accelerations, group by group.
+
+    ``turned``: the plan is turned by 90°, so that what is drawn along a line is square to it in truth.
+    """
+    view = construction.view(plan)
+    if view is None or view.pole is None or view.pole.name not in QUANTITIES:
+        return
+    steps = [step for step in construction.steps if step.it.view == plan]
+    read = {step.uses[2]: step.it.name for step in steps if step.op is measure_along}
+    group, fresh = "", dict[Mark, Step]()
+    for step in steps:
+        if step.note:
+            group, fresh = step.note, {}
+        fresh[step.it] = step
+        if step.op is meet:
+            lines = [fresh[mark] for mark in reversed(step.uses)]
+            yield _equation(group, step.it, view.pole, lines, fresh, read, turned)
+
+
+def _equation(
+    group: str,
+    point: Mark,
+    pole: Mark,
+    lines: list[Step],
+    fresh: dict[Mark, Step],
+    read: dict[Mark, str],
+    turned: bool,
+) -> Equation:
+    """Return the equation of the point where two lines met."""
+    root = QUANTITIES[pole.name]
+    name = f"{root}_{{{point.name.upper()}}}"
+    sought: Term | str = name
+    sides = []
+    for line in lines:
+        start = line.uses[0]
+        known = list[Term]()
+        while start in fresh and fresh[start].op is lay_off:
+            drawn, length = fresh[start].uses
+            known.insert(0, Term(quantity(length.name), True, _direction(fresh[drawn], turned)))
+            start = fresh[drawn].uses[0]
+        if start != pole:
+            known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True))
+        direction = _direction(line, turned)
+        if known:
+            symbol = quantity(read[line.it]) if line.it in read else name
+            sides.append((*known, Term(symbol, False, direction)))
+        else:
+            sought = Term(name, False, direction)
+    return Equation(group, sought, tuple(sides))
+
+
+def _direction(line: Step, turned: bool) -> str:
+    """Return the direction of a vector by the line drawn for it: ⊥ AB, ∥ y–y, or B → A along a link."""
+    of = line.uses[1].name.rstrip("′").strip("()")
+    ends = ends_of(of)
+    along = (line.op is parallel) != turned
+    if along and line.choice["sense"] < 0 and len(ends) == 2:
+        return f"{ends[1]} → {ends[0]}"
+    return f"{'∥' if along else '⊥'} {of if len(ends) > 1 else f'{of}–{of}'}"

@@ -1,0 +1,261 @@
+"""Extreme positions of an output point, found before all plans.
+
+Where the mechanism admits it, by its construction on the board: crank and rod in one line (a slider or a
+rocker on the crank's rod), crank square to the rocker (a stone on the crank). Elsewhere by refining on the
+board: the crank's angle at which the image of the point lies square to the asked direction.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.formulas import difference, total
+from graphic_tmm.board.operations.instruments import bearing, cross, cut, strike, touch
+from graphic_tmm.board.operations.locus import refinement
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals, Side, undefined
+from graphic_tmm.chapters.kinematics.assembly import check_assembly
+from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
+from graphic_tmm.chapters.kinematics.dyads import rocker_offset
+from graphic_tmm.chapters.kinematics.positions import side_record
+from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.guides import level
+from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.mechanism.structure import Group
+
+VIEW = "extremes"
+SAME = 1e-6
+"""Degrees: a drawn extreme that is nearer than this to the one tried out is the same."""
+STILL = 1e-9
+"""A point that travels less than this share of its distance from the crank's pivot stands still."""
+_WAY = {"left": ("x", -1), "right": ("x", 1), "bottom": ("y", -1), "top": ("y", 1)}
+OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}
+
+
+class _Tried(NamedTuple):
+    """An extreme found by trying: the bracket and the angle, degrees."""
+
+    low: float
+    high: float
+    angle: float
+
+
+def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, tag: str) -> Mark:
+    """Record how the crank's angle at an extreme position is found; return its mark (degrees).
+
+    ``tag`` marks the letters of this position ("0", "*").
+
+    Raises
+    ------
+    StructureError
+        If the point is not a moving point of the mechanism, or has no extreme position that way.
+    """
+    tried = _try(survey, extreme)
+    draft.board.open(VIEW)
+    if draft.board.construction().view(VIEW) is None:
+        draft.board.lay_out(frame.marks[survey.structure.pivot], draft.mu_l)
+    group = survey.structure.groups[0]
+    draw = _CONSTRUCTIONS.get(group.kind)
+    if draw is not None and _on_crank_and_frame(survey, group):
+        for choice in (1, -1):
+            probe = Draft()
+            angle = _probe(probe, survey, frame, choice)
+            if abs((angle - tried.angle + 180.0) % 360.0 - 180.0) < SAME:
+                draft.board.say(f"{extreme.point}: {extreme.at}")
+                return draw(draft, survey, frame, choice, tag)
+    return _refined(draft, survey, extreme, tried, tag)
+
+
+def _try(survey: Survey, extreme: Extreme) -> _Tried:
+    name, way = _WAY[extreme.at]
+    axis = survey.axes.get((extreme.point, name))
+    if axis is None:
+        raise StructureError(
+            f"zero: {extreme.point} is not a moving point of the mechanism (moving: "
+            f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})"
+        )
+    mark = survey.positions.point(extreme.point)
+    closed = [
+        root for closing in survey.positions.closings for root in (closing.root, closing.point)
+    ]
+    angles, reading = survey.turn([mark, *closed])
+    place = reading[mark][0].real if name == "x" else reading[mark][0].imag
+    for root in closed:
+        place = np.where(undefined(reading[root])[0], np.nan, place)
+    if not np.isfinite(place).any():
+        raise StructureError(f"zero: {extreme.point} cannot be drawn at any crank angle")
+    if np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
+        ways = "left nor right" if name == "x" else "up nor down"
+        raise StructureError(
+            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle"
+        )
+    best = int(np.nanargmax(way * place))
+    low, high = _bracket(survey, axis, float(angles[0, best]))
+    tried = refinement(_velocity(survey, axis), "", "").run(np.array([[low]]), np.array([[high]]))
+    angle = float(tried[0, 0])
+    if not np.isfinite(angle) and not np.isfinite(place).all():
+        raise StructureError(
+            f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does "
+            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle there"
+        )
+    if not np.isfinite(angle):
+        raise StructureError(
+            f"zero: {extreme.point} has no extreme position at {extreme.at} "
+            f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle"
+        )
+    return _Tried(float(low), float(high), angle)
+
+
+def _bracket(survey: Survey, axis: Mark, best: float) -> tuple[float, float]:
+    """Return two crank angles about ``best`` with velocities of opposite senses; NaN if there are none.
+
+    At the end of the crank's range the point stops for want of room, not because it stands still.
+    """
+    row = best + np.array([[-1.0, 0.0, 1.0]]) * (360.0 / STEPS)
+    value = _velocity(survey, axis)(row)[0]
+    for low, high in ((0, 2), (0, 1), (1, 2)):
+        if value[low] * value[high] <= 0.0:  # not so of NaN
+            return float(row[0, low]), float(row[0, high])
+    return float("nan"), float("nan")
+
+
+def _velocity(survey: Survey, axis: Mark):  # type: ignore[no-untyped-def]
+    def tried(row: Reals) -> Reals:
+        return np.asarray(survey.at(row, [axis])[axis])
+
+    return tried
+
+
+def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag: str) -> Mark:
+    name, _ = _WAY[extreme.at]
+    axis = survey.axes[extreme.point, name]
+    step = refinement(
+        _velocity(survey, axis),
+        "Try crank angles between {low} and {high}, each time narrowing to where the image of "
+        f"{extreme.point} passes the pole; this is {{it}}.",
+        "Пробовать углы кривошипа между {low} и {high}, сужая до того, где изображение точки "
+        f"{extreme.point} проходит через полюс; это {{it}}.",
+    )
+    low, high = draft.direction(tried.low), draft.direction(tried.high)
+    return draft.board.draw(step, f"φ_{{{tag}}}", low, high, unit="°")
+
+
+def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
+    first, second = group.legs
+    frame = survey.mechanism.frame.number
+    if group.kind == 3:
+        stone, rocker = (survey.mechanism.by_number[leg.link] for leg in group.legs)
+        straight = rocker_offset(group, stone, rocker) == 0.0
+        return straight and first.pair.name == survey.structure.pin and second.body == frame
+    crank_leg = first if first.body == survey.structure.driver else second
+    other = second if crank_leg is first else first
+    return (
+        group.kind in (1, 2)
+        and crank_leg.pair.kind == "R"
+        and crank_leg.pair.name == survey.structure.pin
+        and other.body == frame
+    )
+
+
+def _probe(probe: Draft, survey: Survey, frame: Body, choice: int) -> float:
+    """Run the drawing-board construction on a small board of its own; return the angle, degrees."""
+    from graphic_tmm.chapters.kinematics.positions import draw_frame
+
+    own = draw_frame(probe, survey.mechanism, survey.structure)
+    probe.board.open(VIEW)
+    group = survey.structure.groups[0]
+    mark = _CONSTRUCTIONS[group.kind](probe, survey, own, choice, "0")
+    assert probe.mu_l is not None
+    log = probe.board.construction()
+    return float(execute(log, probe.given | {probe.mu_l: 1.0}, [mark])[mark][0, 0])
+
+
+def _side(draft: Draft, survey: Survey, group: Group, tag: str, flip: int = 1) -> Mark:
+    side = side_record(survey.mechanism, group)
+    assert side is not None
+    return draft.take(Side, draft.board.free(f"±{group.name}"), float(side.sign * flip))
+
+
+def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mark, str, str, bool]:
+    """Return the opening OA + AB, or |OA − AB|; the letters of pin and inner pin; if the rod is longer."""
+    structure = survey.structure
+    leg = next(leg for leg in group.legs if leg.body == structure.driver)
+    rod, crank = survey.mechanism.by_number[leg.link], survey.mechanism.by_number[structure.driver]
+    pin, inner = structure.pin, group.inner.name
+    arm = abs(crank.points[pin] - crank.points[structure.pivot])
+    reach = abs(rod.points[inner] - rod.points[pin])
+    oa = draft.length(f"{structure.pivot}{pin}", arm)
+    ab = draft.length(f"{pin}{inner}", reach)
+    op, sign = (total, "+") if choice > 0 else (difference, "−")
+    opening = draft.board.draw(
+        op, draft.board.free(f"{structure.pivot}{pin}{sign}{pin}{inner}"), oa, ab
+    )
+    return opening, pin, inner, reach >= arm
+
+
+def _in_line(
+    draft: Draft, survey: Survey, found: Mark, frame: Body, choice: int, longer: bool, tag: str
+) -> Mark:
+    """Find the crank's angle from the inner pin's extreme place: towards it, or away from it."""
+    pivot = frame.marks[survey.structure.pivot]
+    ends = (pivot, found) if choice > 0 or not longer else (found, pivot)
+    return draft.board.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°")
+
+
+def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
+    group = survey.structure.groups[0]
+    opening, _, inner, longer = _reach(draft, survey, group, choice)
+    arc = draft.board.draw(
+        strike,
+        draft.board.free(f"({opening.letter})"),
+        frame.marks[survey.structure.pivot],
+        opening,
+    )
+    leg = group.legs[1]
+    own = survey.mechanism.by_number[leg.link].points[inner]
+    guide = draw_guide(draft, frame, leg.pair, level(leg.pair, leg.link, own), leg.pair.name)
+    found = draft.board.draw(
+        cut, f"{inner}_{{{tag}}}", guide, arc, _side(draft, survey, group, tag)
+    )
+    return _in_line(draft, survey, found, frame, choice, longer, tag)
+
+
+def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
+    group = survey.structure.groups[0]
+    opening, _, inner, longer = _reach(draft, survey, group, choice)
+    pivot = frame.marks[survey.structure.pivot]
+    arc = draft.board.draw(strike, draft.board.free(f"({opening.letter})"), pivot, opening)
+    first, second = group.legs
+    leg = second if second.body == frame.link.number else first
+    rocker = survey.mechanism.by_number[leg.link]
+    outer = leg.pair.name
+    length = draft.length(f"{outer}{inner}", abs(rocker.points[inner] - rocker.points[outer]))
+    swing = draft.board.draw(
+        strike, draft.board.free(f"({outer}; {length.letter})"), frame.marks[outer], length
+    )
+    flip = 1 if leg is second else -1
+    side = _side(draft, survey, group, tag, flip)
+    found = draft.board.draw(cross, f"{inner}_{{{tag}}}", arc, swing, side)
+    return _in_line(draft, survey, found, frame, choice, longer, tag)
+
+
+def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
+    group, structure = survey.structure.groups[0], survey.structure
+    crank = survey.mechanism.by_number[structure.driver]
+    pivot, pin = structure.pivot, structure.pin
+    length = draft.length(f"{pivot}{pin}", abs(crank.points[pin] - crank.points[pivot]))
+    arc = draft.board.draw(
+        strike, draft.board.free(f"({pivot}; {length.letter})"), frame.marks[pivot], length
+    )
+    which = draft.take(Side, draft.board.free("±"), float(choice))
+    rocker = frame.marks[group.legs[1].pair.name]
+    found = draft.board.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which)
+    return draft.board.draw(bearing, f"φ_{{{tag}}}", frame.marks[pivot], found, unit="°")
+
+
+_CONSTRUCTIONS = {1: _rocker, 2: _slider, 3: _stone}

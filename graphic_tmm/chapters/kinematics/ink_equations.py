@@ -1,0 +1,42 @@
+"""The vector equations of a plan in lettering: group by group, lines under what is known, then directions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.board.record import Construction
+from graphic_tmm.chapters.kinematics.equations import Equation
+from graphic_tmm.paper.drawing import Drawing, Label
+from graphic_tmm.paper.lettering.letters import letter
+
+HEAD = 5.0
+SIZE = 5.0
+SMALL = 3.5
+LEAD = 2.2
+"""Clear height between two lines of lettering, mm."""
+
+
+def draw_equations(
+    construction: Construction, plan: str, title: str, found: Sequence[Equation]
+) -> Drawing:
+    """Return the equations of a plan under their title, each group's with its directions below it.
+
+    What the log says of the crank stands first.
+    """
+    rows = [(title, HEAD), *((text, SIZE) for text in _crank(construction, plan))]
+    for equation in found:
+        rows.append((f"{equation.group}:  {equation.markup}", SIZE))
+        rows.append((f"({equation.directions})", SMALL))
+    labels, base = list[Label](), 0.0
+    for text, size in rows:
+        made = letter(text, size=size)
+        base -= made.ascent + (0.0 if not labels else LEAD)
+        labels.append(Label(text, complex(0.0, base), size))
+        base -= made.descent
+    return Drawing(f"equations-{plan}", title, labels=tuple(labels))
+
+
+def _crank(construction: Construction, plan: str) -> list[str]:
+    """Return what was said before the crank's vector was laid off."""
+    notes = [step.note for step in construction.steps if step.it.view == plan and step.note]
+    return [note for note in notes if "=" in note]

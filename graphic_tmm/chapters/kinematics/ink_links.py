@@ -1,0 +1,223 @@
+"""The links of a plan of positions in ink: each as what it is, in any of its positions.
+
+The points of a link make its rigid figure, a rod or a plate. A guide of its own is a line rigidly joined to it,
+as long as the stone's whole path over the turn; the stone stands on it, turned with it. A main line of a link
+is as long in one position as in any other.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Figure, Mark
+from graphic_tmm.chapters.kinematics.figures import rigid
+from graphic_tmm.chapters.kinematics.ink_plans import TOGETHER
+from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
+from graphic_tmm.paper.drawing import Stroke, circle, line
+from graphic_tmm.paper.symbols.kinematic import (
+    SLIDER_WIDTH,
+    STONE_WIDTH,
+    guide,
+    rigid_joint,
+    slider,
+    stone,
+    turning_pair,
+)
+
+OVERRUN = 12.0
+"""How far a guide of the frame goes on behind the outermost places of its slider, mm."""
+THROUGH = 9.0
+"""How far a guide of a moving link does behind its stone, mm."""
+CENTRE_RADIUS = 0.9
+"""A mass centre is a small circle, mm."""
+POINT_RADIUS = 1.1
+"""A point of a link that is neither a pair nor a mass centre is a dot, mm."""
+
+
+class Bar(NamedTuple):
+    """A guide of a moving link in one position: its ends, where the link holds it, and the holding point."""
+
+    ends: tuple[complex, complex]
+    foot: complex
+    holder: complex
+
+
+class LinksInk:
+    """The links of the log and their numbers while they are inked."""
+
+    def __init__(
+        self, construction: Construction, reading: Reading, reaches: Mapping[Figure, Reach]
+    ) -> None:
+        self.construction, self.reading, self.reaches = construction, reading, reaches
+        self.figures = [f for f in construction.figures if f.view == VIEW]
+        count = Counter(
+            mark for f in self.figures if f.kind in ("link", "frame") for mark in f.marks
+        )
+        self.joined = {mark for mark, times in count.items() if times > 1}
+        self.frame = next(f for f in self.figures if f.kind == "frame")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The numbers of the moving links."""
+        return tuple(f.name for f in self.figures if f.kind == "link")
+
+    def of(self, name: str, *kinds: str) -> Iterator[Figure]:
+        """Yield what is told of a link."""
+        return (f for f in self.figures if f.name == name and f.kind in kinds)
+
+    def at(self, mark: Mark, index: int) -> complex:
+        """Return where a point is in one position."""
+        return _place(self.reading[mark], index)
+
+    def along(self, figure: Figure, index: int) -> complex:
+        """Return the direction of a guide or of what slides on it, in one position."""
+        _, path, *side = figure.marks
+        sense = _place(self.reading[side[0]], index) if side else 1.0
+        return _place(self.reading[path].along, index) * sense
+
+    def spots(self, name: str, index: int) -> list[complex]:
+        """Return where the points of a link's rigid figure are."""
+        return [self.at(mark, index) for mark in rigid(self.figures, name)]
+
+    def bars(self, name: str, index: int) -> list[Bar]:
+        """Return the guides of a moving link."""
+        spots, found = self.spots(name, index), []
+        for figure in self.of(name, "guide"):
+            reach, way = self.reaches[figure], self.along(figure, index)
+            holder = spots[reach.anchor]
+            through = self.foot(figure, index)
+            own = [(z - holder) / way for z in spots]
+            lift = ((through - holder) / way).imag
+            ends = [z.real for z in own if abs(z.imag - lift) <= TOGETHER]
+            ends += [0.0, reach.low - THROUGH, reach.high + THROUGH]
+            foot = holder + 1j * lift * way
+            found.append(Bar((foot + min(ends) * way, foot + max(ends) * way), foot, holder))
+        return found
+
+    def foot(self, figure: Figure, index: int) -> complex:
+        """Return where a stone stands on its line: at its point, or at the foot of a square from there."""
+        at, path, *_ = figure.marks
+        spot, way = self.at(at, index), _place(self.reading[path].along, index)
+        through = _place(self.reading[path].at, index)
+        return through + ((spot - through) / way).real * way
+
+    def lines(self, name: str, index: int, pens: tuple[str, str]) -> list[Stroke]:
+        """Return the main lines of a link; ``pens``: of its rods, and of its guides."""
+        bars, spots = self.bars(name, index), self.spots(name, index)
+        made = [line(pens[1], *bar.ends) for bar in bars]
+        made += [
+            line(pens[0], bar.holder, bar.foot)
+            for bar in bars
+            if abs(bar.holder - bar.foot) > TOGETHER
+        ]
+        for figure in self.of(name, "stone", "slider"):
+            spot, foot = self.at(figure.marks[0], index), self.foot(figure, index)
+            if abs(spot - foot) > TOGETHER:
+                made.append(line(pens[0], spot, foot))
+        held = any(all(_on(spot, bar) for spot in spots) for bar in bars)
+        return made if held else made + _outline(spots, pens[0])
+
+    def notches(self, name: str, index: int) -> list[Stroke]:
+        """Return a notch across the guide wherever a slider or a stone stands in a thin position."""
+        made = []
+        for figure in self.of(name, "stone", "slider"):
+            half = (SLIDER_WIDTH if figure.kind == "slider" else STONE_WIDTH) / 2
+            foot, way = self.foot(figure, index), self.along(figure, index)
+            made.append(line("thin", foot - 1j * half * way, foot + 1j * half * way))
+        return made
+
+    def symbols(self, names: Sequence[str], index: int) -> list[Stroke]:
+        """Return the sliders, stones, rigid corners, pairs, points and mass centres of links."""
+        made = []
+        for name in names:
+            made += self.corners(name, index)
+            for figure in self.of(name, "stone", "slider"):
+                angle = float(np.degrees(np.angle(self.along(figure, index))))
+                draw = slider if figure.kind == "slider" else stone
+                made += draw(self.foot(figure, index), angle, pin=False)
+            made += self.centre(name, index)
+        marks = dict.fromkeys(m for name in names for f in self.of(name, "link") for m in f.marks)
+        for mark in marks:
+            made += self.point(mark, self.at(mark, index))
+        return made
+
+    def point(self, mark: Mark, at: complex) -> tuple[Stroke, ...]:
+        """Return the sign of a point: a turning pair, or an ordinary point of its link."""
+        if mark in self.joined:
+            return turning_pair(at)
+        return (circle("main", at, POINT_RADIUS, filled=True),)
+
+    def corners(self, name: str, index: int) -> list[Stroke]:
+        """Return the filled corners where a guide and the rest of its link are one."""
+        made = list[Stroke]()
+        spots = self.spots(name, index)
+        for bar in self.bars(name, index):
+            off = [z for z in (bar.holder, *spots) if not _on(z, bar)]
+            along = max((end - bar.foot for end in bar.ends), key=abs)
+            for other in off[:1]:
+                made += rigid_joint(bar.foot, along, other - bar.foot)
+        return made
+
+    def centre(self, name: str, index: int) -> list[Stroke]:
+        """Return the mass centre of a link, tied to it by thin lines where it lies off its ink."""
+        made = list[Stroke]()
+        for figure in self.of(name, "centre"):
+            spot = self.at(figure.marks[0], index)
+            spots = self.spots(name, index)
+            inked = [bar.ends for bar in self.bars(name, index)] + ([spots] if spots else [])
+            ink = shapely.union_all(
+                [shapely.MultiPoint([(z.real, z.imag) for z in part]).convex_hull for part in inked]
+            )
+            if ink.distance(shapely.Point(spot.real, spot.imag)) > 2 * CENTRE_RADIUS:
+                made += [line("thin", end, spot) for end in spots[:2]]
+            made.append(circle("joint", spot, CENTRE_RADIUS))
+        return made
+
+    def guides(self) -> list[Stroke]:
+        """Return the guides of the frame, over the travel of their sliders, hatched on the far side."""
+        made: list[Stroke] = []
+        for figure in self.of(self.frame.name, "guide"):
+            reach = self.reaches[figure]
+            _, path, *_ = figure.marks
+            way, through = self.along(figure, 0), _place(self.reading[path].at, 0)
+            anchor = self.spots(self.frame.name, 0)[reach.anchor]
+            foot = through + ((anchor - through) / way).real * way
+            made += guide(foot + (reach.low - OVERRUN) * way, foot + (reach.high + OVERRUN) * way)
+        return made
+
+
+def _place(row: np.ndarray, index: int) -> complex:
+    return complex(row[0, index if row.shape[1] > 1 else 0])
+
+
+def _on(spot: complex, bar: Bar) -> bool:
+    """Whether a point lies on the line of a bar."""
+    way = bar.ends[1] - bar.ends[0]
+    return abs(((spot - bar.ends[0]) / way).imag) * abs(way) <= TOGETHER
+
+
+def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:
+    """Return the line between points, or the outline of those out of line, every one held by it."""
+    apart = [z for k, z in enumerate(spots) if all(abs(z - y) > TOGETHER for y in spots[:k])]
+    if len(apart) < 2:
+        return []
+    far = max(
+        ((a, b) for k, a in enumerate(apart) for b in apart[k + 1 :]),
+        key=lambda ends: round(abs(ends[1] - ends[0]), 6),
+    )
+    way = (far[1] - far[0]) / abs(far[1] - far[0])
+    if all(abs(((z - far[0]) / way).imag) <= TOGETHER for z in apart):
+        return [line(pen, *far)]
+    edge = shapely.MultiPoint([(z.real, z.imag) for z in apart]).convex_hull.boundary
+    corners = [complex(*xy) for xy in shapely.get_coordinates(edge)[:-1]]
+    made = [line(pen, *corners, closed=True)]
+    for spot in apart:
+        if edge.distance(shapely.Point(spot.real, spot.imag)) > TOGETHER:
+            made.append(line(pen, spot, min(corners, key=lambda z: round(abs(z - spot), 6))))
+    return made

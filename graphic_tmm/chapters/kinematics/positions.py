@@ -1,0 +1,131 @@
+"""The plan of positions: the crank, then the groups in the order of attachment, all five kinds.
+
+What the other plans need of a group, its closing point and two legs, is left in its `Closing`.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.instruments import lay_off, ray
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point, Side
+from graphic_tmm.chapters.kinematics.bodies import Body, Closing, draw_points, stand
+from graphic_tmm.chapters.kinematics.dyads import DYADS, Site
+from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
+from graphic_tmm.mechanism import records
+from graphic_tmm.mechanism.structure import Group, Structure
+
+VIEW = "positions"
+
+
+@dataclass(frozen=True)
+class Positions:
+    """The plan of positions as drawn: bodies by number, groups' closings, the side marks of the groups."""
+
+    bodies: dict[int, Body]
+    closings: tuple[Closing, ...]
+    sides: dict[str, Mark]
+    phi: Mark
+
+    def point(self, letter: str) -> Mark:
+        """Return the mark of a letter, on whichever link it stands."""
+        return next(body.marks[letter] for body in self.bodies.values() if letter in body.marks)
+
+
+def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure) -> Body:
+    """Open the plan, take μ_l, and draw the fixed pivots from the crank's pivot on."""
+    draft.board.open(VIEW)
+    draft.mu_l = draft.board.take(Number, "μ_l", "m/mm")
+    frame, pivot = mechanism.frame, structure.pivot
+    origin = draft.take(Point, pivot, 0j)
+    draft.board.lay_out(origin, draft.mu_l)
+
+    def axis() -> Mark:
+        return draft.board.draw(ray, "(x)", origin, draft.direction(0.0))
+
+    body = Body(frame, frame.points[pivot], 0.0, axis)
+    stand(body, pivot, origin, frame.points[pivot])
+    draw_points(draft, body, pivot)
+    draft.board.figure("frame", str(frame.number), *body.marks.values())
+    return body
+
+
+def draw_positions(
+    draft: Draft, mechanism: records.Mechanism, structure: Structure, frame: Body, phi: Mark
+) -> Positions:
+    """Draw the crank at the angle ``phi`` and the groups one after another."""
+    draft.board.open(VIEW)
+    bodies = {frame.link.number: frame}
+    bodies[structure.driver] = _crank(draft, mechanism, structure, frame, phi)
+    letters = frozenset(letter for link in mechanism.by_number.values() for letter in link.points)
+    sides: dict[str, Mark] = {}
+    closings = []
+    for group in structure.groups:
+        draft.board.say(f"II({group.name})")
+        sides |= _take_side(draft, mechanism, group)
+        first, second = (mechanism.by_number[leg.link] for leg in group.legs)
+        site = Site(draft, bodies, group, (first, second), sides.get(group.name), letters)
+        closing = DYADS[group.kind](site)
+        closings.append(closing)
+        for leg in group.legs:
+            body = bodies[leg.link]
+            draw_points(draft, body, _anchor(body))
+        tell_group(draft, mechanism, bodies, closing, site.side)
+    return Positions(bodies, tuple(closings), sides, phi)
+
+
+def _anchor(body: Body) -> str:
+    return next((k for k, own in body.own.items() if own == body.at), str(body.link.number))
+
+
+def _crank(
+    draft: Draft, mechanism: records.Mechanism, structure: Structure, frame: Body, phi: Mark
+) -> Body:
+    link, pivot, pin = mechanism.by_number[structure.driver], structure.pivot, structure.pin
+    arm = link.points[pin] - link.points[pivot]
+    line = draft.board.draw(ray, f"({pivot}{pin})", frame.marks[pivot], phi)
+    body = Body(link, link.points[pivot], math.degrees(cmath.phase(arm)), lambda: line)
+    stand(body, pivot, frame.marks[pivot], link.points[pivot])
+    length = draft.length(f"{pivot}{pin}", abs(arm))
+    stand(body, pin, draft.board.draw(lay_off, pin, line, length), link.points[pin])
+    draw_points(draft, body, pivot)
+    tell_link(draft, mechanism, body)
+    return body
+
+
+def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | None:
+    """Return the side a scene gives to a group of kinds 1–3, for legs in the group's order; None if absent."""
+    if group.kind == 1:
+        given = [mechanism.by_number[leg.link].side for leg in group.legs]
+        side = next((s for s in given if s is not None), None)
+        if side is not None and side.left_of == (group.legs[1].pair.name, group.legs[0].pair.name):
+            return records.Side(-side.sign, side.left_of, side.flips_at)
+        return side
+    pair = group.legs[1].pair if group.kind == 2 else group.inner
+    return pair.slide.side if pair.slide is not None else None
+
+
+def _take_side(draft: Draft, mechanism: records.Mechanism, group: Group) -> dict[str, Mark]:
+    side = side_record(mechanism, group)
+    if group.kind > 3 or side is None:
+        return {}
+    return {group.name: draft.take(Side, f"±{group.name}", float(side.sign))}
+
+
+def side_values(side: records.Side, degrees: object) -> object:
+    """Return the sign at crank angles (degrees): constant, or changed at each of ``flips_at``.
+
+    The scene's sign is the one just behind the angle 0°; in the range from 0° to the next flip.
+    """
+    if not side.flips_at:
+        return float(side.sign)
+    angles = np.asarray(degrees, dtype=np.float64) % 360.0
+    flips = np.sort(np.asarray(side.flips_at, dtype=np.float64) % 360.0)
+    flips = flips[flips > 0.0]
+    return side.sign * np.where(np.searchsorted(flips, angles, side="right") % 2 == 0, 1.0, -1.0)

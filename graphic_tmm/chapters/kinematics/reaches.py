@@ -1,0 +1,75 @@
+"""How far a guide is used: where on it the stone stands over the whole turn of the crank, real lengths."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Figure
+from graphic_tmm.chapters.kinematics.figures import rigid
+from graphic_tmm.chapters.kinematics.survey import Survey
+
+VIEW = "positions"
+
+
+class Reach(NamedTuple):
+    """The part of a guide that is used: along it, from its link's point of number ``anchor`` on, m or mm."""
+
+    anchor: int
+    low: float
+    high: float
+
+    def times(self, factor: float) -> Reach:
+        """Return the reach in another unit of length."""
+        return Reach(self.anchor, self.low * factor, self.high * factor)
+
+    def near(self, part: Reach, room: float) -> Reach:
+        """Return the reach, or ``part`` of it where the whole goes too far beyond: by ``room``, or half of it.
+
+        Where two guides become parallel the stone goes to infinity, and no sheet holds its path.
+        """
+        room = max(room, (part.high - part.low) / 2)
+        low = self.low if self.low >= part.low - room else part.low
+        high = self.high if self.high <= part.high + room else part.high
+        return Reach(self.anchor, min(low, part.low), max(high, part.high))
+
+
+def guides(construction: Construction) -> tuple[Figure, ...]:
+    """Return the guides of the plan of positions in the order in which they were told."""
+    return tuple(f for f in construction.figures if f.view == VIEW and f.kind == "guide")
+
+
+def reaches(survey: Survey) -> tuple[Reach, ...]:
+    """Return the reach of every guide over a turn (m), in the order of `guides`."""
+    log = survey.construction
+    found = guides(log)
+    wanted = [mark for guide in found for mark in (*guide.marks, *rigid(log.figures, guide.name))]
+    if not found:
+        return ()
+    _, reading = survey.turn(wanted)
+    return tuple(reach_of(log, reading, guide) for guide in found)
+
+
+def reach_of(
+    log: Construction, reading: Reading, guide: Figure, anchor: int | None = None
+) -> Reach:
+    """Return the reach of a guide over the positions of a reading that can be drawn, mm of the drawing.
+
+    ``anchor``: the point it is told from; the one nearest to the guide if it is left out.
+    """
+    at, line, *side = guide.marks
+    way = reading[line].along * (reading[side[0]] if side else 1.0)
+    stone = reading[at]
+    own = np.broadcast_arrays(
+        *((stone - reading[mark]) * np.conj(way) for mark in rigid(log.figures, guide.name))
+    )
+    there = np.flatnonzero(np.isfinite(np.sum(own, axis=0))[0])
+    if not there.size:
+        return Reach(anchor or 0, 0.0, 0.0)
+    first = int(there[0])
+    if anchor is None:
+        anchor = min(range(len(own)), key=lambda k: float(abs(own[k][0, first].imag)))
+    along = own[anchor][0, there].real
+    return Reach(anchor, float(along.min()), float(along.max()))

@@ -1,0 +1,157 @@
+"""The calculated sizes of a planetary train and the conditions on its teeth, each a step of the log."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.gears.formulas import pitch_radius
+from graphic_tmm.chapters.planetary import formulas as t
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Scheme, Train
+
+
+class Condition(NamedTuple):
+    """A condition as calculated: its name, what stands left and right of its relation (Number).
+
+    ``relation``: "=", ">", "≥", "≤", or "whole" (then ``right`` is None).
+    """
+
+    name: str
+    left: Mark
+    relation: str
+    right: Mark | None
+
+
+@dataclass(frozen=True)
+class Dimensions:
+    """The sizes of a train as marks (Number).
+
+    ``teeth``, ``radii`` (m): by the wheel; ``tips`` (m): tip diameters of the satellites' rims, by the wheel.
+    ``axes``: from the main axis to that of a satellite, m. ``ratio``: driving over driven by Willis.
+    """
+
+    teeth: Mapping[str, Mark]
+    satellites: Mark
+    radii: Mapping[str, Mark]
+    tips: Mapping[str, Mark]
+    axes: Mark
+    ratio: Mark
+    conditions: tuple[Condition, ...]
+
+
+def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimensions:
+    """Calculate radii, distances of axes, the ratio and every condition."""
+    board, scheme = draft.board, train.scheme
+    first = draft.take(Number, "m" if scheme.rows == 1 else "m_I", order.module, "m")
+    second = first
+    if scheme.rows == 2:
+        second = draft.take(Number, "m_{II}", order.module_2 or order.module, "m")
+    z = {
+        wheel: draft.take(Number, f"z_{wheel}", float(count))
+        for wheel, count in zip(scheme.wheels, train.teeth, strict=True)
+    }
+    k = draft.take(Number, "k", float(train.satellites))
+    radii = {
+        wheel: board.draw(
+            pitch_radius, f"r_{wheel}", first if wheel in "12" else second, z[wheel], unit="m"
+        )
+        for wheel in scheme.wheels
+    }
+    rim = "2" if scheme.rows == 1 else "3"
+    fixed = scheme.wheels[-1]
+    axes = _axes(draft, "a_w", scheme.first, first, z["1"], z["2"])
+    again = _axes(draft, "a′_w", scheme.second, second, z[fixed], z[rim])
+    ratio = _ratio(draft, order, scheme, z)
+    ha = draft.take(Number, "h_a", order.ha)
+    tips = {
+        wheel: board.draw(t.tip_diameter, f"d_{{a{wheel}}}", module, z[wheel], ha, unit="m")
+        for wheel, module in dict((("2", first), (rim, second))).items()
+    }
+    conditions = (
+        *_wanted(draft, order, ratio),
+        Condition("coaxial", axes, "=", again),
+        *_neighbours(draft, train, axes, k, tips),
+        Condition("assembly", _assembly(draft, scheme, z, k), "whole", None),
+        *_undercut(draft, order, scheme, z),
+        *_interference(draft, order, scheme, z, ha),
+    )
+    return Dimensions(z, k, radii, tips, axes, ratio, conditions)
+
+
+def _axes(draft: Draft, letter: str, sense: int, module: Mark, centre: Mark, rim: Mark) -> Mark:
+    op = t.axes_outside if sense > 0 else t.axes_inside
+    return draft.board.draw(op, letter, module, centre, rim, unit="m")
+
+
+def _ratio(draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
+    """Calculate driving over driven by the formula of Willis."""
+    board, letter = draft.board, "U_{1H}"
+    if scheme.rows == 1:
+        found = board.draw(t.ratio_of_row, letter, z["1"], z["3"])
+    else:
+        op = t.ratio_opposed if scheme.opposed else t.ratio_alike
+        found = board.draw(op, letter, *z.values())
+    return found if order.driving == "1" else board.draw(t.inverse_ratio, "U_{H1}", found)
+
+
+def _wanted(draft: Draft, order: PlanetaryOrder, ratio: Mark) -> tuple[Condition, ...]:
+    if order.ratio is None:
+        return ()
+    due = draft.take(Number, "U", order.ratio)
+    miss = draft.board.draw(t.miss_of_ratio, "ΔU", ratio, due, unit="%")
+    allowed = draft.take(Number, "ΔU_{max}", 100.0 * order.tolerance, "%")
+    return (Condition("ratio", miss, "≤", allowed),)
+
+
+def _neighbours(
+    draft: Draft, train: Train, axes: Mark, k: Mark, tips: Mapping[str, Mark]
+) -> tuple[Condition, ...]:
+    """Calculate from axis to axis of neighbours; a single satellite has none."""
+    if train.satellites == 1:
+        return ()
+    between = draft.board.draw(t.neighbouring_axes, "e", axes, k, unit="m")
+    return tuple(Condition("neighbours", between, ">", tip) for tip in tips.values())
+
+
+def _assembly(draft: Draft, scheme: Scheme, z: Mapping[str, Mark], k: Mark) -> Mark:
+    board = draft.board
+    if scheme.rows == 1:
+        return board.draw(t.assembly_of_row, "N", z["1"], z["3"], k)
+    divisor = board.draw(t.common_divisor, "D", z["2"], z["3"])
+    op = t.assembly_opposed if scheme.opposed else t.assembly_alike
+    return board.draw(op, "N", *z.values(), k, divisor)
+
+
+def _undercut(
+    draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark]
+) -> tuple[Condition, ...]:
+    least = draft.take(Number, "z_{min}", float(order.limits.least))
+    rings = {ring for ring, _ in rings_of(scheme)}
+    return tuple(Condition("undercut", z[w], "≥", least) for w in z if w not in rings)
+
+
+def _interference(
+    draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark], ha: Mark
+) -> tuple[Condition, ...]:
+    least = draft.take(Number, "Δz_{min}", float(order.limits.difference))
+    alpha, made = draft.angle("α", order.alpha), []
+    for ring, rim in rings_of(scheme):
+        board = draft.board
+        between = board.draw(t.tooth_difference, f"Δz_{{{ring}{rim}}}", z[ring], z[rim])
+        clear = board.draw(t.least_ring, f"z_{{{ring}min}}", z[rim], alpha, ha)
+        made += [
+            Condition("interference", between, "≥", least),
+            Condition("interference", z[ring], "≥", clear),
+        ]
+    return tuple(made)
+
+
+def rings_of(scheme: Scheme) -> tuple[tuple[str, str], ...]:
+    """Return the rings of a scheme, each with the satellites' rim inside it."""
+    rim = "2" if scheme.rows == 1 else "3"
+    first = (("1", "2"),) if scheme.first < 0 else ()
+    return (*first, *(((scheme.wheels[-1], rim),) if scheme.second < 0 else ()))

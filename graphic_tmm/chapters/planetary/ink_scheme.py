@@ -1,0 +1,172 @@
+"""The kinematic scheme of a planetary train along its axis (ГОСТ 2.770): wheels to scale, the rest by custom.
+
+Radii and levels are those of the log; widths of wheels, shafts and bearings are signs without a scale.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.chapters.planetary.task import Scheme
+from graphic_tmm.paper.drawing import Stroke, line
+from graphic_tmm.paper.symbols.gears import RIM, gear_side
+from graphic_tmm.paper.symbols.kinematic import Strokes, guide, hatching
+
+WIDTH = 8.0
+"""Width of a wheel, mm."""
+SHAFT = 26.0
+"""How far a shaft reaches from its wheel, or from the arm of the carrier, mm."""
+BEARING, GAP = 6.0, 1.8
+"""Length of a bearing, and from the shaft to its lines, mm."""
+STUB = 2.5
+"""How far a shaft goes on behind its last wheel, mm."""
+DISC = 7.0
+"""From a turning ring to the disc that carries it, mm."""
+GROUND = 4.0
+"""How far the ground of a fixed ring goes on at its sides, mm."""
+HOLLOW = 4.0
+"""Radius of the bore of a fixed wheel through which the shaft of the carrier goes, mm."""
+
+
+class Side(NamedTuple):
+    """A wheel from its side: two opposite points of its pitch circle and its centre."""
+
+    near: complex
+    far: complex
+    centre: complex
+
+    @property
+    def radius(self) -> float:
+        """Its radius, mm."""
+        return abs(self.near - self.centre)
+
+
+class Scheme2KH(NamedTuple):
+    """What is drawn: the scheme, its wheels, the satellite's axis and the main axis at the arm."""
+
+    scheme: Scheme
+    wheels: dict[str, Side]
+    arm: tuple[complex, complex]
+
+    @property
+    def last(self) -> Side:
+        """The fixed wheel."""
+        return self.wheels[self.scheme.wheels[-1]]
+
+    @property
+    def right(self) -> float:
+        """Where the shaft of the carrier ends."""
+        return max(self.last.centre.real, self.arm[1].real) + SHAFT + WIDTH / 2
+
+    @property
+    def left(self) -> float:
+        """Where the shaft of wheel 1 begins."""
+        disc = DISC if self.scheme.first < 0 else 0.0
+        return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT
+
+
+def draw_scheme(made: Scheme2KH) -> list[Stroke]:
+    """Return the strokes of the scheme."""
+    first = made.wheels["1"]
+    strokes: list[Stroke] = list(_first(made, first))
+    rims = [made.wheels[name] for name in made.scheme.wheels[1:-1]]
+    for rim in rims:
+        strokes += gear_side(rim.centre, rim.radius, WIDTH)
+    strokes += _fixed(made)
+    strokes += _carrier(made, rims)
+    return strokes
+
+
+def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
+    """Return where the numbers of the wheels and the letter of the carrier stand: a point, a direction."""
+    first, last, half = made.wheels["1"], made.last, WIDTH / 2
+    beside = half + (DISC if made.scheme.first < 0 else 0.0)
+    found = {"1": (first.centre - beside - 0.55j * first.radius, -1 + 0j)}
+    second = made.wheels["2"]
+    outward = 1 if made.scheme.first > 0 else -1
+    found["2"] = (second.centre - half + 0.5j * outward * second.radius, -1 + 0j)
+    if "4" in made.wheels:
+        third = made.wheels["3"]
+        outward = 1 if made.scheme.second > 0 else -1
+        found["3"] = (third.centre + half + 0.5j * outward * third.radius, 1 + 0j)
+    depth = 0.5 * RIM if made.scheme.second < 0 else -0.3 * last.radius
+    found[made.scheme.wheels[-1]] = (last.centre + half - 1j * (last.radius + depth), 1 + 0j)
+    axis, foot = made.arm
+    found["H"] = (foot + 0.4 * (axis - foot), 1 + 0j)
+    return found
+
+
+def _first(made: Scheme2KH, wheel: Side) -> Strokes:
+    """Wheel 1 on its shaft; a ring by the disc beside it."""
+    end = complex(made.left, 0.0)
+    bearing = _bearing(end + SHAFT / 2)
+    if made.scheme.first > 0:
+        own = gear_side(wheel.centre, wheel.radius, WIDTH)
+        return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *bearing)
+    disc = wheel.centre.real - WIDTH / 2 - DISC
+    top = wheel.radius + RIM / 2
+    strokes = [*_rim(wheel, 1), *_rim(wheel, -1), *bearing]
+    strokes.append(line("main", end, complex(disc, 0)))
+    strokes.append(
+        line(
+            "main",
+            complex(disc + DISC, top), complex(disc, top), complex(disc, -top), complex(disc + DISC, -top),
+        )
+    )  # fmt: skip
+    return tuple(strokes)
+
+
+def _rim(wheel: Side, sense: int) -> Strokes:
+    """The rim of a ring above (1) or below (−1) the axis."""
+    x, half = wheel.centre.real, WIDTH / 2
+    low, high = sense * wheel.radius, sense * (wheel.radius + RIM)
+    corners = ((x - half, low), (x + half, low), (x + half, high), (x - half, high))
+    return (line("main", *(complex(*corner) for corner in corners), closed=True),)
+
+
+def _fixed(made: Scheme2KH) -> list[Stroke]:
+    """The fixed wheel with its ground: a ring outside, a wheel by its hollow hub."""
+    wheel, half = made.last, WIDTH / 2
+    x, strokes = wheel.centre.real, list[Stroke]()
+    for sense in (1, -1):
+        if made.scheme.second < 0:
+            strokes += _rim(wheel, sense)
+            y = sense * (wheel.radius + RIM)
+            ends = complex(x - half - GROUND, y), complex(x + half + GROUND, y)
+            strokes += guide(*ends, sides=(sense,))
+            continue
+        bore = min(HOLLOW, wheel.radius / 2)
+        low, high, end = sense * bore, sense * wheel.radius, x + half + 9.0
+        strokes.append(
+            line(
+                "main",
+                complex(end, low), complex(x - half, low), complex(x - half, high), complex(x + half, high),
+                complex(x + half, low),
+            )
+        )  # fmt: skip
+        strokes += guide(complex(end, low), complex(end, low + sense * 10.0), sides=(-sense,))
+    return strokes
+
+
+def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
+    """The satellite's axle in the bearing of the arm, the arm, the shaft of the carrier."""
+    axis, foot = made.arm
+    begin = min(rim.centre.real for rim in rims) - WIDTH / 2 - STUB
+    end = max(axis.real + BEARING / 2, *(rim.centre.real + WIDTH / 2 for rim in rims)) + STUB
+    strokes = [line("main", complex(begin, axis.imag), complex(end, axis.imag))]
+    for gap in (GAP, -GAP):
+        middle = axis + 1j * gap
+        strokes.append(line("main", middle - BEARING / 2, middle + BEARING / 2))
+    right = complex(made.right, 0)
+    strokes += [line("main", foot, axis - 1j * GAP), line("main", foot, right)]
+    return [*strokes, *_bearing(right - SHAFT / 3)]
+
+
+def _bearing(at: complex) -> Strokes:
+    """A bearing of the frame on a level shaft."""
+    strokes: list[Stroke] = []
+    for sense in (1, -1):
+        start, end = (at + 1j * sense * GAP + x for x in (-BEARING / 2, BEARING / 2))
+        strokes.append(line("main", start, end))
+        strokes += hatching(start, end, sense)
+    return tuple(strokes)

@@ -1,0 +1,148 @@
+"""A planetary train to scale in two views: its pitch circles, and the kinematic scheme along the axis.
+
+The positions of the log are the satellites, evenly about the main axis, the first one above it. The scheme
+stands to the right of the circles on the same axis, so that the levels of the pitch points A (wheel 1 with the
+satellites) and C (the satellites with the fixed wheel) and of a satellite's axis B are carried across.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure,
+    meet,
+    parallel,
+    ray,
+    square,
+    strike,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Length, Point
+from graphic_tmm.chapters.planetary.dimensions import Dimensions
+from graphic_tmm.chapters.planetary.formulas import next_satellite
+from graphic_tmm.chapters.planetary.task import Train
+
+VIEW = "planetary"
+
+
+class Levels(NamedTuple):
+    """The lines parallel to the axis through A, B and C."""
+
+    A: Mark
+    B: Mark
+    C: Mark
+
+
+@dataclass(frozen=True)
+class EndView:
+    """The train seen along its axis.
+
+    ``lengths``: the radii of the wheels on the board, by wheel, and that of the axes as "H" (Length).
+    ``circles``: pitch circles by wheel (Arc). ``satellites``: axes of the satellites (Point, a position each).
+    ``between``: from axis to axis of neighbours as measured, None for one satellite.
+    """
+
+    origin: Mark
+    axis: Mark
+    up: Mark
+    lengths: Mapping[str, Mark]
+    circles: Mapping[str, Mark]
+    satellites: Mark
+    levels: Levels
+    points: tuple[Mark, Mark, Mark]
+    between: Mark | None
+
+
+class Disc(NamedTuple):
+    """A wheel seen from its side: two opposite points of its pitch circle, and its centre (Point)."""
+
+    near: Mark
+    far: Mark
+    centre: Mark
+
+
+@dataclass(frozen=True)
+class AxialView:
+    """The kinematic scheme along the axis: the wheels, a satellite's axis and the main axis at the arm of H.
+
+    ``stations``: where the rows and the arm stand along the axis (Length, given): "I", "II" if there is a
+    second row, "H".
+    """
+
+    stations: Mapping[str, Mark]
+    discs: Mapping[str, Disc]
+    arm: tuple[Mark, Mark]
+
+
+def draw_end_view(draft: Draft, train: Train, sizes: Dimensions, mu: Mark) -> EndView:
+    """Draw the pitch circles to the scale ``mu``."""
+    board, fixed = draft.board, train.scheme.wheels[-1]
+    names = {"1": "OA", "2": "BA", "3": "BC", fixed: "OC"}
+    lengths = {
+        wheel: board.draw(to_board, names[wheel], radius, mu)
+        for wheel, radius in sizes.radii.items()
+    }
+    lengths["H"] = board.draw(to_board, "OB", sizes.axes, mu)
+    origin = draft.take(Point, "O", 0j)
+    axis = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
+    up = board.draw(square, "(Oy)", origin, axis, sense=1)
+    points = tuple(
+        board.draw(lay_off, letter, up, lengths[wheel])
+        for letter, wheel in (("A", "1"), ("B", "H"), ("C", fixed))
+    )
+    turns = 90.0 + 360.0 * np.arange(train.satellites) / train.satellites
+    places = draft.take(Angle, "φ", turns[None, :], "°")
+    ways = board.draw(ray, "(OO_2)", origin, places)
+    satellites = board.draw(lay_off, "O_2", ways, lengths["H"])
+    circles = {
+        wheel: board.draw(
+            strike, f"({wheel})", origin if wheel in ("1", fixed) else satellites, lengths[wheel]
+        )
+        for wheel in train.scheme.wheels
+    }
+    between = None
+    if train.satellites > 1:
+        after = board.draw(next_satellite, "O′_2", satellites, row=train.satellites)
+        between = board.draw(measure, "O_2O′_2", satellites, after)
+    a, b, c = points
+    levels = Levels(*(board.draw(parallel, f"({p.letter})", p, axis, sense=1) for p in points))
+    return EndView(origin, axis, up, lengths, circles, satellites, levels, (a, b, c), between)
+
+
+def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
+    """Draw the scheme along the axis; the values of its stations are chosen with the scales."""
+    board, scheme = draft.board, train.scheme
+    names = ("I", "H") if scheme.rows == 1 else ("I", "II", "H")
+    stations = {name: board.take(Length, f"x_{{{name}}}", "mm") for name in names}
+    feet = {name: board.draw(lay_off, f"O_{{{name}}}", end.axis, stations[name]) for name in names}
+    lines = {name: board.draw(square, f"({name})", feet[name], end.axis, sense=1) for name in names}
+    downs = {
+        name: board.draw(square, f"(−{name})", feet[name], end.axis, sense=-1)
+        for name in names[:-1]
+    }
+    last = names[-2]
+    fixed, rim = scheme.wheels[-1], "2" if scheme.rows == 1 else "3"
+    discs = {}
+    for wheel, row, level in (("1", "I", end.levels.A), (fixed, last, end.levels.C)):
+        near = board.draw(meet, f"{level.letter[1]}_{{{row}}}", lines[row], level)
+        far = board.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel])
+        discs[wheel] = Disc(near, far, feet[row])
+    axes = {name: board.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B) for name in names}
+    for wheel, row, sense, near in (
+        ("2", "I", scheme.first, discs["1"].near),
+        (rim, last, scheme.second, discs[fixed].near),
+    ):
+        if wheel in discs:
+            continue
+        away = board.draw(square, f"(B_{{{row}}})", axes[row], end.axis, sense=sense)
+        far = board.draw(lay_off, f"D_{{{row}}}", away, end.lengths[wheel])
+        discs[wheel] = Disc(near, far, axes[row])
+    return AxialView(stations, discs, (axes["H"], feet["H"]))

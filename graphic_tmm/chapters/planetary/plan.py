@@ -1,0 +1,93 @@
+"""A planetary train 2K–H: its sizes and conditions, two views, velocities, the ratio measured off them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.bounds import PLANETARY
+from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
+from graphic_tmm.chapters.planetary.formulas import overall_ratio
+from graphic_tmm.chapters.planetary.pictures import (
+    VIEW,
+    AxialView,
+    EndView,
+    draw_axial_view,
+    draw_end_view,
+)
+from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
+from graphic_tmm.chapters.planetary.scales import Drawn, choose_scales
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Train
+from graphic_tmm.chapters.planetary.tooth_search import choose
+
+
+@dataclass(frozen=True)
+class Planetary:
+    """The train as drawn: what was asked and settled, μ_l, its sizes, views, picture and plan.
+
+    ``results``: marks (Number) by the names under which tables give them: planetary_z1 …, planetary_satellites,
+    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%).
+    """
+
+    order: PlanetaryOrder
+    train: Train
+    mu: Mark
+    sizes: Dimensions
+    end: EndView
+    axial: AxialView
+    picture: Picture
+    rates: Rates
+    results: Mapping[str, Mark]
+
+
+def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Planetary:
+    """Draw the smallest train that fulfils an order, or the one whose tooth numbers it gives.
+
+    The draft is the train's own: its positions are the satellites. The scale factors, the pole distance and the
+    places of the views are chosen and kept in ``draft.given``; they may be replaced there. ``size``: what share
+    of the usual room the views take.
+
+    Raises
+    ------
+    StructureError
+        If the order is not sound, no train fulfils it, or the one given breaks a condition.
+    """
+    train = choose(order)
+    board = draft.board
+    board.open(VIEW)
+    mu = board.take(Number, "μ_l", "m/mm")
+    draft.mu_l = mu
+    board.lay_out(None, mu)
+    sizes = calculate_train(draft, order, train)
+    end = draw_end_view(draft, train, sizes, mu)
+    axial = draw_axial_view(draft, train, end)
+    picture = draw_picture(draft, order, end, sizes)
+    rates = draw_rates(draft, order, train, end, sizes, picture)
+    results = {f"planetary_z{wheel}": mark for wheel, mark in sizes.teeth.items()}
+    results |= {
+        "planetary_satellites": sizes.satellites,
+        "planetary_ratio": sizes.ratio,
+        "planetary_ratio_drawn": rates.ratio,
+        "planetary_difference": rates.difference,
+    }
+    choose_scales(draft, Drawn(order, train, end, axial, picture, rates, size))
+    return Planetary(order, train, mu, sizes, end, axial, picture, rates, results)
+
+
+def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Mark:
+    """Calculate the ratio of the train together with the pair of wheels behind it (Number, without sign).
+
+    Raises
+    ------
+    StructureError
+        If a tooth number is none.
+    """
+    board, letters = draft.board, []
+    board.open(VIEW)
+    for letter, z in (("z_a", driving), ("z_b", driven)):
+        PLANETARY["behind"].refuse("planetary", "behind", z)
+        letters.append(draft.take(Number, letter, float(z)))
+    return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

@@ -1,0 +1,139 @@
+"""The picture of linear velocities of a planetary train and, from it, the plan of angular velocities.
+
+At the level of a point stands its velocity; the points of a body on the line of centres end in one straight
+line, which passes through the level where the body stands. Rays from a pole parallel to these lines cut off
+on a line parallel to the axis segments proportional to the angular velocities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si, product, scale_of_derivative, to_board
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.planetary.dimensions import Dimensions
+from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
+from graphic_tmm.chapters.planetary.pictures import EndView
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Train
+
+VELOCITIES = "planetary-velocities"
+RATES = "planetary-rates"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """The picture of linear velocities.
+
+    ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it; ``ends``:
+    those of the velocities of A and B; ``lines``: of wheel "1", the satellites "2", the carrier "H";
+    ``readings``: the velocities by point, one laid off, one measured (Length); ``speeds`` the same in m/s.
+    """
+
+    mu: Mark
+    place: Mark
+    zeros: tuple[Mark, Mark, Mark, Mark]
+    ends: tuple[Mark, Mark]
+    lines: Mapping[str, Mark]
+    readings: Mapping[str, Mark]
+    speeds: Mapping[str, Mark]
+
+
+@dataclass(frozen=True)
+class Rates:
+    """The plan of angular velocities.
+
+    ``depth``: how far below the axis its line lies (Length, given); ``distance``: H of the pole (Length,
+    given); ``foot``: the fixed wheel; ``ends``, ``segments``, ``values`` (1/s): of "1", "2" and "H".
+    ``ratio``: driving over driven as measured; ``difference`` from the formula, %.
+    """
+
+    mu: Mark
+    depth: Mark
+    distance: Mark
+    pole: Mark
+    foot: Mark
+    ends: Mapping[str, Mark]
+    segments: Mapping[str, Mark]
+    values: Mapping[str, Mark]
+    ratio: Mark
+    difference: Mark
+
+
+def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimensions) -> Picture:
+    """Draw the picture from the velocity of the driving shaft: of A if wheel 1 drives, of B if the carrier."""
+    board = draft.board
+    board.open(VELOCITIES)
+    mu = board.take(Number, "μ_v", "(m/s)/mm")
+    board.lay_out(None, mu)
+    place = board.take(Length, "x_v", "mm")
+    origin = board.draw(lay_off, "O", end.axis, place)
+    zero = board.draw(square, "(0)", origin, end.axis, sense=1)
+    a, b, c = (board.draw(meet, level.letter[1], zero, level) for level in end.levels)
+    feet, levels = {"A": a, "B": b}, {"A": end.levels.A, "B": end.levels.B}
+    known, sought = ("A", "B") if order.driving == "1" else ("B", "A")
+    tip, other = known.lower(), sought.lower()
+    omega = draft.take(Number, f"ω_{order.driving}", order.speed, "1/s")
+    arm = sizes.radii["1"] if known == "A" else sizes.axes
+    speed = board.draw(product, f"v_{known}", omega, arm, unit="m/s")
+    length = board.draw(to_board, f"{known}{tip}", speed, mu)
+    along = board.draw(parallel, f"({known}{tip})", feet[known], levels[known], sense=1)
+    tips = {known: board.draw(lay_off, tip, along, length)}
+    satellite = board.draw(join, f"(C{tip})", c, tips[known])
+    tips[sought] = board.draw(meet, other, satellite, levels[sought])
+    lines = {
+        "1": board.draw(join, "(Oa)", origin, tips["A"]),
+        "2": satellite,
+        "H": board.draw(join, "(Ob)", origin, tips["B"]),
+    }
+    read = board.draw(measure_along, f"{sought}{other}", feet[sought], tips[sought], end.axis)
+    found = board.draw(in_si, f"v_{sought}", read, mu, unit="m/s")
+    readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
+    ends = (tips["A"], tips["B"])
+    return Picture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
+
+
+def draw_rates(
+    draft: Draft,
+    order: PlanetaryOrder,
+    train: Train,
+    end: EndView,
+    sizes: Dimensions,
+    picture: Picture,
+) -> Rates:
+    """Draw the plan of angular velocities below the picture; measure the ratio and compare it."""
+    board = draft.board
+    board.open(RATES)
+    assert draft.mu_l is not None
+    distance = board.take(Length, "H_ω", "mm")
+    depth = board.take(Length, "y_ω", "mm")
+    mu = board.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
+    fixed = train.scheme.wheels[-1]
+    down = board.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1)
+    foot = board.draw(lay_off, fixed, down, depth)
+    line = board.draw(parallel, "(ω)", foot, end.axis, sense=1)
+    below = board.draw(square, f"({fixed}P)", foot, line, sense=-1)
+    pole = board.draw(lay_off, "P", below, distance)
+    board.lay_out(pole, mu)
+    ends, segments, values = {}, {}, {}
+    for body, drawn in picture.lines.items():
+        way = board.draw(parallel, f"(P{body})", pole, drawn, sense=1)
+        ends[body] = board.draw(meet, body, line, way)
+        segments[body] = board.draw(measure_along, f"s_{body}", foot, ends[body], line)
+        values[body] = board.draw(in_si, f"ω_{body}", segments[body], mu, unit="1/s")
+    driving, driven = ("1", "H") if order.driving == "1" else ("H", "1")
+    ratio = board.draw(
+        ratio_of_segments, f"U′_{{{driving}{driven}}}", segments[driving], segments[driven]
+    )
+    difference = board.draw(miss_of_ratio, "ΔU", ratio, sizes.ratio, unit="%")
+    return Rates(mu, depth, distance, pole, foot, ends, segments, values, ratio, difference)

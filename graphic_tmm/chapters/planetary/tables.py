@@ -1,0 +1,189 @@
+"""Tables of a planetary train: the conditions with their numbers, what was measured, trains to choose from."""
+
+from __future__ import annotations
+
+import math
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.chapters.planetary.dimensions import Condition
+from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.chapters.planetary.tooth_search import Solutions
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.words import fixed, number, unit
+from graphic_tmm.paper.arranging import wrapped
+from graphic_tmm.paper.blocks import breakable
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.ruled import PADDING, table
+
+SIZE = 3.5
+SLANT = 1.0
+"""How far inclined letters lean over the width of a text, mm."""
+WORDS = {
+    "ru": {
+        "conditions": "Условия, которым отвечают числа зубьев",
+        "condition": "Условие",
+        "check": "Проверка",
+        "ratio": "передаточного отношения",
+        "coaxial": "соосности",
+        "neighbours": "соседства",
+        "assembly": "сборки",
+        "undercut": "отсутствия подрезания",
+        "interference": "отсутствия заклинивания",
+        "whole": "целое",
+        "rates": "Угловые скорости по плану",
+        "body": "Звено",
+        "segment": "Отрезок",
+        "trains": "Варианты по возрастанию размера",
+        "size": "размер",
+    },
+    "en": {
+        "conditions": "Conditions on the tooth numbers",
+        "condition": "Condition",
+        "check": "Check",
+        "ratio": "ratio",
+        "coaxial": "common axis",
+        "neighbours": "neighbours",
+        "assembly": "assembly",
+        "undercut": "no undercut",
+        "interference": "no interference",
+        "whole": "whole",
+        "rates": "Angular velocities from the plan",
+        "body": "Link",
+        "segment": "Segment",
+        "trains": "Trains, the smallest first",
+        "size": "size",
+    },
+}
+
+
+def condition_table(
+    construction: Construction, reading: Reading, made: Planetary, language: str
+) -> Drawing:
+    """Return the table of conditions, each with its formula and its numbers."""
+    words, log = WORDS[language], _Log(construction, reading, language)
+    found = [(words[c.name], text) for c in made.sizes.conditions for text in log.condition(c)]
+
+    def within_lines(most: float) -> Drawing:
+        rows = [
+            ["" if k else name, line]
+            for name, text in found
+            for k, line in enumerate(wrapped(text, SIZE, most))
+        ]
+        heads, align = [words["condition"], words["check"]], ["left", "left"]
+        return table("table-planetary", words["conditions"], heads, rows, size=SIZE, align=align)
+
+    names = max(letter(name, size=SIZE).width for name, _ in found)
+    beside = names + 4 * (max(PADDING, SIZE / 2) + SLANT)
+    return within_lines(math.inf)._replace(
+        apart=lambda within: [within_lines(within.width - beside)]
+    )
+
+
+def rate_table(
+    construction: Construction, reading: Reading, made: Planetary, language: str
+) -> Drawing:
+    """Return the table of segments and angular velocities, with the ratio measured and by the formula."""
+    words, log, rates = WORDS[language], _Log(construction, reading, language), made.rates
+    block = ", ".join(made.train.scheme.wheels[1:-1])
+    rows = []
+    for body, segment in rates.segments.items():
+        mm, omega = log.value(segment), log.value(rates.values[body])
+        name = block if body == "2" else body
+        rows.append([name, segment.name, fixed(mm, 1, language), fixed(omega, 1, language)])
+    heads = [
+        words["body"],
+        words["segment"],
+        unit("mm", language),
+        f"ω, {unit('1/s', language)}",
+    ]
+    return breakable(
+        "table-planetary-rates",
+        words["rates"],
+        heads,
+        rows,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        lead=1,
+    )
+
+
+def ratio_lines(
+    construction: Construction, reading: Reading, made: Planetary, language: str
+) -> tuple[str, ...]:
+    """Return, as mark-up, the ratio by Willis, the ratio measured, and how far they differ."""
+    log = _Log(construction, reading, language)
+    return tuple(
+        log.calculated(mark) for mark in (made.sizes.ratio, made.rates.ratio, made.rates.difference)
+    )
+
+
+def train_table(found: Solutions, language: str, *, rows: int = 12) -> Drawing:
+    """Return the table of the first ``rows`` trains that fulfil an order; the size in mm."""
+    words = WORDS[language]
+    heads = [f"z_{wheel}" for wheel in found.scheme.wheels]
+    heads += ["k", "U", f"{words['size']}, {unit('mm', language)}"]
+    body = []
+    for rank in range(min(rows, len(found))):
+        cells = [str(int(z)) for z in found.teeth[rank]] + [str(int(found.satellites[rank]))]
+        cells.append(fixed(float(found.ratio[rank]), 3, language))
+        body.append([*cells, fixed(1000.0 * float(found.size[rank]), 1, language)])
+    return breakable(
+        "table-trains",
+        words["trains"],
+        heads,
+        body,
+        again=CAPTIONS[language]["continued"],
+        size=SIZE,
+        lead=1,
+    )
+
+
+class _Log:
+    """The log with its numbers while its formulas are written out as mark-up."""
+
+    def __init__(self, construction: Construction, reading: Reading, language: str) -> None:
+        self.steps = {step.it: step for step in construction.steps}
+        self.reading, self.language = reading, language
+
+    def value(self, mark: Mark) -> float:
+        return float(self.reading[mark].ravel()[0])
+
+    def figure(self, mark: Mark) -> str:
+        """The number of a mark with its unit."""
+        name = "mm" if mark.kind is Length else mark.unit
+        if name == "%":
+            return f"{fixed(self.value(mark), 2, self.language)} %"
+        text = number(self.value(mark), self.language)
+        if mark.kind is Angle:
+            return f"{text}°"
+        return f"{text} {unit(name, self.language)}".rstrip()
+
+    def put(self, mark: Mark) -> str:
+        """The number of a mark as it is put into a formula."""
+        text = number(self.value(mark), self.language)
+        text += "°" if mark.kind is Angle else ""
+        return f"({text})" if text.startswith("−") else text
+
+    def calculated(self, mark: Mark) -> str:
+        """A calculated mark: its letter, the formula in letters and in numbers, its number."""
+        step = self.steps.get(mark)
+        if step is None or not step.op.formula:
+            return f"{mark.name} = {self.figure(mark)}"
+        names = step.op.arguments
+        letters = {name: used.name for name, used in zip(names, step.uses, strict=True)}
+        numbers = {name: self.put(used) for name, used in zip(names, step.uses, strict=True)}
+        formula = step.op.formula
+        parts = (mark.name, formula.format(**letters), formula.format(**numbers))
+        return " = ".join([*parts, self.figure(mark)])
+
+    def condition(self, condition: Condition) -> tuple[str, ...]:
+        """A condition: what is calculated, the relation, what it is compared with; an equality in two lines."""
+        left, right = self.calculated(condition.left), condition.right
+        if right is None:
+            return (f"{left} – {WORDS[self.language]['whole']}",)
+        if condition.relation == "=":
+            return left, f"{self.calculated(right)} = {condition.left.name}"
+        return (f"{left} {condition.relation} {right.name} = {self.figure(right)}",)

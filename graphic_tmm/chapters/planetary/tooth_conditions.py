@@ -1,0 +1,152 @@
+"""The conditions on the tooth numbers of a planetary train, in whole numbers, for many trains at once.
+
+All tooth numbers are arrays of int64, (n,), in the form of two rows z1, z2, z3, z4; a single row is two rows
+with the same rim of the satellites, z3 = z2. Lengths are counted in modules of the first row; q is the module
+of the second row over that of the first.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Scheme
+
+Whole = NDArray[np.int64]
+Truths = NDArray[np.bool_]
+SLACK = 1e-12
+"""A ratio that misses its tolerance by less than this share of itself is within it: it is rounding."""
+
+
+class Teeth(NamedTuple):
+    """Tooth numbers in the form of two rows, (n,) each."""
+
+    z1: Whole
+    z2: Whole
+    z3: Whole
+    z4: Whole
+
+    def at(self, where: Any) -> Teeth:
+        """Return the trains that an index or a mask names."""
+        return Teeth(*(z[where] for z in self))
+
+
+def in_two_rows(scheme: Scheme, teeth: Sequence[int]) -> Teeth:
+    """Return the tooth numbers of one train in the form of two rows, (1,)."""
+    z = teeth if scheme.rows == 2 else (teeth[0], teeth[1], teeth[1], teeth[2])
+    return Teeth(*(np.array([n], dtype=np.int64) for n in z))
+
+
+def of_wheels(scheme: Scheme, z: Teeth) -> Whole:
+    """Return the tooth numbers of the wheels of the scheme, (n, wheels)."""
+    return np.stack(z if scheme.rows == 2 else (z.z1, z.z2, z.z4), axis=-1)
+
+
+def ratio_parts(scheme: Scheme, z: Teeth) -> tuple[Whole, Whole]:
+    """Return the numerator and the denominator of U_1H = 1 − U_14 with the carrier held (Willis)."""
+    below = z.z1 * z.z3
+    return below - scheme.first * scheme.second * z.z2 * z.z4, below
+
+
+def ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:
+    """Return driving over driven angular velocity, (n,); ∞ where the driven shaft stands."""
+    above, below = ratio_parts(scheme, z)
+    if order.driving == "H":
+        above, below = below, above
+    moves = below != 0
+    return np.asarray(np.where(moves, above / np.where(moves, below, 1), np.inf))
+
+
+def within(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
+    """Return whether the ratio is the one wanted, within its tolerance; any that moves if none is wanted."""
+    found = ratio(order, scheme, z)
+    if order.ratio is None:
+        return np.asarray(np.isfinite(found) & (found != 0.0))
+    allowed = (order.tolerance + SLACK) * abs(order.ratio)
+    return np.asarray(np.abs(found - order.ratio) <= allowed)
+
+
+def coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Truths:
+    """Return whether both rows have one distance of axes."""
+    first, second = z.z1 + scheme.first * z.z2, z.z4 + scheme.second * z.z3
+    return np.asarray((first * q.denominator == second * q.numerator) & (first > 0))
+
+
+def neighbours(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> Truths:
+    """Return whether the tips of neighbouring satellites stand clear of each other; ``k``: int, or (n,)."""
+    k = np.asarray(k)
+    axes = (z.z1 + scheme.first * z.z2) * np.sin(np.pi / k)
+    tips = np.maximum(z.z2 + 2.0 * ha, float(q) * (z.z3 + 2.0 * ha))
+    return np.asarray((axes > tips) | (k == 1))
+
+
+def assembly_parts(scheme: Scheme, z: Teeth, k: Any) -> tuple[Whole, Whole]:
+    """Return (z1·z3 ± z2·z4) and k·gcd(z2, z3): satellites all alike can be put in evenly if it divides.
+
+    The central wheel 1, turned until the next place stands where the first one did, must find a satellite
+    there turned by whole teeth of its rim 3. In a single row this is (z1 + z3)/k.
+    """
+    above, _ = ratio_parts(scheme, z)
+    return above, np.asarray(k * np.gcd(z.z2, z.z3))
+
+
+def assembles(scheme: Scheme, z: Teeth, k: Any) -> Truths:
+    """Return whether ``k`` satellites can be put in evenly."""
+    above, below = assembly_parts(scheme, z, k)
+    return np.asarray(above % below == 0)
+
+
+def external(scheme: Scheme) -> tuple[str, ...]:
+    """Return which of z1 … z4 are wheels with external teeth."""
+    first = ("z1",) if scheme.first > 0 else ()
+    second = ("z4",) if scheme.second > 0 else ()
+    return (*first, "z2", *(("z3",) if scheme.rows == 2 else ()), *second)
+
+
+def internal(scheme: Scheme) -> tuple[tuple[str, str], ...]:
+    """Return the rings among z1 … z4, each with the satellite's rim inside it."""
+    first = (("z1", "z2"),) if scheme.first < 0 else ()
+    return (*first, *((("z4", "z3"),) if scheme.second < 0 else ()))
+
+
+def uncut(scheme: Scheme, z: Teeth, least: int) -> Truths:
+    """Return whether no wheel with external teeth has fewer than ``least``."""
+    return np.asarray(np.all([getattr(z, name) >= least for name in external(scheme)], axis=0))
+
+
+def clear_roots(ring: Whole, rim: Whole, alpha: float, ha: float) -> Truths:
+    """Return whether the tips of a ring end where the involutes of the rim inside it begin, or before.
+
+    The tip circle of the ring then cuts the line of action outside the rim's base circle:
+    (z_r − 2h_a*)² ≥ (z_r·cos α)² + ((z_r − z_s)·sin α)².
+    """
+    s = math.sin(math.radians(alpha)) ** 2
+    return np.asarray(ring * (2.0 * rim * s - 4.0 * ha) >= rim * rim * s - 4.0 * ha * ha)
+
+
+def meshes(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
+    """Return whether no ring fouls the satellites inside it, at their roots or with its tips."""
+    fine = np.ones(z.z1.shape, dtype=np.bool_)
+    for ring, rim in internal(scheme):
+        outer, inner = getattr(z, ring), getattr(z, rim)
+        fine &= outer - inner >= order.limits.difference
+        fine &= clear_roots(outer, inner, order.alpha, order.ha)
+    return fine
+
+
+def size(order: PlanetaryOrder, scheme: Scheme, z: Teeth, q: Fraction) -> NDArray[np.float64]:
+    """Return the diameter about the main axis that the teeth of all wheels take, in modules, (n,).
+
+    Wheels and satellites reach to their tips, rings to the roots of their teeth.
+    """
+    tip, root, second = 2.0 * order.ha, 2.0 * (order.ha + order.c), float(q)
+    satellites = np.maximum(z.z2 + tip, second * (z.z3 + tip))
+    centre = (z.z1 + (tip if scheme.first > 0 else root)) * 1.0
+    fixed = second * (z.z4 + (tip if scheme.second > 0 else root))
+    about = z.z1 + scheme.first * z.z2 + satellites
+    return np.asarray(np.maximum(np.maximum(centre, fixed), about))

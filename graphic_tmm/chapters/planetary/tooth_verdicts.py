@@ -1,0 +1,165 @@
+"""Given tooth numbers of a planetary train, checked condition by condition, each with its verdict."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from graphic_tmm.chapters.planetary import tooth_conditions as c
+from graphic_tmm.chapters.planetary.task import (
+    PlanetaryOrder,
+    Scheme,
+    Train,
+    module_ratio,
+    scheme_of,
+)
+from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths
+
+CONDITIONS = ("ratio", "coaxial", "neighbours", "assembly", "undercut", "interference")
+"""The names of the conditions, in the order in which they are checked."""
+
+
+class Verdict(NamedTuple):
+    """One condition as checked.
+
+    Attributes
+    ----------
+    condition : str
+        One of `CONDITIONS`.
+    of : str
+        The wheel ("1"), or the mesh ("3-2"), that it speaks of; "" for the whole train.
+    holds : bool
+        Whether it is fulfilled.
+    found : float
+        What was found: the ratio, the number C of the assembly, tooth numbers, lengths in modules of the first
+        row.
+    text : str
+        The condition with its numbers, in words.
+    """
+
+    condition: str
+    of: str
+    holds: bool
+    found: float
+    text: str
+
+
+def check(order: PlanetaryOrder, train: Train) -> tuple[Verdict, ...]:
+    """Return the verdict of every condition on a train; the ratio is one if the order wants it.
+
+    Raises
+    ------
+    StructureError
+        If the order is not sound.
+    """
+    scheme_of(order)
+    scheme, z = train.scheme, c.in_two_rows(train.scheme, train.teeth)
+    return (
+        *_ratio(order, scheme, z),
+        _coaxial(order, scheme, z),
+        _neighbours(order, train, z),
+        _assembly(train, z),
+        *_undercut(order, scheme, z),
+        *_interference(order, scheme, z),
+    )
+
+
+def _said(fine: Truths) -> bool:
+    return bool(fine[0])
+
+
+def _whole(value: float) -> str:
+    return f"{value:g}"
+
+
+def _wheel(scheme: Scheme, name: str) -> str:
+    """Return the number of a wheel of the scheme, of its name in the form of two rows."""
+    if scheme.rows == 2:
+        return name[1]
+    return {"z1": "1", "z2": "2", "z3": "2", "z4": "3"}[name]
+
+
+def _ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+    found, name = float(c.ratio(order, scheme, z)[0]), "U_1H" if order.driving == "1" else "U_H1"
+    holds = _said(c.within(order, scheme, z))
+    if order.ratio is None:
+        if holds:
+            return ()
+        return (Verdict("ratio", "", False, found, f"ratio: {name} = {found:g}: a shaft stands"),)
+    miss = 100.0 * (found / order.ratio - 1.0)
+    relation = "within" if holds else "not within"
+    text = (
+        f"ratio: {name} = {found:.6g} is {miss:+.2g} % from {order.ratio:g}, "
+        f"{relation} {100.0 * order.tolerance:.3g} %"
+    )
+    return (Verdict("ratio", "", holds, found, text),)
+
+
+def _coaxial(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Verdict:
+    q = module_ratio(order)
+    (z1,), (z2,), (z3,), (z4,) = z
+    first, second = z1 + scheme.first * z2, float(q) * (z4 + scheme.second * z3)
+    signs = ["+" if sense > 0 else "−" for sense in (scheme.first, scheme.second)]
+    sides = [f"{z1} {signs[0]} {z2}", f"{z4} {signs[1]} {z3}"]
+    if q != 1:
+        sides[1] = f"({sides[1]})·{_whole(float(q))}"
+    holds = _said(c.coaxial(scheme, z, q))
+    text = f"coaxial: {sides[0]} = {_whole(first)}, {sides[1]} = {_whole(second)}"
+    if not holds:
+        text += " is another distance of the axes" if first > 0 else ": no distance of the axes"
+    return Verdict("coaxial", "", holds, float(second), text)
+
+
+def _neighbours(order: PlanetaryOrder, train: Train, z: Teeth) -> Verdict:
+    scheme, k, q = train.scheme, train.satellites, float(module_ratio(order))
+    (z1,), (z2,), (z3,), _ = z
+    holds = _said(c.neighbours(scheme, z, k, module_ratio(order), order.ha))
+    if k == 1:
+        return Verdict("neighbours", "", holds, math.inf, "neighbours: a single satellite has none")
+    axes = float((z1 + scheme.first * z2) * math.sin(math.pi / k))
+    tips = max(z2 + 2.0 * order.ha, q * (z3 + 2.0 * order.ha))
+    sign = "+" if scheme.first > 0 else "−"
+    text = f"neighbours: ({z1} {sign} {z2})·sin(180°/{k}) = {axes:.5g}"
+    text += f" > {tips:g}" if holds else f" is not greater than {tips:g}: satellites touch"
+    return Verdict("neighbours", "", holds, axes, text)
+
+
+def _assembly(train: Train, z: Teeth) -> Verdict:
+    scheme, k = train.scheme, train.satellites
+    (above,), (below,) = c.assembly_parts(scheme, z, k)
+    found, holds = float(above / below), _said(c.assembles(scheme, z, k))
+    (z1,), (z2,), (z3,), (z4,) = z
+    if scheme.rows == 1:
+        text = f"assembly: ({z1} + {z4})/{k}"
+    else:
+        sign = "+" if scheme.opposed else "−"
+        text = f"assembly: ({z1}·{z3} {sign} {z2}·{z4})/({k}·{below // k})"
+    text += f" = {found:.6g} is {'' if holds else 'not '}whole"
+    return Verdict("assembly", "", holds, found, text)
+
+
+def _undercut(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+    made = []
+    for name in c.external(scheme):
+        (count,), wheel = getattr(z, name), _wheel(scheme, name)
+        holds = bool(count >= order.limits.least)
+        text = f"undercut: z{wheel} = {count} is {'not ' if holds else ''}less than {order.limits.least}"
+        made.append(Verdict("undercut", wheel, holds, float(count), text))
+    return tuple(made)
+
+
+def _interference(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+    made = []
+    for ring, rim in c.internal(scheme):
+        outer, inner = getattr(z, ring), getattr(z, rim)
+        names = _wheel(scheme, ring), _wheel(scheme, rim)
+        mesh, begun = "-".join(names), f"interference: z{names[0]}"
+        between, least = int(outer[0] - inner[0]), order.limits.difference
+        holds = between >= least
+        text = f"{begun} − z{names[1]} = {between} is {'not ' if holds else ''}less than {least}"
+        made.append(Verdict("interference", mesh, holds, float(between), text))
+        holds = _said(c.clear_roots(outer, inner, order.alpha, order.ha))
+        where = "clear of" if holds else "in"
+        text = f"{begun} = {outer[0]}: its tips are {where} the roots of {inner[0]} teeth"
+        made.append(Verdict("interference", mesh, holds, float(outer[0]), text))
+    return tuple(made)

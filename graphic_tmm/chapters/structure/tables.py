@@ -1,0 +1,55 @@
+"""The tables of structure: links, pairs, the formula."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.structure.roles import link_name, pair_name
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.paper.blocks import breakable
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.result_table import SIZE
+
+
+def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
+    """Return the table of links."""
+    words = CAPTIONS[language]
+    frame = mechanism.frame
+    rows = [
+        [
+            str(link.number),
+            escape(link_name(mechanism, structure, link, language)),
+            words["fixed" if link is frame else "movable"],
+        ]
+        for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
+    ]
+    heads = [words["number"], words["link"], words["mobility"]]
+    align = ["centre", "left", "left"]
+    again = words["continued"]
+    return breakable(
+        "table-links", words["links"], heads, rows, again=again, size=SIZE, align=align
+    )
+
+
+def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
+    """Return the table of kinematic pairs."""
+    words = CAPTIONS[language]
+    rows = []
+    for pair in structure.pairs:
+        name = pair_name(pair, mechanism)
+        joined = ",".join(str(k) for k in sorted(pair.links))
+        index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
+        rows.append([escape(name), joined, words[f"kind {pair.kind}"], index])
+    heads = [words["letter"], words["joined"], words["kind"], words["index"]]
+    again = words["continued"]
+    return breakable("table-pairs", words["pairs"], heads, rows, again=again, size=SIZE)
+
+
+def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
+    """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
+    words = CAPTIONS[language]
+    groups = [words["group"].format(name=g.name, kind=g.kind) for g in structure.groups]
+    n, p = structure.moving, len(structure.pairs)
+    mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    return (mobility, f"{words['formula']}: {structure.formula}", *groups)

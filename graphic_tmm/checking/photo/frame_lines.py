@@ -1,0 +1,203 @@
+"""The frame's four lines found in a photograph, near where its corners were clicked.
+
+Along every edge a strip is read; the darkest smooth path in it is the line, gone about a finger or a
+line that ends on it; its axis is the centroid of its darkness, much finer than a dot of the photograph.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.photo.perspective import bilinear, cross, homography, through, vertices
+from graphic_tmm.paper.ruled import Box
+
+EDGES = ("lower", "right", "upper", "left")
+
+STATIONS = 400
+"""Places along an edge where the line is sought."""
+
+REACH = 4.0
+"""How far from the line through the corners it is sought, mm: the nearest line beside it is at 5 mm."""
+
+CLEAR, CLEAR_DOTS = 1.2, 2.5
+"""From the axis of a line to the paper beside it: mm (a main line is 0.8 mm wide), and at least pixels."""
+
+ASIDE = 8
+"""Readings of a strip from the axis of a line to the paper beside it."""
+
+NEAR_CORNER = 3.0
+"""So much of an edge is left out at its ends, where the next line begins, mm."""
+
+FAINT = 0.12
+"""A line is darker than the paper beside it by this share at least."""
+
+SEEN = 1 / 3
+"""Of its stations so many must show a line."""
+
+BEND, STRAY = 0.1, 0.1
+"""In the path: the cost of a step aside, and that of the edge of the strip, as shares of darkness."""
+
+DEGREE, ROUNDS, CUT = 4, 12, 4.7
+"""The smooth curve fitted to a line, rounds of Tukey's biweight, its cut in standard deviations."""
+
+FLOOR = 0.01
+"""Scatter of a line drawn and photographed without fault, mm: keeps the weights defined."""
+
+DIM = 20.0
+"""Paper darker than this, of 255, is taken for no paper: its noise is no line."""
+
+Reading = Callable[[Reals], Reals]
+"""From offsets across an edge, mm, (offsets,) or (stations, offsets), to grey values 0 ... 255."""
+
+
+class Lines(NamedTuple):
+    """The frame in a photograph: corners (4,), px, in the order of `vertices`; edges not found.
+
+    ``residual``: how far the frame's lines are from straight, mm; NaN if none was found.
+    """
+
+    corners: Complexes
+    residual: float
+    missing: tuple[str, ...]
+
+
+class Edge(NamedTuple):
+    """A line across an edge: offsets at its two ends to the left, mm, and how far it is from straight."""
+
+    start: float
+    end: float
+    bend: float
+
+
+def refine(image: NDArray[np.uint8], box: Box, corners: Complexes) -> Lines:
+    """Return the frame ``box`` (mm) found near ``corners`` (4,), px, in ``image`` (rows, columns, 3).
+
+    Neighbouring lines meet in the corners. It is done twice, so that the second time the strips lie
+    along the lines; an edge that shows no line stays where it was clicked.
+    """
+    feet = vertices(box)
+    for _ in range(2):
+        matrix = homography(box, corners)
+        edges = [
+            _edge(image, matrix, foot, head)
+            for foot, head in zip(feet, np.roll(feet, -1), strict=True)
+        ]
+        corners = through(matrix, _meet(feet, edges))
+    bends = [edge.bend for edge in edges if edge.bend == edge.bend]
+    missing = tuple(name for name, edge in zip(EDGES, edges, strict=True) if edge.bend != edge.bend)
+    return Lines(corners, max(bends, default=np.nan), missing)
+
+
+def _meet(feet: Complexes, edges: list[Edge]) -> Complexes:
+    """Return where the lines of neighbouring edges meet, mm on the sheet."""
+    heads = np.roll(feet, -1)
+    left = 1j * (heads - feet) / abs(heads - feet)
+    starts = feet + left * np.array([edge.start for edge in edges])
+    ways = heads + left * np.array([edge.end for edge in edges]) - starts
+    before, way = np.roll(starts, 1), np.roll(ways, 1)
+    along = cross(starts - before, ways) / cross(way, ways)
+    met: Complexes = before + way * along
+    return met
+
+
+def _edge(image: NDArray[np.uint8], matrix: Reals, foot: complex, head: complex) -> Edge:
+    """Return the line that is seen along the edge from ``foot`` to ``head`` (mm on the sheet)."""
+    length = abs(head - foot)
+    way = (head - foot) / length
+    inset = min(NEAR_CORNER, length / 10)
+    along = np.linspace(inset, length - inset, STATIONS)
+    axis = (foot + way * along)[:, None]
+    fine = float(abs(np.diff(through(matrix, axis[:, 0]))).min()) / (along[1] - along[0])
+    clear = max(CLEAR, CLEAR_DOTS / fine)
+
+    def read(offsets: Reals) -> Reals:
+        grey: Reals = bilinear(image, through(matrix, axis + 1j * way * offsets)).mean(axis=-1)
+        return grey
+
+    offsets, dark = _strip(read, clear)
+    path = _darkest(dark - STRAY * (offsets / REACH) ** 2)
+    depth = np.take_along_axis(dark, path[:, None], axis=1)[:, 0]
+    centre = _centred(read, offsets[path], clear)
+    shown = (depth > FAINT) & (depth > np.median(depth) / 2) & np.isfinite(centre)
+    if shown.mean() < SEEN:
+        return Edge(0.0, 0.0, np.nan)
+    centre = np.where(shown, centre, 0.0)
+    place = 2 * along / length - 1
+    curve, weights = _smooth(place, centre, shown.astype(np.float64))
+    kept = weights > 0
+    if kept.mean() < SEEN:
+        return Edge(0.0, 0.0, np.nan)
+    line = _fitted(place, centre, weights, 1)
+    bend = abs(curve(place) - line(place))[kept].max()
+    return Edge(float(line(-1.0)), float(line(1.0)), float(bend))
+
+
+def _strip(read: Reading, clear: float) -> tuple[Reals, Reals]:
+    """Return offsets, mm, and how much darker each is than the paper ``clear`` on both sides of it.
+
+    Shares (stations, offsets), 0 where a side is darker or is not in the photograph; each is the mean
+    with its neighbours along the edge.
+    """
+    step = clear / ASIDE
+    half = round(REACH / step)
+    offsets: Reals = step * np.arange(-half - ASIDE, half + ASIDE + 1, dtype=np.float64)
+    grey = read(offsets)
+    grey[1:-1] = (grey[:-2] + grey[1:-1] + grey[2:]) / 3
+    paper = np.minimum(grey[:, : -2 * ASIDE], grey[:, 2 * ASIDE :])
+    dark = (paper - grey[:, ASIDE:-ASIDE]) / np.maximum(paper, DIM)
+    return offsets[ASIDE:-ASIDE], np.where(dark > 0, dark, 0.0).astype(np.float64)
+
+
+def _darkest(dark: Reals) -> NDArray[np.intp]:
+    """Return the path (stations,) of columns of ``dark`` with the greatest sum, a column a step at most."""
+    stations, width = dark.shape
+    came = np.zeros((stations, width), dtype=np.intp)
+    best = dark[0]
+    columns = np.arange(width)
+    for k in range(1, stations):
+        fenced = np.pad(best, 1, constant_values=-np.inf)
+        ways = np.stack([fenced[1:-1], fenced[:-2] - BEND, fenced[2:] - BEND])
+        taken = ways.argmax(axis=0)
+        came[k] = columns + np.array([0, -1, 1])[taken]
+        best = ways[taken, columns] + dark[k]
+    path = np.empty(stations, dtype=np.intp)
+    path[-1] = best.argmax()
+    for k in range(stations - 1, 0, -1):
+        path[k - 1] = came[k, path[k]]
+    return path
+
+
+def _centred(read: Reading, centre: Reals, clear: float) -> Reals:
+    """Return the centroids of darkness within ``clear`` of ``centre`` (stations,), mm."""
+    window = np.linspace(-clear, clear, 33)
+    for _ in range(3):
+        grey = read(centre[:, None] + window)
+        share = (window + clear) / (2 * clear)
+        paper = grey[:, :1] * (1 - share) + grey[:, -1:] * share
+        dark = np.maximum(paper - grey, 0.0)
+        whole = dark.sum(axis=1)
+        centre = centre + (dark * window).sum(axis=1) / np.where(whole > 0, whole, np.nan)
+    return centre
+
+
+def _smooth(place: Reals, offset: Reals, given: Reals) -> tuple[Polynomial, Reals]:
+    """Return the smooth curve through most of the offsets, and the weight of each (Tukey's biweight)."""
+    weights = given
+    for _ in range(ROUNDS):
+        if (weights > 0).sum() <= DEGREE:
+            break
+        curve = _fitted(place, offset, weights, DEGREE)
+        off = abs(offset - curve(place))
+        scatter = 1.4826 * float(np.median(off[given > 0])) + FLOOR
+        weights = given * np.maximum(1 - (off / (CUT * scatter)) ** 2, 0.0) ** 2
+    return curve, weights
+
+
+def _fitted(place: Reals, offset: Reals, weights: Reals, degree: int) -> Polynomial:
+    return Polynomial.fit(place, offset, degree, domain=(-1, 1), w=np.sqrt(weights))

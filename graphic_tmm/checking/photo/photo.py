@@ -1,0 +1,208 @@
+"""A photograph of a hand-made sheet, its perspective removed, at true millimetres.
+
+A drawing frame is a rectangle of known size: its four corners fix the projection of the sheet into the
+photograph. The corners are clicked; they are refined to the frame's lines, and how straight these lines
+are tells whether the photograph is a central projection at all. Needs Pillow (extra ``photo``).
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.photo.frame_lines import REACH, refine
+from graphic_tmm.checking.photo.perspective import (
+    Corners,
+    bilinear,
+    cross,
+    homography,
+    ordered,
+    through,
+    vertices,
+)
+from graphic_tmm.checking.photo.picture import MOST, pillow, read
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.ruled import Box
+
+BENT = 0.5
+"""A frame farther than this from straight is bent, mm: two such lines put their corner 0.7 mm off."""
+
+BLOCK = 1 << 18
+"""So many pixels are sampled at a time."""
+
+PAPER = 255
+"""The grey of what the photograph does not show."""
+
+
+class Photo(NamedTuple):
+    """A sheet seen straight from above.
+
+    ``image`` (rows, columns, 3): colours 0 ... 255, the uppermost row first; ``area``: the rectangle of
+    the sheet that it fills, mm; ``corners`` (4,): the frame's corners in the photograph, px, lower left,
+    lower right, upper right, upper left; ``homography`` (3, 3): from the sheet, mm, y upward, into the
+    photograph, px, y downward; ``residual``: how far the frame's lines are from straight, mm, NaN if no
+    line was found; ``warnings``: what makes the picture doubtful.
+    """
+
+    image: NDArray[np.uint8]
+    area: Box
+    corners: Complexes
+    homography: Reals
+    residual: float
+    warnings: tuple[str, ...]
+
+
+def flatten(
+    path: str | Path,
+    corners: Corners,
+    frame: tuple[float, float, float, float],
+    *,
+    dots_per_mm: float = 4.0,
+    area: tuple[float, float, float, float] | None = None,
+    refined: bool = True,
+) -> Photo:
+    """Return the photograph in a file without its perspective.
+
+    ``corners`` (4, 2): where the frame's corners are seen, x and y in pixels from the centre of the
+    first, y downward, in any order, the photograph upright as a viewer shows it. ``frame``: left, bottom,
+    right and top of the frame on the sheet, mm (from the paper's lower left corner, y upward).
+    ``area``: what of the sheet is wanted, mm; if left out the whole paper, whose right and upper margins
+    are as wide as the lower one. ``refined=False`` leaves the corners where they were given.
+
+    Raises
+    ------
+    SheetError
+        If Pillow is missing, the file is no photograph of at most 100 megapixels or is damaged, the
+        corners are not four corners of a convex quadrilateral within it, the rectangles are empty, or
+        the picture wanted has no dots or more than 100 million.
+    """
+    box = _rectangle("frame", frame)
+    wanted = _rectangle("area", area) if area is not None else _paper(box)
+    whole, rows, columns = _raster(wanted, dots_per_mm)
+    clicked = ordered(corners)
+    image = read(path)
+    _within(clicked, image)
+    found = refine(image, box, clicked) if refined else None
+    marks = clicked if found is None else found.corners
+    matrix = homography(box, marks)
+    notes = [_turned(box, marks)]
+    if found is not None:
+        notes += [_missing(found.missing), _bent(found.residual)]
+    return Photo(
+        _unbent(*_coarser(image, matrix, box, dots_per_mm), whole, rows, columns),
+        whole,
+        marks,
+        matrix,
+        math.nan if found is None else found.residual,
+        tuple(note for note in notes if note),
+    )
+
+
+def png(photo: Photo) -> bytes:
+    """Return a flattened photograph as PNG whose dots are as many to the metre as they are on the sheet."""
+    images = pillow()[0]
+    dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
+    made = io.BytesIO()
+    images.fromarray(photo.image).save(made, "PNG", dpi=(25.4 * dots, 25.4 * dots))
+    return made.getvalue()
+
+
+def _rectangle(name: str, given: tuple[float, float, float, float]) -> Box:
+    """Return a rectangle of finite numbers that is not empty."""
+    try:
+        box = Box(*(float(side) for side in given))
+    except (TypeError, ValueError):
+        box = Box(0.0, 0.0, 0.0, 0.0)
+    if not (all(map(math.isfinite, box)) and box.left < box.right and box.bottom < box.top):
+        raise SheetError(f"{name}: left, bottom, right and top in mm make no rectangle: {given}")
+    return box
+
+
+def _paper(frame: Box) -> Box:
+    """Return the paper about a frame: the binding margin is on the left, the others are alike."""
+    return Box(0.0, 0.0, frame.right + frame.bottom, frame.top + frame.bottom)
+
+
+def _raster(area: Box, dots: float) -> tuple[Box, int, int]:
+    """Return the area grown to whole dots to the right and downward, its rows and columns."""
+    if not (math.isfinite(dots) and dots > 0):
+        raise SheetError(f"dots per mm: {dots} is no positive number")
+    width, height = (area.right - area.left) * dots, (area.top - area.bottom) * dots
+    if width * height > MOST:
+        raise SheetError(f"dots per mm: {dots:g} gives more than 100 million dots: choose fewer")
+    columns, rows = max(math.ceil(width - 1e-6), 1), max(math.ceil(height - 1e-6), 1)
+    grown = area._replace(right=area.left + columns / dots, bottom=area.top - rows / dots)
+    return grown, rows, columns
+
+
+def _within(corners: Complexes, image: NDArray[np.uint8]) -> None:
+    rows, columns = image.shape[:2]
+    x, y = corners.real, corners.imag
+    if not ((x > -0.5) & (x < columns - 0.5) & (y > -0.5) & (y < rows - 0.5)).all():
+        raise SheetError(f"corners: one lies outside the photograph of {columns} × {rows} pixels")
+
+
+def _turned(frame: Box, corners: Complexes) -> str:
+    """Return a warning if the quadrilateral is rather the frame turned by a quarter."""
+    sides = abs(np.roll(corners, -1) - corners)
+    seen = math.log((sides[0] + sides[2]) / (sides[1] + sides[3]))
+    drawn = math.log((frame.right - frame.left) / (frame.top - frame.bottom))
+    if abs(seen - drawn) <= abs(seen + drawn):
+        return ""
+    return "the frame looks turned by a quarter in the photograph: turn the photograph upright"
+
+
+def _missing(edges: tuple[str, ...]) -> str:
+    if not edges:
+        return ""
+    return (
+        f"no line of the frame within {REACH:g} mm of the corners given at its {', '.join(edges)} "
+        "edge: there they are used as given, click them with care"
+    )
+
+
+def _bent(residual: float) -> str:
+    if not residual > BENT:
+        return ""
+    return (
+        f"the frame is bent by {residual:.1f} mm (more than {BENT:g} mm): the lens, or a sheet that "
+        "is not flat: take the photograph from farther away, the sheet pressed flat"
+    )
+
+
+def _coarser(
+    image: NDArray[np.uint8], matrix: Reals, frame: Box, dots: float
+) -> tuple[NDArray[np.uint8], Reals]:
+    """Return a photograph with several dots to one of the picture as their means, and its projection."""
+    corners = through(matrix, vertices(frame))
+    seen = abs(cross(corners[2] - corners[0], corners[3] - corners[1])) / 2
+    drawn = (frame.right - frame.left) * (frame.top - frame.bottom)
+    factor = int(math.sqrt(seen / drawn) / dots)
+    if factor < 2:
+        return image, matrix
+    reduced = np.asarray(pillow()[0].fromarray(image).reduce(factor), dtype=np.uint8)
+    half = 0.5 / factor - 0.5
+    moved = np.array([[1 / factor, 0, half], [0, 1 / factor, half], [0, 0, 1.0]])
+    return reduced, moved @ matrix
+
+
+def _unbent(
+    image: NDArray[np.uint8], matrix: Reals, area: Box, rows: int, columns: int
+) -> NDArray[np.uint8]:
+    """Return the ``area`` (mm) of the sheet on ``rows`` × ``columns`` dots, sampled in blocks."""
+    side = (area.right - area.left) / columns
+    across = area.left + side * (np.arange(columns) + 0.5)
+    down = area.top - side * (np.arange(rows) + 0.5)
+    made = np.empty((rows, columns, 3), dtype=np.uint8)
+    block = max(BLOCK // columns, 1)
+    for first in range(0, rows, block):
+        points = across + 1j * down[first : first + block, None]
+        seen = bilinear(image, through(matrix, points))
+        made[first : first + block] = np.where(np.isnan(seen), PAPER, np.rint(seen))
+    return made

@@ -1,0 +1,209 @@
+"""Readings of a hand-made drawing: a CSV file as people and spreadsheets write it, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import NamedTuple, NoReturn
+
+from graphic_tmm.checking.readings.csv_cells import HEADS, SEPARATORS, Head, Row, table
+from graphic_tmm.checking.readings.decoding import text_of
+from graphic_tmm.checking.readings.digits import meant
+from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, millimetres, value_of
+from graphic_tmm.checking.readings.writing import template, write_readings
+from graphic_tmm.checking.records import Last, Taken
+from graphic_tmm.errors import Fault, SceneError, first_of
+
+__all__ = ["read_readings", "template", "write_readings"]
+
+TOLD = 20
+"""So many faults of a file are told; how many more there are is counted."""
+_WANTED = ("plan", "position", "segment")
+_FIGURES = ("mm", "value", "x", "y")
+_KINDS = tuple((name, Taken._fields.index(name)) for name in ("mm", "value", "x"))
+_FOR = {
+    "plan": 'add it; its cells name the plan, such as velocities, or "results"',
+    "position": "add it; its cells name the position, and are empty for results",
+    "segment": "add it; its cells name what was measured, such as pb, or a point",
+}
+
+
+class _Cells(NamedTuple):
+    """The cells of a row in the columns that mean something, "" where there is none; its line."""
+
+    line: int
+    plan: str
+    position: str
+    segment: str
+    mm: str
+    value: str
+    unit: str
+    x: str
+    y: str
+
+    @property
+    def measured(self) -> bool:
+        return bool(self.mm or self.value or self.x or self.y)
+
+
+def read_readings(path: Path | str) -> tuple[Taken, ...]:
+    """Read the readings of a CSV file, in the order of its rows.
+
+    Its first row names the columns, in any order, in English or Russian: plan, position, segment, and mm,
+    or value and unit, or x and y (mm). Further columns mean nothing here. Cells are separated by commas,
+    semicolons or tabs; the decimal sign is a point or a comma; rows without a figure, blank lines and
+    comments (#) are left out. A unit "1" or a dash makes a bare number; its unit is "" in ``Taken``.
+
+    Parameters
+    ----------
+    path : Path or str
+        The file, in UTF-8, UTF-16 or Windows-1251.
+
+    Returns
+    -------
+    tuple of Taken
+        Names as typed but for spaces at their ends and repeated ones; values in their own units.
+
+    Raises
+    ------
+    SceneError
+        With the file's faults, the first 20 of them, each with its column and line, and how many more.
+    """
+    file = Path(path)
+    text = text_of(file)
+    found = table(text)
+    if found is None:
+        _refuse(file, [Fault("", 0, f"the file is empty; its first row names {', '.join(HEADS)}")])
+    head, following = found
+    faults = _faults_of(head)
+    if faults:
+        _refuse(file, faults)
+    return _taken(file, head, following)
+
+
+def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
+    faults: list[Fault] = []
+    columns = head.columns
+    found = (_cells(row, head, columns, faults) for row in rows)
+    cells = [one for one in found if one is not None and one.measured]
+    commas = head.separator == ";" or head.russian or _comma_seen(cells)
+    taken = [_reading(one, head, commas, faults) for one in cells]
+    _find_twice(taken, head, faults)
+    if faults:
+        _refuse(file, sorted(faults, key=lambda fault: fault.line))
+    return meant(taken)
+
+
+def _faults_of(head: Head) -> list[Fault]:
+    """Return what is wrong with the row of titles."""
+    if head.wrong:
+        return [Fault("", head.line, _torn(head.wrong))]
+    faults = [
+        Fault(title, head.line, "this column stands twice; take one out, or rename it")
+        for title in head.twice
+    ]
+    missing = [name for name in _WANTED if name not in head.places]
+    faults += [_missing(head, name, _FOR[name]) for name in missing]
+    if ("x" in head.places) != ("y" in head.places):
+        name = "y" if "x" in head.places else "x"
+        faults.append(_missing(head, name, "a point needs both x and y, in mm"))
+    if not any(name in head.places for name in _FIGURES):
+        faults.append(_missing(head, "mm", "add it, or value and unit, or x and y"))
+    return faults
+
+
+def _missing(head: Head, name: str, remedy: str) -> Fault:
+    meant = f'; did you mean it by "{head.like(name)}"?' if head.like(name) else ""
+    said = f"the column {name} ({HEADS[name]}) is missing; {remedy}{meant}"
+    return Fault(name, head.line, f"{said} (the first row names: {head.spoken})")
+
+
+def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) -> _Cells | None:
+    """Return the cells of a row by columns; None, and a fault, if it does not fit under the titles."""
+    cells, width = row.cells, len(head.titles)
+    if row.wrong:
+        faults.append(Fault("", row.line, _torn(row.wrong)))
+        return None
+    if len(cells) > width and any(cell.strip() for cell in cells[width:]):
+        faults.append(Fault("", row.line, _too_many(len(cells), head)))
+        return None
+    if len(cells) == 1 < width and not cells[0].lstrip().startswith("#"):
+        separator = SEPARATORS[head.separator]
+        said = f"the row is a single cell; separate its cells by a {separator}, as in the first row"
+        faults.append(Fault("", row.line, said))
+        return None
+    cells += [""] * (width + 1 - len(cells))
+    cells[width] = ""
+    chosen = [cells[place] for place in columns]
+    return _Cells(row.line, *[cell and " ".join(cell.split()) for cell in chosen])
+
+
+def _torn(said: str) -> str:
+    """Return what is wrong with a row that the csv reader cannot split."""
+    return (
+        f"the row cannot be split into cells ({said}); "
+        'a quoted cell ends with its quote, and a quote inside it is written twice: ""'
+    )
+
+
+def _too_many(count: int, head: Head) -> str:
+    said = f"the row has {count} cells, the first row {len(head.titles)}"
+    if head.separator == ",":
+        return f'{said}; quote a number with a decimal comma, "17,5", or write 17.5'
+    return f"{said}; take the surplus ones out, or give their columns titles"
+
+
+def _comma_seen(cells: Sequence[_Cells]) -> bool:
+    """Return whether any figure shows that a comma is the decimal sign of the file."""
+    return any(
+        decimal_comma(cell)
+        for one in cells
+        for cell in (one.mm, one.value, one.x, one.y)
+        if "," in cell
+    )
+
+
+def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Taken:
+    """Return a row as a reading; what cannot be read is None in it, and a fault."""
+    line = one.line
+    for name, cell in (("plan", one.plan), ("segment", one.segment)):
+        if not cell:
+            faults.append(
+                Fault(head.title(name), line, "the cell is empty, and the row has a figure")
+            )
+    numbers: list[float | None] = []
+    for name, cell in (("mm", one.mm), ("x", one.x), ("y", one.y)):
+        try:
+            numbers.append(millimetres(cell, commas=commas) if cell else None)
+        except ValueError as error:
+            faults.append(Fault(head.title(name), line, str(error)))
+            numbers.append(None)
+    try:
+        value, unit = value_of(one.value, one.unit, commas=commas)
+    except ValueError as error:
+        faults.append(Fault(head.title("value"), line, str(error)))
+        value, unit = None, ""
+    if bool(one.x) != bool(one.y):
+        empty = "y" if one.x else "x"
+        faults.append(Fault(head.title(empty), line, "a point needs both x and y; this is empty"))
+    mm, x, y = numbers
+    last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
+    return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
+
+
+def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None:
+    """Add a fault for each reading that an earlier row has given already."""
+    seen: dict[tuple[str, str, str, str], int] = {}
+    for one in taken:
+        for name, field in _KINDS:
+            if one[field] is None:
+                continue
+            earlier = seen.setdefault((*one[:3], name), one.line)
+            if earlier != one.line:
+                place = f' at position "{one.position}"' if one.position else ""
+                said = f'"{one.segment}" of "{one.plan}"{place} stands in line {earlier} already'
+                faults.append(Fault(head.title(name), one.line, f"{said}; keep one of the two"))
+
+
+def _refuse(file: Path, faults: Sequence[Fault]) -> NoReturn:
+    raise SceneError(str(file), first_of(faults, TOLD)) from None

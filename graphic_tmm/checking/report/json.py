@@ -1,0 +1,94 @@
+"""A report for machines: one JSON object, a reading a line, nothing lost but the noise of the last bits."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from graphic_tmm.checking.records import Judged, Likely, Report
+from graphic_tmm.checking.report.rows import counts, explained, unexplained
+
+
+def json_report(report: Report) -> str:
+    r"""Return the report as JSON text.
+
+    ``readings``: {plan, position, segment, mm, due_mm, deviation_mm, percent_of_plan, verdict, step, quantile};
+    where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x
+    and y (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
+    segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
+    ``mistakes``: {name, says, like, lines, explains, wrong, rest}. ``unexplained``: how many of the wrong
+    readings no mistake explains. Figures have 12 significant digits; one that is not finite is null.
+    Text is whole, what is not printable in it as \\u escapes.
+    """
+    head = {"scene": report.scene, "title": report.title, "hand": report.hand}
+    lines = [f" {_key(key)}: {_dumped(text)}," for key, text in head.items()]
+    lines.append(f' "counts": {_dumped(counts(report))},')
+    lines += _rows("readings", [_reading(one) for one in report.readings])
+    lines += _rows("mistakes", [_mistake(report, one) for one in report.mistakes])
+    lines.append(f' "unexplained": {len(unexplained(report))},')
+    lines.append(f' "notes": {_dumped(list(report.notes))}')
+    return "\n".join(["{", *lines, "}"]) + "\n"
+
+
+def tidy(value: float | None) -> float | None:
+    """Return a figure with 12 significant digits and no -0; None if there is none or it is not finite."""
+    if value is None or not math.isfinite(value):
+        return None
+    return float(f"{value:.12g}") + 0.0
+
+
+def _reading(one: Judged) -> dict[str, Any]:
+    taken, drawn = one.taken, one.unit == "mm"
+    figures = [tidy(value) for value in (one.found, one.due, one.deviation)]
+    mm = figures if drawn else [None] * 3
+    told: dict[str, Any] = {
+        "plan": taken.plan,
+        "position": taken.position,
+        "segment": taken.segment,
+    }
+    told |= dict(zip(("mm", "due_mm", "deviation_mm"), mm, strict=True))
+    told |= {"percent_of_plan": tidy(one.percent), "verdict": one.verdict, "step": one.step}
+    told |= {"quantile": tidy(one.quantile)}
+    if not drawn:
+        told |= dict(zip(("value", "due_value", "deviation_value"), figures, strict=True))
+        told |= {"unit": one.unit}
+    if taken.x is not None or taken.y is not None:
+        told |= {"x": tidy(taken.x), "y": tidy(taken.y)}
+    told |= {"own_error_mm": tidy(one.own)} if one.own is not None else {}
+    if one.follows is not None:
+        told |= {"follows_from": one.follows.segment, "follows_from_line": one.follows.line}
+    return told | ({"line": taken.line} if taken.line else {})
+
+
+def _mistake(report: Report, one: Likely) -> dict[str, Any]:
+    return {
+        "name": one.name,
+        "says": one.says,
+        "like": list(one.like),
+        "lines": list(one.lines),
+        "explains": explained(report, one),
+        "wrong": one.wrong,
+        "rest": tidy(one.rest),
+    }
+
+
+def _rows(key: str, rows: Sequence[dict[str, Any]]) -> list[str]:
+    if not rows:
+        return [f" {_key(key)}: [],"]
+    told = [f"  {_dumped(row)}" for row in rows]
+    return [f" {_key(key)}: [", *(f"{line}," for line in told[:-1]), told[-1], " ],"]
+
+
+def _key(key: str) -> str:
+    return f'"{key}"'
+
+
+def _dumped(value: Any) -> str:
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    return text if text.isprintable() else "".join(map(_visible, text))
+
+
+def _visible(sign: str) -> str:
+    return sign if sign.isprintable() else json.dumps(sign)[1:-1]

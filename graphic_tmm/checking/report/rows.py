@@ -1,0 +1,239 @@
+"""A report as rows of text: what its every form shows, before any of them escapes it for its medium."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Likely, Report
+from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown, unit_name
+from graphic_tmm.language.words import fixed, number
+
+SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
+"""Verdicts are told by a shape as well as by a colour."""
+LARGE = 1e6
+"""From here on a figure is written with a power of ten."""
+NAMED = 3
+"""So many mistakes stand in the summary; the table has all of them."""
+RUNS = 12
+"""So many runs of lines are listed; the JSON has all of them."""
+FIGURES = frozenset({"line", "found", "due", "deviation", "percent", "farther", "own", "rest"})
+"""Columns of figures, set to the right."""
+OPTIONAL = frozenset({"line", "position", "unit", "step", "own", "follows", "lines"})
+"""Columns left out where nothing stands in them."""
+
+
+class Grid(NamedTuple):
+    """A table: its title, its columns (keys of the words), its rows, the verdict of each row ("" for none)."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    verdicts: tuple[str, ...]
+
+
+def title(report: Report) -> str:
+    """Return the heading of a report."""
+    name = shown(report.title) or shown(report.scene)
+    return WORDS[report.language]["check"].format(title=name)
+
+
+def who(report: Report) -> str:
+    """Return which scene was checked against whose hand."""
+    words = WORDS[report.language]
+    return words["who"].format(scene=shown(report.scene), hand=shown(report.hand))
+
+
+def summary(report: Report) -> str:
+    """Return the line on top: how many are fine, doubtful, wrong; what explains the wrong ones, if anything."""
+    words = WORDS[report.language]
+    if not report.readings:
+        return words["none"]
+    said = [words["counts"].format(all=len(report.readings), **counts(report))]
+    left = unexplained(report)
+    if not report.wrong:
+        said.append(words["all right"])
+    elif len(left) == report.wrong:
+        said.append(words["unexplained"])
+    else:
+        said.append(words["explained"].format(mistakes=_mistakes(report)))
+        lines = runs([one.taken.line for one in left])
+        at = words["at lines"].format(lines=lines) if lines else ""
+        said += [words["left over"].format(count=len(left), lines=at)] if left else []
+    return " ".join(said)
+
+
+def counts(report: Report) -> dict[str, int]:
+    """Return how many readings there are of each verdict."""
+    return {key: sum(one.verdict == key for one in report.readings) for key in VERDICTS}
+
+
+def worst(report: Report) -> str:
+    """Return the worst verdict that a reading got; "" if there are no readings."""
+    found = {one.verdict for one in report.readings}
+    return next((verdict for verdict in reversed(VERDICTS) if verdict in found), "")
+
+
+def explained(report: Report, mistake: Likely) -> int:
+    """Return how many of the wrong readings a mistake explains."""
+    lines = set(mistake.lines)
+    return sum(one.verdict == WRONG and one.taken.line in lines for one in report.readings)
+
+
+def unexplained(report: Report) -> tuple[Judged, ...]:
+    """Return the wrong readings that no mistake of the report explains."""
+    lines = {line for mistake in report.mistakes for line in mistake.lines}
+    wrong = (one for one in report.readings if one.verdict == WRONG)
+    return tuple(one for one in wrong if one.taken.line not in lines)
+
+
+def by_plan(readings: Sequence[Judged]) -> dict[str, list[Judged]]:
+    """Return the readings of each plan, plans and readings in the order in which they come."""
+    plans: dict[str, list[Judged]] = {}
+    for one in readings:
+        plans.setdefault(one.taken.plan, []).append(one)
+    return plans
+
+
+def grids(report: Report) -> tuple[Grid, ...]:
+    """Return the tables of a report: of each plan, then of the likely mistakes."""
+    plans = by_plan(report.readings).items()
+    found = [reading_grid(plan, rows, report.language) for plan, rows in plans]
+    mistakes = mistake_grid(report)
+    return (*found, mistakes) if mistakes is not None else tuple(found)
+
+
+def reading_grid(plan: str, readings: Sequence[Judged], language: str) -> Grid:
+    """Return the table of the readings of one plan."""
+    rows = [_reading(one, language) for one in readings]
+    return _grid(plan_name(plan, language), rows, [one.verdict for one in readings])
+
+
+def mistake_grid(report: Report) -> Grid | None:
+    """Return the table of likely mistakes; None if there are none."""
+    words = WORDS[report.language]
+    rows = [
+        {
+            "mistake": _named(one, words),
+            "says": shown(one.says, LONGEST_SENTENCE),
+            "count": f"{explained(report, one)} / {report.wrong}",
+            "rest": fixed(100 * one.rest, 0, report.language),
+            "lines": runs(one.lines),
+        }
+        for one in report.mistakes
+    ]
+    return _grid(words["mistakes"], rows, [""] * len(rows)) if rows else None
+
+
+def notes(report: Report) -> tuple[str, ...]:
+    """Return the notes, as they may be shown."""
+    return tuple(shown(note, LONGEST_SENTENCE) for note in report.notes)
+
+
+def verdict_name(verdict: str, language: str) -> str:
+    """Return a verdict with its shape: ✖ wrong."""
+    return f"{SIGNS[verdict]} {WORDS[language][verdict]}"
+
+
+def runs(lines: Sequence[int]) -> str:
+    """Return the numbers of lines in short: 2–5, 9; lines without a number (0) are not counted.
+
+    >>> runs([9, 2, 3, 4, 5, 0])
+    '2–5, 9'
+    """
+    found: list[list[int]] = []
+    for line in sorted({line for line in lines if line > 0}):
+        if found and line == found[-1][1] + 1:
+            found[-1][1] = line
+        else:
+            found.append([line, line])
+    told = [str(a) if a == b else f"{a}–{b}" for a, b in found[:RUNS]]
+    return ", ".join([*told, "…"] if len(found) > RUNS else told)
+
+
+def signed(value: float, places: int, language: str) -> str:
+    """Return a figure with its sign, + too; a dash where there is none.
+
+    >>> signed(0.46, 1, "ru"), signed(-0.04, 1, "en")
+    ('+0,5', '0.0')
+    """
+    text = figure(value, places, language)
+    return f"+{text}" if value > 0 and text.strip("0.,") and text != "—" else text
+
+
+def figure(value: float, places: int, language: str) -> str:
+    """Return a figure with ``places`` decimals, or with a power of ten if it is large."""
+    if math.isfinite(value) and abs(value) >= LARGE:
+        return number(value, language)
+    return fixed(value, places, language)
+
+
+def _reading(one: Judged, language: str) -> dict[str, str]:
+    taken, drawn = one.taken, one.unit == "mm"
+
+    def told(value: float) -> str:
+        return figure(value, 2, language) if drawn else number(value, language)
+
+    off = signed(one.deviation, 2, language) if drawn else told(one.deviation)
+    return {
+        "line": str(taken.line) if taken.line else "",
+        "position": shown(taken.position),
+        "segment": shown(taken.segment) + _place(one, language),
+        "found": told(one.found),
+        "due": told(one.due),
+        "unit": "" if drawn else unit_name(one.unit, language),
+        "deviation": off if drawn or not one.deviation > 0 else f"+{off}",
+        "percent": figure(one.percent, 1, language),
+        "farther": _share(one.quantile, language),
+        "verdict": verdict_name(one.verdict, language),
+        "step": shown(one.step),
+        "own": "" if one.own is None else signed(one.own, 2, language),
+        "follows": _source(one, language),
+    }
+
+
+def _source(one: Judged, language: str) -> str:
+    """Return the earlier reading that a deviation follows from; "" for none."""
+    if one.follows is None:
+        return ""
+    line, words = one.follows.line, WORDS[language]
+    told = words["follows from line" if line else "follows from"]
+    return told.format(segment=shown(one.follows.segment), line=line)
+
+
+def _place(one: Judged, language: str) -> str:
+    x, y = one.taken.x, one.taken.y
+    if x is None or y is None:
+        return ""
+    return f" ({figure(x, 2, language)}; {figure(y, 2, language)})"
+
+
+def _share(share: float, language: str) -> str:
+    """Return a share of the hand's drawings in %; one that rounding would hide is not called none."""
+    if 0 < share < 0.0005:
+        return f"< {fixed(0.1, 1, language)}"
+    return fixed(100 * share, 1, language)
+
+
+def _grid(heading: str, rows: Sequence[dict[str, str]], verdicts: Sequence[str]) -> Grid:
+    columns = tuple(key for key in rows[0] if key not in OPTIONAL or any(row[key] for row in rows))
+    cells = tuple(tuple(row[key] for key in columns) for row in rows)
+    return Grid(heading, columns, cells, tuple(verdicts))
+
+
+def _named(mistake: Likely, words: dict[str, str]) -> str:
+    name = shown(mistake.name)
+    like = ", ".join(shown(other) for other in mistake.like)
+    return words["the same"].format(name=name, like=like) if like else name
+
+
+def _mistakes(report: Report) -> str:
+    words, told = WORDS[report.language], []
+    useful = [(one, explained(report, one)) for one in report.mistakes]
+    useful = [(one, count) for one, count in useful if count]
+    for one, count in useful[:NAMED]:
+        name = _named(one, words)
+        told.append(words["explains"].format(name=name, count=count, wrong=report.wrong))
+    rest = len(useful) - NAMED
+    return "; ".join([*told, words["more"].format(count=rest)] if rest > 0 else told)

@@ -1,0 +1,60 @@
+"""Axes of a diagram that stands by itself, and its letters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from graphic_tmm.board.values import Reals
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, line
+from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.symbols.kinematic import arrowhead
+
+OVER = 9.0
+"""How far an axis goes on behind what stands on it, mm."""
+
+
+DOT = 0.5
+
+
+ASIDE = 14.0
+"""From the axis of the ordinates to a dimension line, mm."""
+
+
+ROOM = 8.0
+
+
+def axes(left: float, right: float, low: float, high: float) -> list[Stroke]:
+    """Return two thin axes with arrowheads, from ``left`` and ``low`` to `OVER` mm behind ``right`` and ``high``."""
+    tips = complex(right + OVER, 0), complex(0, high + OVER)
+    return [
+        line("thin", complex(left, 0), tips[0]),
+        line("thin", complex(0, low), tips[1]),
+        *arrowhead(tips[0], 1 + 0j, pen="thin"),
+        *arrowhead(tips[1], 1j, pen="thin"),
+    ]
+
+
+def finished(
+    name: str,
+    title: str,
+    strokes: Sequence[Stroke | Bezier],
+    wanted: Sequence[Wanted],
+    lettered: bool,
+    cell: tuple[float, float, float, float],
+    figures: Sequence[Label] = (),
+) -> Drawing:
+    """Return a diagram with its letters placed; not ``lettered``: only the room that it will take."""
+    if not lettered:
+        left, low, right, high = cell
+        room = (left - ROOM, low - ROOM, right + OVER + ROOM, high + OVER + ROOM)
+        return Drawing(name, title, tuple(strokes), cell=room)
+    labels = place(wanted, strokes, figures)
+    ink = interrupt([*strokes, *leaders(wanted, labels)], labels)
+    return Drawing(name, title, ink, (*labels, *figures))
+
+
+def largest(values: Reals) -> float:
+    """Return the largest of the values that are there, at least 0."""
+    return float(np.max(values, initial=0.0, where=np.isfinite(values)))

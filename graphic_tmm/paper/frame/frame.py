@@ -1,0 +1,212 @@
+"""The frame of a sheet: margins, title block, columns in the margin and the 100 mm check line.
+
+ГОСТ 2.301 and 2.104 for Russian sheets, ISO 5457 and 7200 for English ones (see `titleblock` for
+the forms). Sheet coordinates: millimetres from the lower left corner of the paper, y upward.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
+from graphic_tmm.paper.frame.titleblock import (
+    COLUMN_26,
+    COLUMN_26_UPRIGHT,
+    FORM_1,
+    FORM_2A,
+    ISO_FIRST,
+    ISO_NEXT,
+    MARGIN_19_23,
+    MARGIN_24_25,
+    Block,
+    lettered,
+    ruled,
+)
+from graphic_tmm.paper.pens import pens
+from graphic_tmm.paper.ruled import Box, Slot, set_text
+
+SIZES: Mapping[str, tuple[float, float]] = MappingProxyType(
+    {"A1": (841.0, 594.0), "A1 portrait": (594.0, 841.0), "A4": (210.0, 297.0)}
+)
+"""Width and height of the paper in mm: A1 lies unless it is asked to stand, A4 stands."""
+
+MARGINS: Mapping[str, tuple[float, float]] = MappingProxyType(
+    {"ru": (20.0, 5.0), "en": (20.0, 10.0)}
+)
+"""The binding margin on the left and the other three margins in mm (ГОСТ 2.301; ISO 5457)."""
+
+FIELDS: tuple[str, ...] = tuple(
+    dict.fromkeys(
+        slot.text
+        for block in (FORM_1, ISO_FIRST)
+        for slot in block.entries
+        if slot.text not in ("sheet", "sheets", "language")
+    )
+)
+"""The fields of a title block that a scene may fill; the numbers of the sheets are filled here."""
+
+CHECK_LENGTH = 100.0
+CHECK_X, CHECK_START, CHECK_TICK, CHECK_SIZE = 5.5, 30.0, 1.25, 2.5
+"""The check line: its x, how far below mid-height it begins, half a tick, its lettering, mm."""
+
+WORDS: Mapping[str, Mapping[str, str]] = MappingProxyType(
+    {
+        "ru": {
+            "title": "Рамка и основная надпись",
+            "check": "Проверка масштаба печати",
+            "mm": "мм",
+        },
+        "en": {"title": "Frame and title block", "check": "Print check", "mm": "mm"},
+    }
+)
+
+
+class Area(NamedTuple):
+    """Where views may stand: the rectangle inside the frame less what is taken of it, mm."""
+
+    inner: Box
+    occupied: tuple[Box, ...]
+
+
+def drawing_area(format: str, language: str, first: bool) -> Area:
+    """Return the rectangle inside the frame and what title block and column 26 take of it."""
+    inner = _inner(format, language)
+    blocks = _blocks(format, language, first)
+    taken = (
+        Box(at.real, at.imag, at.real + block.width, at.imag + block.height)
+        for block, at in blocks
+        if at.real >= inner.left
+    )
+    return Area(inner, tuple(taken))
+
+
+def frame(
+    format: str,
+    *,
+    language: str,
+    first: bool,
+    number: int,
+    count: int,
+    fields: Mapping[str, str],
+) -> Drawing:
+    """Return the frame of sheet ``number`` of ``count``, its title block filled from plain text.
+
+    ``fields`` holds any of `FIELDS`; what a form has no place for is left out. A single sheet bears
+    no number (ГОСТ 2.104). Raises SheetError for an unknown format, language or field.
+    """
+    unknown = sorted(set(fields) - set(FIELDS))
+    if unknown:
+        known = ", ".join(FIELDS)
+        raise SheetError(f"title block: no field {', '.join(unknown)}; the fields are {known}")
+    inner = _inner(format, language)
+    entries = {**fields, **_numbers(language, number, count)}
+    if language == "ru" and "date" in fields:
+        entries["date"] = _short(fields["date"])
+    strokes, labels = _edges(format, inner), list[Label]()
+    for block, at in _blocks(format, language, first):
+        strokes += ruled(block, at)
+        labels += lettered(block, at, entries)
+    if language == "ru":
+        labels += _foot(format, inner)
+    check, words = check_line(format, language)
+    return Drawing("frame", WORDS[language]["title"], strokes + check, (*labels, *words))
+
+
+def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
+    """Return the line of exactly 100 mm in the binding margin, and its words."""
+    middle = SIZES[format][1] / 2
+    foot = complex(CHECK_X, middle - CHECK_START)
+    top = foot + CHECK_LENGTH * 1j
+    body = line("thin", foot, top)._replace(
+        title=f"{CHECK_LENGTH:g} {WORDS[language]['mm']}",
+        data=(("check-line", f"{CHECK_LENGTH:g}"),),
+    )
+    ticks = tuple(line("thin", end - CHECK_TICK, end + CHECK_TICK) for end in (foot, top))
+    x = CHECK_X + CHECK_SIZE / 2
+    texts = (
+        (WORDS[language]["check"], foot.imag - 6, "end"),
+        ("0", foot.imag - 1.5, "end"),
+        (f"{CHECK_LENGTH:g} {WORDS[language]['mm']}", top.imag + 1.5, "start"),
+    )
+    labels = tuple(Label(text, complex(x, y), CHECK_SIZE, side, 90) for text, y, side in texts)
+    return (body, *ticks), labels
+
+
+def _inner(format: str, language: str) -> Box:
+    """Return the rectangle of the frame."""
+    if format not in SIZES:
+        raise SheetError(f"no frame for the format {format!r}: choose one of {', '.join(SIZES)}")
+    if language not in MARGINS:
+        raise SheetError(f"no frame in {language!r}: choose one of {', '.join(MARGINS)}")
+    (width, height), (binding, other) = SIZES[format], MARGINS[language]
+    return Box(binding, other, width - other, height - other)
+
+
+def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, complex], ...]:
+    """Return the blocks of a sheet, each with the place of its lower left corner."""
+    inner = _inner(format, language)
+    corner = complex(inner.right, inner.bottom)
+    if language == "en":
+        block = ISO_FIRST if first else ISO_NEXT
+        return ((block, corner - block.width),)
+    block = FORM_1 if first else FORM_2A
+    margin = complex(inner.left - MARGIN_19_23.width, inner.bottom)
+    again = (COLUMN_26, complex(inner.left, inner.top - COLUMN_26.height))
+    if format.endswith("portrait"):
+        upright = COLUMN_26_UPRIGHT
+        again = (upright, complex(inner.right - upright.width, inner.top - upright.height))
+    return (
+        (block, corner - block.width),
+        again,
+        (MARGIN_19_23, margin),
+        *(((MARGIN_24_25, margin),) if first else ()),
+    )
+
+
+def _edges(format: str, inner: Box) -> tuple[Stroke, ...]:
+    """Return the edge of the paper, a thin line whose ink stays on it, and the heavy frame."""
+    half = pens(format)["thin"].width / 2
+    width, height = SIZES[format]
+    paper = Box(half, half, width - half, height - half)
+    return tuple(
+        line(
+            pen,
+            complex(box.left, box.bottom),
+            complex(box.right, box.bottom),
+            complex(box.right, box.top),
+            complex(box.left, box.top),
+            closed=True,
+        )
+        for pen, box in (("thin", paper), ("main", inner))
+    )
+
+
+def _numbers(language: str, number: int, count: int) -> dict[str, str]:
+    """Return the number of the sheet and how many there are, as the forms write them."""
+    if not 1 <= number <= count:
+        raise SheetError(f"sheet {number} of {count}: number the sheets from 1")
+    if language == "en":
+        return {"sheet": f"{number}/{count}", "language": language}
+    return {"sheet": str(number) if count > 1 else "", "sheets": str(count)}
+
+
+def _short(date: str) -> str:
+    """Return a day as the 10 mm of its column take it, 12.03.26; another text is left as it is."""
+    words = re.sub(r"(\d{4})-(\d\d)-(\d\d)", r"\3.\2.\1", date.strip())
+    return re.sub(r"(\d\d?\.\d\d\.)\d\d(\d\d)", r"\1\2", words)
+
+
+def _foot(format: str, inner: Box) -> tuple[Label, ...]:
+    """Return the captions under the frame: who copied, and the format."""
+    strip = Box(inner.right - 120, 0.4, inner.right - 50, inner.bottom - 0.3)
+    end = strip._replace(left=inner.right - 50, right=inner.right)
+    captions = (("Копировал", strip), (f"Формат {format.split()[0]}", end))
+    return tuple(
+        label
+        for text, box in captions
+        for label in set_text(text, Slot("", box, (2.5,), anchor="start"))
+    )

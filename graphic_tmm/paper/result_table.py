@@ -1,0 +1,73 @@
+"""Tables on the sheet: links, pairs and formula of structure; segments and quantities by positions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from graphic_tmm.chapters.kinematics.equations import quantity
+from graphic_tmm.chapters.kinematics.ink_plans import markup
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.words import fixed, unit
+from graphic_tmm.paper.blocks import breakable, fewest
+from graphic_tmm.paper.drawing import Drawing, Within
+from graphic_tmm.paper.layout import settled
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.readers.columns import Column
+
+SIZE = 3.5
+
+
+def result_table(
+    plan: str,
+    columns: Sequence[Column],
+    names: Sequence[str],
+    language: str,
+    *,
+    upright: bool = False,
+) -> Drawing:
+    """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions.
+
+    ``upright``: a row for each position instead. A table that no sheet holds whole is broken into blocks, or
+    turned the other way, whichever gives fewer.
+    """
+    words = CAPTIONS[language]
+    shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
+    rows = []
+    for column in columns:
+        letter = words.get(column.letter) or markup(symbol(column.letter, language))
+        if any(x is not None for x in column.mm):
+            cells = [fixed(column.mm[k], 1, language) for k in shown]
+            rows.append([letter, unit("mm", language), *cells])
+            letter = quantity(column.letter) if plan in ("velocities", "accelerations") else letter
+        places = _decimals(column.value)
+        cells = [fixed(column.value[k], places, language) for k in shown]
+        rows.append([letter, unit(column.unit, language), *cells])
+    heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
+    name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
+
+    def lying() -> Drawing:
+        align = ["left", "left", *["centre"] * len(shown)]
+        return breakable(name, title, heads, rows, again=again, lead=2, size=SIZE, align=align)
+
+    def standing() -> Drawing:
+        first, *others = (list(column) for column in zip(heads, *rows, strict=True))
+        align = ["centre"] * len(first)
+        return breakable(
+            name, title, first, others, again=again, lead=1, over=1, size=SIZE, align=align
+        )
+
+    usual, other = (standing, lying) if upright else (lying, standing)
+    made = usual()
+
+    def apart(within: Within) -> list[Drawing]:
+        return fewest(within, settled(made, within), settled(other(), within))
+
+    return made._replace(apart=apart)
+
+
+def _decimals(row: Sequence[float | None]) -> int:
+    """Return how many decimals give the largest figure of a row three significant digits."""
+    largest = max((abs(x) for x in row if x is not None), default=0.0)
+    return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0

@@ -1,0 +1,65 @@
+"""Dimensions of a sketch (ГОСТ 2.307): extension lines, arrows, the figure above."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import NamedTuple
+
+from graphic_tmm.paper.drawing import Label, Stroke, line
+from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.symbols.kinematic import arrowhead
+
+ARROW = 3.0
+BEYOND = 2.0
+"""How far an extension line goes on behind the arrows, mm."""
+ABOVE = 0.9
+"""Clear height between the dimension line and its figure, mm."""
+SIZE = 3.5
+
+
+class Dimension(NamedTuple):
+    """The lines of a dimension and its figure."""
+
+    strokes: tuple[Stroke, ...]
+    label: Label
+
+
+def dimension(start: complex, end: complex, offset: float, text: str) -> Dimension:
+    """Return the dimension of ``start``–``end`` on a line ``offset`` mm to its left.
+
+    The figure stands above the line, or left of a vertical one; where the arrows have no room between the
+    extension lines they stand outside, and the line goes on behind them. What has no length is measured
+    along the x axis.
+    """
+    way = (end - start) / abs(end - start) if end != start else 1 + 0j
+    out = 1j * way * math.copysign(1.0, offset)
+    a, b = start + abs(offset) * out, end + abs(offset) * out
+    strokes = [line("thin", z, w + BEYOND * out) for z, w in ((start, a), (end, b))]
+    made = letter(text, size=SIZE)
+    inside = abs(end - start) >= 2 * ARROW + 1.0
+    reach = 0.0 if inside else 2 * ARROW
+    strokes.append(line("thin", a - reach * way, b + reach * way))
+    for tip, sense in ((a, -1), (b, 1)):
+        strokes += arrowhead(tip, way * sense * (1 if inside else -1), pen="thin", length=ARROW)
+    read = way if (way.real, way.imag) > (1e-9, 0.0) or abs(way.real) < 1e-9 < way.imag else -way
+    if abs(read.real) < 1e-9:
+        read = 1j
+    middle = (a + b) / 2
+    if made.width > abs(end - start):
+        middle = b + (reach + 1.0 + made.width / 2) * way
+        strokes.append(line("thin", b + reach * way, middle + made.width / 2 * way))
+    at = middle + (ABOVE + made.descent) * 1j * read
+    label = Label(text, at, SIZE, "middle", round(math.degrees(cmath.phase(read)), 6))
+    return Dimension(tuple(strokes), label)
+
+
+def shelf(point: complex, bend: complex, text: str) -> Dimension:
+    """Return a leader from a point to a shelf on which a text stands; to the right of ``bend``."""
+    made = letter(text, size=SIZE)
+    end = bend + made.width + 1.0
+    strokes = (
+        line("thin", point, bend, end),
+        *arrowhead(point, point - bend, pen="thin", length=ARROW),
+    )
+    return Dimension(strokes, Label(text, bend + 0.5 + 1j * (ABOVE + made.descent), SIZE))

@@ -1,0 +1,156 @@
+"""Symbols of kinematic diagrams (ГОСТ 2.770), in millimetres on the paper, y upward.
+
+The standard shows the shapes; its sizes are left to the draughtsman and stand here as constants.
+Every function returns a tuple of strokes in sheet coordinates. Points and directions are complex,
+angles are in degrees, counter-clockwise. A slider ("body") hides the guide under it, and a rod
+(pen "rod") runs over the slider to the pin ("joint"), which hides them all.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+
+import shapely
+
+from graphic_tmm.paper.drawing import Stroke, arc, circle, line
+from graphic_tmm.paper.symbols.hatching import hatched
+
+JOINT_RADIUS = 1.5
+FOOT_HEIGHT, FOOT_WIDTH, GROUND_LENGTH = 7.0, 8.0, 12.0
+HATCH_PITCH, HATCH_DEPTH = 1.5, 2.0
+MOST_HATCHES = 2000
+PLATE_PITCH = 2.0
+SLIDER_LENGTH, SLIDER_WIDTH = 12.0, 6.0
+STONE_LENGTH, STONE_WIDTH = 10.0, 5.0
+CORNER, ROOF = 4.0, 3.2
+ARROW_LENGTH, ARROW_WIDTH = 4.5, 1.2
+POLE_RADIUS = 0.7
+
+Strokes = tuple[Stroke, ...]
+
+
+def turning_pair(at: complex) -> Strokes:
+    """Return a turning pair: a circle of 1.5 mm radius with the paper inside."""
+    return (circle("joint", at, JOINT_RADIUS),)
+
+
+def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
+    """Return a pivot on the frame: pin, legs, base line, hatching; ``angle`` turns its foot."""
+    turn = cmath.rect(1.0, math.radians(angle))
+    feet = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-FOOT_WIDTH / 2, FOOT_WIDTH / 2)]
+    ends = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-GROUND_LENGTH / 2, GROUND_LENGTH / 2)]
+    legs = line("main", feet[0], at, feet[1])
+    return (legs, *guide(ends[0], ends[1], sides=(-1,)), *turning_pair(at))
+
+
+def hatching(start: complex, end: complex, side: int) -> Strokes:
+    """Return strokes at 45° along a line: ``side`` +1 to the left of start -> end, -1 right.
+
+    The strokes stay between the ends; they are 1.5 mm apart along the line, or farther along one that no
+    sheet holds: it is refused only later, and not to be waited for.
+    """
+    length = abs(end - start)
+    if length <= HATCH_DEPTH:
+        return ()
+    along = (end - start) / length
+    slant = HATCH_DEPTH * along * complex(-1, side)
+    pitch = max(HATCH_PITCH, length / MOST_HATCHES)
+    count = math.floor((length - HATCH_DEPTH) / pitch + 1e-9)
+    first = (length - HATCH_DEPTH - count * pitch) / 2 + HATCH_DEPTH
+    roots = (start + along * (first + k * pitch) for k in range(count + 1))
+    return tuple(line("thin", root, root + slant) for root in roots)
+
+
+def guide(start: complex, end: complex, *, sides: Sequence[int] = (-1,)) -> Strokes:
+    """Return a fixed guide: a main line hatched on ``sides`` (+1 left of it, -1 right)."""
+    hatched = (stroke for side in sides for stroke in hatching(start, end, side))
+    return (line("main", start, end), *hatched)
+
+
+def channel(at: complex, angle: float, length: float, *, width: float = SLIDER_WIDTH) -> Strokes:
+    """Return two guides ``width`` mm apart, hatched outside: a slider runs between them."""
+    turn = cmath.rect(1.0, math.radians(angle))
+    half, gap = turn * length / 2, 1j * turn * width / 2
+    upper = guide(at - half + gap, at + half + gap, sides=(1,))
+    return upper + guide(at - half - gap, at + half - gap, sides=(-1,))
+
+
+def slider(
+    at: complex,
+    angle: float = 0.0,
+    *,
+    length: float = SLIDER_LENGTH,
+    width: float = SLIDER_WIDTH,
+    pin: bool = True,
+) -> Strokes:
+    """Return a slider: a rectangle turned by ``angle``; ``pin`` adds a turning pair."""
+    turn = cmath.rect(0.5, math.radians(angle))
+    corners = ((-length, -width), (length, -width), (length, width), (-length, width))
+    box = line("body", *(at + turn * complex(x, y) for x, y in corners), closed=True)
+    return (box, *turning_pair(at)) if pin else (box,)
+
+
+def stone(at: complex, angle: float = 0.0, *, pin: bool = True) -> Strokes:
+    """Return the stone on a rocker: a smaller rectangle than the slider on a fixed guide."""
+    return slider(at, angle, length=STONE_LENGTH, width=STONE_WIDTH, pin=pin)
+
+
+def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:
+    """Return the filled corner that joins two rods rigidly, given their directions from ``at``.
+
+    Where the rods are in one line (a pin in the middle of a rod) the corner lies on the left of
+    ``first``.
+    """
+    u, v = first / abs(first), second / abs(second)
+    sine = (u.conjugate() * v).imag
+    if abs(sine) < 0.1:
+        points = (at - CORNER * u, at + CORNER * u, at + ROOF * 1j * u)
+    else:
+        points = (at, at + CORNER * u, at + CORNER * v)
+        points = points if sine > 0 else (points[0], points[2], points[1])
+    return (line("main", *points, closed=True, filled=True),)
+
+
+def plate(*corners: complex) -> Strokes:
+    """Return a link of three pairs or more: a main outline, thin hatching at 45° inside."""
+    area = shapely.Polygon([(z.real, z.imag) for z in corners])
+    return (line("main", *corners, closed=True), *hatched(area, pitch=PLATE_PITCH))
+
+
+def arrowhead(
+    tip: complex,
+    direction: complex,
+    *,
+    pen: str = "main",
+    length: float = ARROW_LENGTH,
+    width: float = ARROW_WIDTH,
+) -> Strokes:
+    """Return a filled arrowhead with its point at ``tip``, pointing along ``direction`` (not 0)."""
+    u = direction / abs(direction)
+    base = tip - length * u
+    wing = 1j * u * width / 2
+    return (line(pen, tip, base + wing, base - wing, closed=True, filled=True),)
+
+
+def round_arrow(
+    centre: complex, radius: float, start: float, sweep: float, *, pen: str = "thin"
+) -> Strokes:
+    """Return the arrow of an angular velocity: an arc over ``sweep`` degrees, headed at its end.
+
+    The head is a chord of the arc, so that it follows the turn; it is shortened to half of a short
+    arc.
+    """
+    sense = math.copysign(1.0, sweep)
+    head = min(2 * math.asin(min(1.0, ARROW_LENGTH / (2 * radius))), math.radians(abs(sweep)) / 2)
+    end = math.radians(start + sweep)
+    tip = centre + cmath.rect(radius, end)
+    base = centre + cmath.rect(radius, end - sense * head)
+    bow = arc(pen, centre, radius, start, sweep - sense * math.degrees(head))
+    return (bow, *arrowhead(tip, tip - base, pen=pen, length=abs(tip - base)))
+
+
+def pole(at: complex) -> Strokes:
+    """Return the mark of a pole: a filled dot."""
+    return (circle("main", at, POLE_RADIUS, filled=True),)

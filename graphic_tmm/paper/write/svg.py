@@ -1,0 +1,353 @@
+"""A sheet as SVG in true millimetres: only here is y turned over, only here is svgwrite used.
+
+A drawing becomes a group with its title, a layer to Inkscape; in it every pen has a group that carries the
+style, and the strokes of one pen are one path, except those that a page must find (a title, data). Lettering
+is drawn as strokes, each label a group that bears its words as a title; live text there is none, for a CAD
+program would take it for ink. Where a search needs it (in a PDF) it lies white under everything.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import os
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+from urllib.parse import quote
+from xml.etree import ElementTree
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, Vertex
+from graphic_tmm.paper.lettering import letters
+from graphic_tmm.paper.pens import Pen, fitted, pens, tracing
+
+if TYPE_CHECKING:
+    import svgwrite
+
+FLAT = 5e-4
+"""An arc that departs from its chord by less (mm) is drawn straight."""
+
+SAMPLES = 16
+"""Chords by which the length of one cubic arc is taken, for its dashes."""
+
+FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""Characters that XML 1.0 does not allow."""
+
+ANCHORS = {"start": 0.0, "middle": 0.5, "end": 1.0}
+
+Ink = Stroke | Bezier
+
+
+def number(value: float) -> str:
+    """Return a number with at most three decimals, without trailing zeros or a negative zero."""
+    if not math.isfinite(value):
+        raise SheetError(f"a coordinate of the sheet is not a finite number: {value}")
+    text = f"{value:.3f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def clean(text: str) -> str:
+    """Return text without the characters XML forbids, every run of white space as one space."""
+    return " ".join(FORBIDDEN.sub("", text).split())
+
+
+class Under(NamedTuple):
+    """A picture that lies under a sheet, as large: its file, beside the SVG; the colour of the ink over it."""
+
+    file: str
+    colour: str = "#d0006f"
+
+
+def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -> str:
+    """Return the sheet as SVG text: millimetres, one element a line, no outside references.
+
+    ``under``: a picture instead of the paper; all ink upon it is thin, of one colour, and hides nothing.
+    ``searchable``: with live text, white under the ink.
+
+    Raises SheetError for a coordinate that is not finite, an unknown pen, or an unfit data name.
+    """
+    import svgwrite
+
+    width, height = number(sheet.width), number(sheet.height)
+    page = svgwrite.Drawing(
+        size=(f"{width}mm", f"{height}mm"),
+        viewBox=f"0 0 {width} {height}",
+        profile="full",
+        debug=False,
+    )
+    page.elements.clear()  # an empty <defs>
+    page["xmlns:inkscape"] = "http://www.inkscape.org/namespaces/inkscape"
+    if sheet.language:
+        page["lang"] = page["xml:lang"] = sheet.language
+    titles = "; ".join(clean(drawing.title or drawing.name) for drawing in sheet.drawings)
+    page.set_desc(title=clean(sheet.title), desc=titles)
+    writer = _Writer(page, sheet.height)
+    if under is None:
+        page.add(page.rect(size=(width, height), fill="white", class_="paper"))
+    else:
+        page.add(writer.picture(under.file, width, height))
+    if searchable:
+        page.add(writer.words(label for drawing in sheet.drawings for label in drawing.labels))
+    names = _ids([f"{sheet.name}-{drawing.name}" for drawing in sheet.drawings])
+    box = pens(sheet.format)
+    if under is not None:
+        box = tracing(box, under.colour)
+        writer.trace = box["thin"]
+    for name, drawing in zip(names, sheet.drawings, strict=True):
+        page.add(writer.drawing(name, drawing, box))
+    tree = page.get_xml()
+    ElementTree.indent(tree, space="")
+    return ElementTree.tostring(tree, encoding="unicode") + "\n"
+
+
+class _Writer:
+    """What turns records of ink into elements of one page."""
+
+    def __init__(self, page: svgwrite.Drawing, height: float) -> None:
+        self.page = page
+        self.height = height
+        self.trace: Pen | None = None
+        """The one pen of all lettering; None: black, as wide as its size asks for."""
+
+    def drawing(self, name: str, drawing: Drawing, box: Mapping[str, Pen]) -> Any:
+        """Return the group of a drawing: its pens in their order, then its lettering."""
+        group = self.layer(clean(drawing.title or drawing.name))
+        group.update({"id": name, "class_": f"drawing {_slug(drawing.name)}"})
+        unknown = {stroke.pen for stroke in drawing.strokes} - set(box)
+        if unknown:
+            raise SheetError(f"{drawing.name}: no such pen: {', '.join(sorted(unknown))}")
+        for key, pen in box.items():
+            strokes = [stroke for stroke in drawing.strokes if stroke.pen == key]
+            if strokes:
+                group.add(self.pen(key, pen, strokes))
+        for width, labels in _by_width(drawing.labels).items():
+            group.add(self.lettering(width, labels))
+        return group
+
+    def layer(self, title: str) -> Any:
+        """Return an empty group that Inkscape takes for a layer."""
+        group = self.page.g()
+        group["inkscape:groupmode"] = "layer"
+        group["inkscape:label"] = title
+        group.set_desc(title=title)
+        return group
+
+    def picture(self, file: str, width: str, height: str) -> Any:
+        """Return a layer with a picture of the size of the sheet."""
+        group = self.layer(clean(file))
+        placed = self.page.image(_address(file), insert=(0, 0), size=(width, height))
+        placed.stretch()
+        group.add(placed)
+        return group
+
+    def pen(self, key: str, pen: Pen, strokes: Sequence[Ink]) -> Any:
+        """Return the group of one pen: merged paths, and the strokes with data one by one."""
+        group = self.page.g(
+            class_=f"pen {key}",
+            fill=pen.fill,
+            stroke=pen.colour,
+            stroke_width=number(pen.width),
+            stroke_linecap="butt" if pen.dashes else "round",
+            stroke_linejoin="round",
+        )
+        merged: dict[tuple[object, ...], list[str]] = {}
+        styles: dict[tuple[object, ...], dict[str, str]] = {}
+        alone = []
+        for stroke in strokes:
+            if stroke.title or stroke.data or pen.fill != "none":
+                alone.append(stroke)
+                continue
+            style = _style(pen, stroke)
+            shape = (*style.values(), _turn(stroke))
+            styles[shape] = style
+            merged.setdefault(shape, []).append(path_data(stroke, self.height))
+        for shape, pieces in merged.items():
+            group.add(self.page.path(d="".join(pieces), **styles[shape]))
+        for stroke in alone:
+            group.add(self.single(pen, stroke))
+        return group
+
+    def single(self, pen: Pen, stroke: Ink) -> Any:
+        """Return the path of one stroke with its title and its data attributes."""
+        element = self.page.path(d=path_data(stroke, self.height), **_style(pen, stroke))
+        for name, value in stroke.data:
+            element[_attribute(name)] = clean(value)
+        if stroke.title:
+            element.set_desc(title=clean(stroke.title))
+        return element
+
+    def lettering(self, width: float, labels: Sequence[Label]) -> Any:
+        """Return the labels written with a pen of one width (mm)."""
+        ink = self.trace or Pen(width)
+        group = self.page.g(
+            class_="lettering",
+            fill="none",
+            stroke=ink.colour,
+            stroke_width=number(ink.width),
+            stroke_linecap="round",
+            stroke_linejoin="round",
+        )
+        for label in labels:
+            written = letters.letter(label.text, size=label.size, inclined=label.inclined)
+            if not written.parts:
+                continue
+            start = label.at - shift(label, written.width)
+            x, y = start.real, self.height - start.imag
+            words = clean(letters.plain(label.text))
+            element = group.add(self.page.g(class_="label", aria_label=words, role="img"))
+            element.set_desc(title=words)
+            for pen in written.pens:
+                d = letters.svg_path(written, x, y, angle=label.turn, pen=pen)
+                own = {} if pen == width or self.trace else {"stroke_width": number(pen)}
+                element.add(self.page.path(d=d, **own))
+        return group
+
+    def words(self, labels: Iterable[Label]) -> Any:
+        """Return the white layer of live text: only for search and for copying out."""
+        group = self.page.g(
+            class_="words", fill="white", font_family="sans-serif", aria_hidden="true"
+        )
+        for label in labels:
+            text = clean(letters.plain(label.text))
+            if not text:
+                continue
+            x, y = number(label.at.real), number(self.height - label.at.imag)
+            style = {"font_size": number(label.size), "text_anchor": label.anchor}
+            if label.turn:
+                style["transform"] = f"rotate({number(-label.turn)} {x} {y})"
+            group.add(self.page.text(text, x=[x], y=[y], **style))
+        return group
+
+
+def path_data(stroke: Ink, height: float) -> str:
+    """Return the path data of a stroke on a page ``height`` mm high, y downward."""
+    if isinstance(stroke, Bezier):
+        if len(stroke.controls) % 3 != 1:
+            raise SheetError(f"a curve of cubic arcs has 3n + 1 points, not {len(stroke.controls)}")
+        first, *rest = (f"{number(z.real)} {number(height - z.imag)}" for z in stroke.controls)
+        return f"M{first}C{' '.join(rest)}"
+    if not stroke.path:
+        raise SheetError(f"a stroke of the pen {stroke.pen!r} has no points")
+    x, y, _ = stroke.path[0]
+    parts = [f"M{number(x)} {number(height - y)}"]
+    straight_home = stroke.closed and stroke.path[-1][2] == 0  # which "Z" draws
+    segments = _segments(stroke)[:-1] if straight_home else _segments(stroke)
+    parts += [_segment(a, b, height) for a, b in segments]
+    return "".join(parts) + ("Z" if stroke.closed else "")
+
+
+def _segment(a: Vertex, b: Vertex, height: float) -> str:
+    """Return a line or an arc, in pieces of 90° at most so that rounding keeps its centre."""
+    start, end, bulge = complex(*a[:2]), complex(*b[:2]), a[2]
+    chord = end - start
+    if bulge == 0 or abs(bulge * chord) / 2 < FLAT:
+        return f"L{number(end.real)} {number(height - end.imag)}"
+    centre = (start + end) / 2 + 1j * chord * (1 - bulge * bulge) / (4 * bulge)
+    angle = 4 * math.atan(bulge)
+    pieces = math.ceil(abs(angle) / (math.pi / 2) - 1e-9)
+    radius, sweep = number(abs(start - centre)), 0 if bulge > 0 else 1
+    ends = [centre + (start - centre) * cmath.rect(1, angle * k / pieces) for k in range(1, pieces)]
+    return "".join(
+        f"A{radius} {radius} 0 0 {sweep} {number(z.real)} {number(height - z.imag)}"
+        for z in (*ends, end)
+    )
+
+
+def _segments(stroke: Stroke) -> list[tuple[Vertex, Vertex]]:
+    """Return the pairs of vertices that a stroke joins, for a closed one back to its start."""
+    path = stroke.path
+    pairs = list(pairwise(path))
+    return [*pairs, (path[-1], path[0])] if stroke.closed else pairs
+
+
+def _length(stroke: Ink) -> float:
+    """Return the length of a stroke in mm; of a curve by its chords."""
+    if isinstance(stroke, Bezier):
+        points = _samples(stroke.controls)
+        return sum(abs(b - a) for a, b in pairwise(points))
+    total = 0.0
+    for (x, y, bulge), (u, v, _) in _segments(stroke):
+        chord, angle = math.hypot(u - x, v - y), 4 * math.atan(abs(bulge))
+        total += chord if bulge == 0 else chord * angle / (2 * math.sin(angle / 2))
+    return total
+
+
+def _samples(controls: Sequence[complex]) -> list[complex]:
+    """Return points along cubic arcs, `SAMPLES` chords to each."""
+    points = [controls[0]]
+    for k in range(0, len(controls) - 1, 3):
+        a, b, c, d = controls[k : k + 4]
+        for t in (i / SAMPLES for i in range(1, SAMPLES + 1)):
+            s = 1 - t
+            points.append(s**3 * a + 3 * s * s * t * b + 3 * s * t * t * c + t**3 * d)
+    return points
+
+
+def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
+    """Return what a stroke adds to the style of its group: its own dashes, or its filling."""
+    if isinstance(stroke, Stroke) and stroke.filled:
+        return {"fill": pen.colour if pen.fill == "none" else pen.fill, "stroke": "none"}
+    closed = isinstance(stroke, Stroke) and stroke.closed
+    dashes = fitted(pen.dashes, _length(stroke), closed=closed) if pen.dashes else ()
+    return {"stroke_dasharray": " ".join(map(number, dashes))} if dashes else {}
+
+
+def _turn(stroke: Ink) -> bool:
+    """Tell whether a filled shape runs clockwise: both turns in one path would leave holes."""
+    if isinstance(stroke, Bezier) or not stroke.filled:
+        return False
+    area = sum(a[0] * b[1] - b[0] * a[1] + _bow(a, b) for a, b in _segments(stroke))
+    return area < 0
+
+
+def _bow(a: Vertex, b: Vertex) -> float:
+    """Return twice the area between an arc and its chord, taken as a parabola."""
+    return (4 / 3) * a[2] * ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) / 2
+
+
+def _by_width(labels: Iterable[Label]) -> dict[float, list[Label]]:
+    """Return the labels grouped by the width of their pen, in the order first met."""
+    groups: dict[float, list[Label]] = {}
+    for label in labels:
+        groups.setdefault(letters.letter(label.text, size=label.size).pen, []).append(label)
+    return groups
+
+
+def shift(label: Label, width: float) -> complex:
+    """Return the way from the start of a label's lettering to its anchor."""
+    if label.anchor not in ANCHORS:
+        raise SheetError(
+            f"label {label.text!r}: anchor {label.anchor!r} is none of {', '.join(ANCHORS)}"
+        )
+    return cmath.rect(width * ANCHORS[label.anchor], math.radians(label.turn))
+
+
+def _attribute(name: str) -> str:
+    """Return the name of a data attribute."""
+    if not re.fullmatch("[a-z][a-z0-9-]*", name):
+        raise SheetError(f"{name!r} is no name of data: use small letters, digits and '-'")
+    return f"data-{name}"
+
+
+def _address(file: str) -> str:
+    """Return the name of a file in this folder as an address: only what would mean something else is coded."""
+    return re.sub("[%#?:\\\\\x00-\x1f\x7f\ud800-\udfff]", lambda c: quote(os.fsencode(c[0])), file)
+
+
+def _slug(text: str) -> str:
+    """Return text as a word fit for an id: Latin letters and digits, everything else as one '-'."""
+    return re.sub("[^0-9a-z]+", "-", text.lower()).strip("-") or "x"
+
+
+def _ids(names: Sequence[str]) -> list[str]:
+    """Return unique ids: a name met again is numbered from 2."""
+    taken: dict[str, None] = {}
+    for name in names:
+        base, k = f"s-{_slug(name)}", 2
+        unique = base
+        while unique in taken:
+            unique, k = f"{base}-{k}", k + 1
+        taken[unique] = None
+    return list(taken)

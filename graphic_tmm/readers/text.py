@@ -1,0 +1,111 @@
+"""Tables for a terminal: in blocks of positions that fit its width, so that nothing of them is cut."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+from typing import Any
+
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.captions.symbols import result_symbol, symbol
+from graphic_tmm.language.words import fixed, number, plain, unit
+from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.readers.spread import QUANTILES
+
+FRAME = 3
+"""What the frame and the room about a cell take beside its text, characters; one more for the whole table."""
+Rows = list[list[str]]
+
+
+def rich_tables(
+    table: Sequence[Column],
+    positions: Positions,
+    language: str,
+    title: str,
+    decimals: int,
+    width: int,
+) -> list[Any]:
+    """Return the tables for a terminal of so many characters, a plan after the other; positions run across.
+
+    mm are told with ``decimals``. What does not fit beside one another stands in blocks below one another, each
+    with its heads.
+    """
+    words, made = CAPTIONS[language], []
+    for (plan, at), group in groupby(table, key=lambda column: (column.plan, column.at)):
+        columns = list(group)
+        names = [name for name, _ in at or positions]
+        shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
+        heads = [words["segment"], words["unit"], *(names[k] for k in shown)]
+        rows = [row for column in columns for row in _rows(column, shown, decimals, language)]
+        told = f"{title}. {words[plan]}"
+        for k, block in enumerate(_blocks([heads, *rows], width)):
+            made += _ruled(told if k == 0 else f"{told} ({words['continued']})", block)
+    return made
+
+
+def result_tables(results: Mapping[str, tuple[float, str]], language: str, title: str) -> list[Any]:
+    """Return the table of results for a terminal; none if there are none."""
+    if not results:
+        return []
+    words = CAPTIONS[language]
+    rows = [[words["results"], words["value"], words["unit"]]]
+    for name, (value, of) in results.items():
+        rows.append([result_name(name, language), number(value, language, 6), unit(of, language)])
+    return _ruled(f"{title}. {words['results']}", rows, left=True)
+
+
+def column_name(column: Column, language: str) -> str:
+    """Return what a column is called, as mark-up: a word of the catalogue, or its mark's name."""
+    return CAPTIONS[language].get(column.letter) or symbol(column.letter, language)
+
+
+def result_name(name: str, language: str) -> str:
+    """Return what a result is called, as plain text; of many drawings, behind it which of their quantiles."""
+    stem, _, quantile = name.rpartition("_")
+    if stem and quantile in QUANTILES:
+        return f"{result_name(stem, language)} {quantile}"
+    return plain(CAPTIONS[language].get(name) or result_symbol(name, language))
+
+
+def _rows(
+    column: Column, shown: Sequence[int], decimals: int, language: str
+) -> Iterator[list[str]]:
+    """Yield the rows of a column: its mm, if it has any, and the quantity, if it is one."""
+    letter = plain(column_name(column, language))
+    if any(x is not None for x in column.mm):
+        cells = [fixed(column.mm[k], decimals, language) for k in shown]
+        yield [letter, unit("mm", language), *cells]
+    figures = [column.value[k] for k in shown]
+    yield [
+        letter,
+        unit(column.unit, language),
+        *("—" if x is None else number(x, language) for x in figures),
+    ]
+
+
+def _blocks(rows: Rows, width: int) -> Iterator[Rows]:
+    """Yield parts of a table, so wide at the most: the two columns of heads, then as many others as fit."""
+    needed = [max(len(row[k]) for row in rows) + FRAME for k in range(len(rows[0]))]
+    heads, at = sum(needed[:2]) + 1, 2
+    while True:
+        end, used = at, heads
+        while end < len(needed) and (end == at or used + needed[end] <= width):
+            used += needed[end]
+            end += 1
+        yield [[*row[:2], *row[at:end]] for row in rows]
+        at = end
+        if at >= len(needed):
+            return
+
+
+def _ruled(title: str, rows: Rows, *, left: bool = False) -> list[Any]:
+    """Return the title, which may be longer than its table is wide, and the table."""
+    from rich.table import Table
+    from rich.text import Text
+
+    out = Table()
+    for head in rows[0]:
+        out.add_column(Text(head), justify="left" if left else "right", no_wrap=True)
+    for row in rows[1:]:
+        out.add_row(*map(Text, row))
+    return [Text(title, style="italic"), out]

@@ -1,0 +1,125 @@
+"""Tables written down for machines: as JSON and as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from graphic_tmm.readers.columns import Column, Positions
+
+DIGITS = 4
+"""Significant digits of a quantity that is not read off a length itself, as the protocol tells it."""
+
+
+def as_json(
+    scene: str,
+    scales: dict[str, dict[str, Any]],
+    positions: Positions,
+    table: Sequence[Column],
+    results: dict[str, Any],
+) -> str:
+    """Return the tables as one JSON object (see scene/README.md); null where a position cannot be drawn."""
+    document = {
+        "scene": scene,
+        "scales": scales,
+        "positions": [{"number": name, "angle_deg": angle} for name, angle in positions],
+        "columns": [
+            {
+                "plan": c.plan,
+                "segment": c.segment,
+                "unit": c.unit,
+                "positions": [name for name, _ in c.at or positions],
+                "mm": _tidy(c.mm),
+                "value": _tidy(c.value),
+            }
+            for c in table
+        ],
+        "results": results,
+    }
+    return json.dumps(document, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def as_csv(
+    positions: Positions,
+    table: Sequence[Column],
+    division: float | None = None,
+    *,
+    comma: bool = False,
+) -> str:
+    """Return the tables as CSV: a line for each segment and position.
+
+    Parameters
+    ----------
+    division
+        Of the ruler, mm. A length is told to it, and a quantity to what it stands for; None: all digits.
+    comma
+        Decimal commas, and semicolons between the cells.
+    """
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n", delimiter=";" if comma else ",")
+    writer.writerow(["plan", "position", "angle_deg", "segment", "mm", "value", "unit"])
+
+    def put(text: str) -> str:
+        return text.replace(".", ",") if comma else text
+
+    for column in table:
+        figures = _figures(column, division)
+        for (name, angle), (mm, value) in zip(column.at or positions, figures, strict=True):
+            if value or mm:
+                degrees = "" if angle is None else put(_degrees(angle, division))
+                cells = (column.plan, name, degrees, column.segment, put(mm), put(value))
+                writer.writerow([*cells, column.unit])
+    return out.getvalue()
+
+
+def decimals_of(division: float) -> int:
+    """Return how many decimals a figure has that is told to a division.
+
+    >>> decimals_of(0.1), decimals_of(0.5), decimals_of(0.025), decimals_of(20.0)
+    (1, 1, 2, 0)
+    """
+    return max(0, math.ceil(-math.log10(division) - 1e-9)) if division > 0 else 0
+
+
+def _figures(column: Column, division: float | None) -> Iterator[tuple[str, str]]:
+    """Yield the figures of a column as text, mm and quantity of each position; "" for none."""
+    pairs = zip(column.mm, column.value, strict=True)
+    known = [(mm, value) for mm, value in pairs if mm and value]
+    mu = abs(known[0][1] / known[0][0]) if known else None
+    for mm, value in zip(_tidy(column.mm), _tidy(column.value), strict=True):
+        if division is None:
+            yield _plain(mm), _plain(value)
+            continue
+        length = "" if mm is None else _fixed(mm, decimals_of(division))
+        if value is None:
+            yield length, ""
+        elif mm is None or mu is None:
+            yield length, _plain(float(f"{value:.{DIGITS}g}"))
+        else:
+            yield length, _fixed(value, decimals_of(mu * division))
+
+
+def _plain(value: float | None) -> str:
+    """Return a number with the digits that it has: no decimals of a whole one, "" for none."""
+    if value is None:
+        return ""
+    text = repr(float(f"{value:.12g}") + 0.0)
+    return text.removesuffix(".0")
+
+
+def _degrees(angle: float, division: float | None) -> str:
+    return _plain(angle if division is None else round(angle, 3))
+
+
+def _fixed(value: float, places: int) -> str:
+    text = f"{value:.{places}f}"
+    return text.lstrip("-") if float(text) == 0 else text
+
+
+def _tidy(row: Sequence[float | None]) -> list[float | None]:
+    """Return figures without the noise of the last bits: 12 significant digits, no -0."""
+    return [None if x is None else float(f"{x:.12g}") + 0.0 for x in row]

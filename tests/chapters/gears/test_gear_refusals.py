@@ -1,0 +1,53 @@
+"""Orders that cannot be a gear pair: each refused with what is wrong and what to do."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.chapters.gears.plan import draw_gear
+from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.errors import StructureError
+
+GOOD = GearOrder(15, 25, 0.008, 0.83, 0.445)
+NAN = float("nan")
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"z1": 4}, "z1 = 4: a whole number 5 to 2000 is wanted"),
+        ({"z2": -20}, "z2 = -20: a whole number 5"),
+        ({"z1": 15.5}, "z1 = 15.5: a whole number"),
+        ({"z2": NAN}, "z2 = nan: a whole number"),
+        ({"z1": True}, "z1 = True: a whole number"),
+        ({"m": 0.0}, "m = 0: a number greater than 0 is wanted"),
+        ({"m": float("inf")}, "m = inf: a number greater than 0"),
+        ({"ha": -1.0}, "ha = -1: a number greater than 0"),
+        ({"c": -0.1}, "c = -0.1: a number 0 to 5"),
+        ({"alpha": 0.0}, "alpha = 0: a number greater than 0 and less than 45"),
+        ({"alpha": 50.0}, "alpha = 50: a number greater than 0 and less than 45"),
+        ({"x1": NAN}, "x1 = nan: a number -5 to 5"),
+        ({"delta_y": NAN}, "delta_y = nan: a number"),
+        ({"steps": 2}, "steps = 2: a whole number 4 to 60"),
+        ({"steps": 7.5}, "steps = 7.5: a whole number"),
+        ({"stations": (-3.0,)}, "stations = -3: a number greater than 0"),
+        ({"mu": -0.001}, "mu_l = -0.001: a number greater than 0"),
+        ({"ha": 2.5}, r"comes to a point above the depth ha \+ c = 2.75: take a smaller ha or c"),
+        ({"x1": -1.0, "x2": -1.0}, r"no working angle .* must be greater than -0.819"),
+        ({"z1": 5, "x1": -1.4, "x2": 1.5}, "wheel 1 has no body.* raise x1 or z1"),
+        ({"delta_y": 2.0, "x1": 0.4}, "tip circle of wheel 1 .* inside its base circle"),
+        ({"z1": 60, "x1": 2.0, "delta_y": 2.9}, "lies inside its root circle|inside its base circle"),
+        ({"z1": 60, "x1": -3.0, "x2": 3.5}, "inside its base circle .* raise x1"),
+        ({"z1": 5, "x1": 5.0}, "leaves wheel 1 no tooth"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_a_gear_is_refused_with_a_remedy(changes: dict, says: str) -> None:
+    with pytest.raises(StructureError, match=says):
+        draw_gear(Draft(), replace(GOOD, **changes))
+
+
+def test_a_good_order_is_drawn() -> None:
+    assert draw_gear(Draft(), GOOD).order == GOOD

@@ -1,0 +1,133 @@
+"""Vector equations: those of the textbook for each kind of group, read off the log, true in numbers."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+from gallery import PLANS, SHEETS
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics.equations import Equation, ends_of, equations, quantity
+from graphic_tmm.readers.columns import segment_name
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import fitted
+from graphic_tmm.work import Work
+
+
+@cache
+def drawn(name: str) -> Work:
+    return fitted(read(SHEETS / name), exact=True)
+
+
+def found(name: str, plan: str) -> list[Equation]:
+    work = drawn(name)
+    turned = work.scene.turned and plan == "velocities"
+    return list(equations(work.project.construction, plan, turned=turned))
+
+
+def test_the_equations_of_a_crank_and_slider() -> None:
+    (velocity,) = found("engine", "velocities")
+    assert velocity.group == "II(2-3)"
+    assert velocity.markup == r"\u{\bar{v}_{B}} = \uu{\bar{v}_{A}} + \u{\bar{v}_{BA}}"
+    assert velocity.directions == "v_{B} ∥ x–x, v_{BA} ⊥ AB"
+    (acceleration,) = found("engine", "accelerations")
+    assert acceleration.text == "a_B = a_A + a_BA^n + a_BA^t"
+    assert acceleration.markup.count(r"\uu{") == 2
+    assert acceleration.directions == "a_{B} ∥ x–x, a_{BA}^{n}: B → A, a_{BA}^{t} ⊥ AB"
+
+
+@pytest.mark.slow
+def test_a_rocker_with_a_stone_has_a_coriolis_term_known_wholly() -> None:
+    first, second = found("windrower", "accelerations")
+    assert first.text == "a_A3 = a_A + a_A3A^k + a_A3A^r = a_A3B^n + a_A3B^t"
+    assert r"\uu{\bar{a}_{A3A}^{k}} + \u{\bar{a}_{A3A}^{r}}" in first.markup
+    assert first.markup.startswith(r"\bar{a}_{A3} =")  # its direction is not known beforehand
+    assert second.text == "a_D = a_C + a_DC^n + a_DC^t"
+
+
+def test_a_turned_plan_has_the_same_equations_as_a_direct_one() -> None:
+    log = drawn("engine").project.construction
+    (turned,) = equations(log, "velocities", turned=True)
+    (mistaken,) = equations(log, "velocities", turned=False)
+    assert "v_{BA} ⊥ AB" in turned.directions
+    assert "v_{BA} ∥ AB" in mistaken.directions
+    (direct,) = equations(drawn("offset-slider").project.construction, "velocities")
+    assert direct.directions == turned.directions
+
+
+def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
+    log = drawn("tangent-mechanism").project.construction
+    assert list(equations(log, "positions")) == []
+    assert list(equations(log, "nothing")) == []
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS)
+def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
+    name: str, plan: str
+) -> None:
+    groups = [f"II({g.name})" for g in drawn(name).project.structure.groups]
+    assert [e.group for e in found(name, plan)] == groups
+    for equation in found(name, plan):
+        assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
+
+
+@pytest.mark.parametrize(("name", "plan"), PLANS)
+def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) -> None:
+    """Along its known direction, the unknown vector is what the rest of the side leaves."""
+    work = drawn(name)
+    reading = work.reading if plan == "velocities" else work.accelerated
+    assert reading is not None
+    log = work.project.construction
+    lengths: dict[str, Mark] = {}
+    for mark in work.project.marks(plan):
+        if mark.kind.__name__ == "Length":
+            lengths.setdefault(quantity(mark.name), mark)
+    for equation in found(name, plan):
+        point = log.mark(plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower())
+        assert point is not None
+        for side in equation.sides:
+            known = [term for term in side if term.known]
+            unknown = side[-1]
+            assert not unknown.known
+            assert all(term.known for term in side[:-1])
+            start = log.mark(plan, known[0].symbol[2:].strip("_{}").lower())
+            total = np.abs(reading[point] - (reading[start] if start is not None else 0.0)) ** 2
+            parts = [lengths[t.symbol] for t in side if t.direction]
+            squares = sum(np.abs(reading[mark]) ** 2 for mark in parts)
+            assert np.allclose(total, squares, rtol=1e-9, atol=1e-9), equation.text
+
+
+@pytest.mark.parametrize(
+    ("letter", "due"),
+    [
+        ("pb", "v_{B}"),
+        ("aa3", "v_{A3A}"),
+        ("πs2", "a_{S2}"),
+        ("n_{ba3}", "a_{A3B}^{n}"),
+        ("k_{aa3}", "a_{A3A}^{k}"),
+        ("ω_2", "ω_2"),
+        ("p1b", "v_{BP1}"),  # from the image of a point P1, not from the pole
+        ("pp1", "v_{P1}"),
+        ("π1k3", "v_{K3Π1}"),
+        ("ωb", "v_{BΩ}"),  # from the image of a point Ω: no rate
+        ("n_{ωb}", "a_{BΩ}^{n}"),
+    ],
+)
+def test_a_segment_stands_for_its_quantity(letter: str, due: str) -> None:
+    assert quantity(letter) == due
+
+
+def test_the_ends_of_a_segment() -> None:
+    assert ends_of("aa3") == ["a", "a3"]
+    assert ends_of("s2b′") == ["s2", "b′"]
+    assert ends_of("2") == ["2"]
+
+
+@pytest.mark.parametrize(
+    ("letter", "due"), [("ω_2", "omega2"), ("ε_{12}", "epsilon12"), ("ωb", "ωb"), ("n_{ab}", "nab")]
+)
+def test_a_rate_is_a_rate_by_its_index(letter: str, due: str) -> None:
+    assert segment_name(letter) == due

@@ -1,0 +1,293 @@
+"""Extreme positions: closed forms, brute force, and by which construction they are found."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mechanisms import Drawn, mechanisms
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.values import undefined
+from graphic_tmm.chapters.kinematics.extremes import OPPOSITE
+from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.chapters.kinematics.survey import survey
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
+from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.project import Project, draw_project
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
+
+SHEETS = Path(__file__).parents[2] / "sheets"
+
+
+def slider_crank(r: float, rod: float, e: float, sign: int = 1, speed: float = 1.0) -> Mechanism:
+    guide = Guide("x", complex(0, e), 0.0)
+    return Mechanism(
+        Link(0, {"O": 0j}, (guide,)),
+        (
+            Link(1, {"O": 0j, "A": complex(r, 0)}),
+            Link(2, {"A": 0j, "B": complex(rod, 0), "S": complex(0.4 * rod, 0.1 * rod)}),
+            Link(3, {"B": 0j}, slides=(Slide(0, guide, side=Side(sign)),)),
+        ),
+        Drive(1, speed),
+    )
+
+
+def four_bar(
+    r: float, rod: float, s: float, c: complex, sign: int = 1, speed: float = 1.0
+) -> Mechanism:
+    return Mechanism(
+        Link(0, {"O": 0j, "C": c}),
+        (
+            Link(1, {"O": 0j, "A": complex(r, 0)}),
+            Link(2, {"A": 0j, "B": complex(rod, 0), "E": complex(0.5 * rod, 0.3 * rod)}),
+            Link(3, {"C": 0j, "B": complex(s, 0)}, side=Side(sign, ("A", "C"))),
+        ),
+        Drive(1, speed),
+    )
+
+
+def project_of(
+    mechanism: Mechanism, point: str, at: str, *extra: float | str, **row: int
+) -> Project:
+    wanted = Row(row.get("count", 12), row.get("first", 0), Extreme(point, at), extra)
+    return draw_project(mechanism, wanted, plans=["positions"])
+
+
+def operations(project: Project) -> list[str]:
+    return [step.op.name for step in project.construction.steps if step.it.view == "extremes"]
+
+
+def places(project: Project, letter: str) -> np.ndarray:
+    mark = project.positions.point(letter)
+    given_ = project.given | {project.mu_l: 1.0}
+    return np.ravel(execute(project.construction, given_, [mark])[mark])
+
+
+def apart(one: float, other: float) -> float:
+    return abs((one - other + 180) % 360 - 180)
+
+
+def bearing(z: complex) -> float:
+    return math.degrees(cmath.phase(z)) % 360
+
+
+# closed forms, and the construction of the drawing board
+
+
+@pytest.mark.parametrize("speed", [2.0, -2.0])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(
+    ("r", "rod", "e"), [(0.3, 0.64, 0.0), (0.045, 0.18, -0.018), (0.1, 0.25, 0.1)]
+)
+def test_a_slider_is_extreme_where_crank_and_rod_are_in_line(
+    r: float, rod: float, e: float, sign: int, speed: float
+) -> None:
+    far = complex(sign * math.sqrt((rod + r) ** 2 - e * e), e)
+    near = complex(sign * math.sqrt((rod - r) ** 2 - e * e), e)
+    ways = ("right", "left") if sign > 0 else ("left", "right")
+    project = project_of(slider_crank(r, rod, e, sign, speed), "B", ways[0], OTHER)
+    assert apart(project.angles[0], bearing(far)) < 1e-9
+    assert apart(project.angles[-1], bearing(-near)) < 1e-9
+    found = places(project, "B")
+    assert abs(found[0] - far) < 1e-14
+    assert abs(found[-1] - near) < 1e-14
+    names = operations(project)
+    assert names.count("total") == names.count("difference") == 1
+    assert names.count("strike") == names.count("cut") == names.count("bearing") == 2
+    assert "refine" not in names
+
+
+def test_a_rod_shorter_than_the_crank_is_drawn_in_line_too() -> None:
+    """The crank turns in part only; the slider's far position is on the line crank–rod all the same."""
+    project = project_of(slider_crank(0.3, 0.2, 0.0), "B", "right")
+    assert apart(project.angles[0], 0.0) < 1e-9
+    assert "refine" not in operations(project)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("speed", [2.0, -2.0])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(
+    ("r", "rod", "s", "c"),
+    [
+        (0.02, 0.06, 0.045, 0.06 - 0.01j),
+        (0.1, 0.35, 0.2, 0.4 + 0.05j),
+        (0.1, 0.4, 0.3, -0.2 + 0.3j),
+    ],
+)
+def test_a_rocker_is_extreme_where_crank_and_coupler_are_in_line(
+    r: float, rod: float, s: float, c: complex, sign: int, speed: float
+) -> None:
+    mechanism = four_bar(r, rod, s, c, sign, speed)
+    due = []
+    for reach, away in ((rod + r, 1), (rod - r, -1)):
+        # the triangle O C B: B to the left of O -> C for +1, as of A -> C
+        cosine = (reach**2 + abs(c) ** 2 - s * s) / (2 * reach * abs(c))
+        b = reach * cmath.rect(1.0, cmath.phase(c) + sign * math.acos(cosine))
+        due.append((bearing(away * b), b))
+    ways = sorted(OPPOSITE, key=lambda way: way)
+    found = {}
+    for way in ways:
+        try:
+            project = project_of(mechanism, "B", way)
+        except StructureError as error:
+            pytest.fail(f"{way}: {error}")
+        if "refine" not in operations(project):
+            found[way] = (project.angles[0], places(project, "B")[0])
+            names = operations(project)
+            assert names.count("strike") == 2
+            assert names.count("cross") == 1
+    assert len(found) >= 2
+    for angle, place in found.values():
+        assert any(apart(angle, a) < 1e-9 and abs(place - b) < 1e-13 for a, b in due)
+    assert {min((0, 1), key=lambda k: apart(angle, due[k][0])) for angle, _ in found.values()} == {
+        0,
+        1,
+    }
+
+
+@pytest.mark.parametrize("speed", [1.0, -1.0])
+@pytest.mark.parametrize(
+    ("name", "r", "other"), [("windrower", None, "7*"), ("windrower-published", 0.1176, "6*")]
+)
+def test_the_rocker_of_the_windrower_is_extreme_where_the_crank_is_square_to_it(
+    name: str, r: float | None, other: str, speed: float
+) -> None:
+    scene = read(SHEETS / name)
+    mechanism = scene.mechanism
+    turned = Mechanism(mechanism.frame, mechanism.links, Drive(1, speed * mechanism.drive.speed))
+    project = draw_project(turned, scene.row, plans=["positions"])
+    half = math.asin((r or 0.48 * math.sin(math.radians(180 * 0.45 / 2.45) / 2)) / 0.48)
+    assert apart(project.angles[0], -math.degrees(half)) < 1e-9
+    assert apart(project.angles[-1], 180.0 + math.degrees(half)) < 1e-9
+    names = operations(project)
+    assert names.count("touch") == names.count("bearing") == 2
+    assert "refine" not in names
+    if speed > 0:
+        assert project.names[-1] == other
+
+
+# brute force
+
+
+@pytest.mark.parametrize(
+    ("name", "letter"),
+    [("shaper", "D"), ("tangent-mechanism", "D"), ("toggle-press", "D"), ("crank-rocker", "E")],
+)
+@pytest.mark.parametrize("at", ["left", "right", "top", "bottom"])
+def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str) -> None:
+    scene = read(SHEETS / name)
+    tried = survey(scene.mechanism, dissect(scene.mechanism))
+    mark = tried.positions.point(letter)
+    angles, reading = tried.turn([mark])
+    way = {"left": -1, "right": 1, "bottom": -1j, "top": 1j}[at]
+    place = (np.ravel(reading[mark]) * np.conj(way)).real
+    if np.ptp(place) < 1e-12:  # a slider does not move across its guide
+        return
+    project = project_of(scene.mechanism, letter, at)
+    found = (places(project, letter)[0] * np.conj(way)).real
+    assert found >= place.max() - 1e-13
+    assert found <= place.max() + 1e-5 * np.ptp(place)
+    # finer trial about the place found
+    near = project.angles[0] + np.linspace(-0.2, 0.2, 4001)[None, :]
+    fine = (np.ravel(tried.at(near, [mark])[mark]) * np.conj(way)).real
+    assert abs(near[0, int(np.argmax(fine))] - project.angles[0]) < 2e-2
+    assert found >= fine.max() - 1e-14 * (1 + np.abs(fine).max())
+    assert angles.size > 1000
+
+
+@pytest.mark.slow
+@settings(max_examples=40, deadline=None)
+@given(drawn=mechanisms(dyads=(1, 2)), at=st.sampled_from(sorted(OPPOSITE)))
+def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Drawn, at: str) -> None:
+    letter = sorted(set(drawn.points) - set(drawn.mechanism.frame.points))[-1]
+    try:
+        project = project_of(drawn.mechanism, letter, at, count=1)
+    except StructureError:
+        return
+    tried = survey(drawn.mechanism, dissect(drawn.mechanism))
+    mark = tried.positions.point(letter)
+    roots = [closing.root for closing in tried.positions.closings]
+    _, reading = tried.turn([mark, *roots])
+    whole = ~np.logical_or.reduce([undefined(reading[m])[0] for m in (mark, *roots)])
+    way = {"left": -1, "right": 1, "bottom": -1j, "top": 1j}[at]
+    place = np.where(whole, (np.ravel(reading[mark]) * np.conj(way)).real, -np.inf)
+    found = (places(project, letter)[0] * np.conj(way)).real
+    assert found >= place.max() - 1e-9 * np.nanmax(np.abs(reading[mark]))
+
+
+def test_a_coupler_point_is_found_by_refining_and_says_so() -> None:
+    project = project_of(four_bar(0.1, 0.35, 0.2, 0.4 + 0.05j), "E", "top")
+    assert operations(project) == ["refine", "advance"]
+    (step,) = [s for s in project.construction.steps if s.op.name == "refine"]
+    assert "E" in step.op.en
+    assert "E" in step.op.ru
+
+
+@pytest.mark.parametrize(("e", "at"), [(0.0, "top"), (-0.018, "top"), (-0.018, "bottom")])
+def test_a_slider_on_a_level_guide_has_no_highest_position(e: float, at: str) -> None:
+    with pytest.raises(StructureError, match="B moves neither up nor down"):
+        project_of(slider_crank(0.045, 0.18, e), "B", at)
+
+
+def test_a_link_that_stands_still_has_no_extreme_position() -> None:
+    still = (Link(4, {"O": 0j, "D": 0.3 + 0j}), Link(5, {"C": 0j, "D": 0.3 + 0j, "E": 0.1 + 0.1j}))
+    moving = four_bar(0.1, 0.35, 0.2, 0.4 + 0j)
+    sided = Link(still[0].number, still[0].points, side=Side(1, ("O", "C")))
+    mechanism = Mechanism(
+        moving.frame,
+        (*(replaced(link, "E", "F") for link in moving.links), sided, still[1]),
+        moving.drive,
+    )
+    with pytest.raises(StructureError, match="E moves neither left nor right"):
+        project_of(mechanism, "E", "left")
+
+
+def replaced(link: Link, old: str, new: str) -> Link:
+    """A link with one letter written otherwise."""
+    points = {new if letter == old else letter: place for letter, place in link.points.items()}
+    return Link(link.number, points, link.guides, link.slides, side=link.side)
+
+
+def test_a_crank_that_does_not_turn_round_is_told_with_its_range(tmp_path: Path) -> None:
+    """A rod shorter than the crank comes to sin φ = l/r, and the slider does not stand still there."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text(
+        """title = "T"
+language = "en"
+[frame]
+O = [0, 0]
+x = { through = [0, 0], angle = 0 }
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.2, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.1, 0] }
+[[link]]
+number = 3
+points = { B = [0, 0] }
+slides = { on = "frame", along = "x", side = "right" }
+[drive]
+link = 1
+speed = 5
+zero = { point = "B", at = "left" }
+""",
+        encoding="utf-8",
+    )
+    with pytest.raises(StructureError) as refused:
+        make(read(scene))
+    told = str(refused.value)
+    edge = math.degrees(math.asin(0.1 / 0.2))
+    ranges = f"{180 - edge:.2f}° to {180 + edge:.2f}° and {360 - edge:.2f}° to {edge:.2f}°"
+    assert f"group 2-3 assembles for crank angles {ranges} only" in told
+    assert "B does not come to an extreme position at left" in told
+    assert "change the lengths, or give zero as an angle there" in told

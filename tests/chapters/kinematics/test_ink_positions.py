@@ -1,0 +1,216 @@
+"""The plan of positions in ink: one position heavy, the others thin, every letter and number there."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import shapely
+from gallery import NAMES, SHEETS
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics.ink_positions import (
+    MARGIN,
+    SWEEP,
+    clear_start,
+    draw_positions_ink,
+)
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
+from graphic_tmm.paper.layout import bounds
+from graphic_tmm.paper.placing import box, shape
+from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import fitted
+from graphic_tmm.work import Work
+
+
+@cache
+def drawn(name: str) -> Work:
+    return fitted(read(SHEETS / name), exact=True)
+
+
+def crank(name: str) -> tuple[Mark, Mark]:
+    project = drawn(name).project
+    marks = project.positions.bodies[project.structure.driver].marks
+    return marks[project.structure.pivot], marks[project.structure.pin]
+
+
+@cache
+def plan(
+    name: str, main: int = 1, skipped: tuple[int, ...] = (), sense: int = 1, lettered: bool = True
+) -> Drawing:
+    work = drawn(name)
+    return draw_positions_ink(
+        work.project.construction,
+        work.reading,
+        work.reaches,
+        main=main,
+        names=work.project.names,
+        skipped=skipped,
+        crank=crank(name),
+        sense=sense,
+        title="Plan",
+        lettered=lettered,
+    )
+
+
+def at(name: str, mark: Mark, index: int) -> complex:
+    row = np.ravel(drawn(name).reading[mark])
+    return complex(row[index if row.size > 1 else 0])
+
+
+def strokes(view: Drawing, pen: str) -> list[Stroke]:
+    return [s for s in view.strokes if isinstance(s, Stroke) and s.pen == pen]
+
+
+def spots(stroke: Stroke) -> list[complex]:
+    return [complex(x, y) for x, y, _ in stroke.path]
+
+
+@pytest.mark.parametrize("main", [0, 1, 5])
+def test_the_main_position_is_drawn_with_rods_and_the_others_thin(main: int) -> None:
+    view = plan("engine", main)
+    body = drawn("engine").project.positions.bodies
+    o, a = crank("engine")
+    rods = [{(round(z.real, 6), round(z.imag, 6)) for z in spots(s)} for s in strokes(view, "rod")]
+    b = body[2].marks["B"]
+    for first, second in ((o, a), (a, b)):
+        due = {
+            (round(z.real, 6), round(z.imag, 6))
+            for z in (at("engine", first, main), at("engine", second, main))
+        }
+        assert due in rods
+    assert len(rods) == 2
+    thin = shapely.union_all(
+        [shapely.LineString([(z.real, z.imag) for z in spots(s)]) for s in strokes(view, "thin")]
+    )
+    for index in range(12):
+        if index != main:
+            middle = (at("engine", a, index) + 3 * at("engine", o, index)) / 4
+            near = shapely.Point(middle.real, middle.imag)
+            letters = shapely.union_all([box(label) for label in view.labels])
+            assert thin.distance(near) < 1e-6 or letters.distance(near) < 1.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NAMES)
+def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> None:
+    view, names = plan(name), drawn(name).project.names
+    o, a = crank(name)
+    centre = at(name, o, 0)
+    radius = abs(at(name, a, 0) - centre)
+    for index, number in enumerate(names):
+        found = [label for label in view.labels if label.text == number and label.size == 3.5]
+        assert len(found) == 1, number
+        pin = shapely.Point(at(name, a, index).real, at(name, a, index).imag)
+        assert box(found[0]).distance(pin) < 14.0
+        mid = box(found[0]).centroid
+        assert abs(complex(mid.x, mid.y) - centre) > 0.5 * radius
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_letter_of_the_mechanism_stands_once(name: str) -> None:
+    mechanism = drawn(name).project.mechanism
+    texts = [label.text for label in plan(name).labels if label.size == 5.0]
+    found = [part.replace("_{", "").replace("}", "") for t in texts for part in t.split(", ")]
+    due = {letter for link in mechanism.links for letter in link.points}
+    assert due <= set(found)
+    assert len(found) == len(set(found))
+
+
+def test_positions_that_are_skipped_have_no_number_and_no_link() -> None:
+    whole, part = plan("engine"), plan("engine", 1, (2, 3, 4))
+    texts = [label.text for label in part.labels]
+    assert not {"3", "4", "5"} & set(texts)
+    assert {"1", "2", "6"} <= set(texts)
+    assert len(strokes(part, "thin")) < len(strokes(whole, "thin"))
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_arrow_of_the_drive_turns_with_the_crank(sense: int) -> None:
+    view = plan("engine", 1, (), sense)
+    heads = [s for s in strokes(view, "thin") if s.filled and len(s.path) == 3]
+    assert len(heads) == 1
+    tip, left, right = spots(heads[0])
+    pivot = at("engine", crank("engine")[0], 0)
+    along = tip - (left + right) / 2
+    turning = ((tip - pivot).conjugate() * along).imag
+    assert turning * sense > 0
+
+
+def test_trajectories_are_smooth_curves_through_their_points() -> None:
+    view = plan("engine")
+    curves = [s for s in view.strokes if isinstance(s, Bezier)]
+    assert curves
+    assert all(curve.title.startswith("(S2") for curve in curves)
+    controls = [z for curve in curves for z in curve.controls]
+    mark = drawn("engine").project.positions.bodies[2].marks["S2"]
+    for index in range(12):
+        assert min(abs(z - at("engine", mark, index)) for z in controls) < 1e-6
+    assert not [s for s in plan("windrower").strokes if isinstance(s, Bezier)]
+
+
+def test_a_guide_is_hatched_over_the_travel_of_its_slider() -> None:
+    view, mark = plan("engine"), drawn("engine").project.positions.bodies[2].marks["B"]
+    travel = [at("engine", mark, k).real for k in range(12)]
+    level = [
+        s
+        for s in strokes(view, "main")
+        if len(s.path) == 2 and all(abs(z.imag) < 1e-6 for z in spots(s))
+    ]
+    reach = [(min(z.real for z in spots(s)), max(z.real for z in spots(s))) for s in level]
+    assert any(low < min(travel) - 6 and high > max(travel) + 6 for low, high in reach)
+    slanted = [
+        s
+        for s in strokes(view, "thin")
+        if len(s.path) == 2
+        and math.isclose(abs(math.degrees(cmath.phase((spots(s)[1] - spots(s)[0]) ** 4))), 180.0)
+    ]
+    assert len(slanted) > 20
+
+
+def test_a_rocker_runs_through_its_stone() -> None:
+    body = drawn("windrower").project.positions.bodies
+    pivot, pin = body[3].marks["B"], crank("windrower")[1]
+    a, b = at("windrower", pin, 1), at("windrower", pivot, 1)
+    rods = [
+        shapely.LineString([(z.real, z.imag) for z in spots(s)])
+        for s in strokes(plan("windrower"), "main")
+        if not s.filled
+    ]
+    behind = a + (a - b) / abs(a - b) * 5.5
+    assert min(rod.distance(shapely.Point(behind.real, behind.imag)) for rod in rods) < 1e-6
+
+
+def test_a_mass_centre_is_a_small_circle() -> None:
+    mark = drawn("engine").project.positions.bodies[2].marks["S2"]
+    centre = at("engine", mark, 1)
+    round_ones = [
+        s
+        for s in strokes(plan("engine"), "joint")
+        if abs(sum(spots(s)) / 2 - centre) < 1e-6 and s.closed
+    ]
+    assert [abs(spots(s)[1] - spots(s)[0]) for s in round_ones] == pytest.approx([1.8])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) -> None:
+    full, bare = bounds(plan(name)), bounds(plan(name, lettered=False))
+    assert not plan(name, lettered=False).labels
+    assert all(abs(x - y) < 2 * MARGIN for x, y in zip(full, bare, strict=True))
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("bearing", range(-180, 180, 15))
+def test_the_arrow_of_the_crank_stands_clear_of_the_foot_of_its_pivot(
+    bearing: int, sense: int
+) -> None:
+    start = clear_start(10.0, float(bearing), sense)
+    arrow = [shape(s) for s in round_arrow(0j, 10.0, start, sense * SWEEP)]
+    foot = [shape(s) for s in fixed_pivot(0j)]
+    assert min(a.distance(b) for a in arrow for b in foot) > 0.5
+    ahead = (start - bearing) * sense
+    assert 20 <= ahead <= 340 - SWEEP  # it neither begins nor ends on the crank

@@ -1,0 +1,127 @@
+"""The row of positions: equal steps, numbers, extras and their names."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from test_extremes import apart, places, project_of, slider_crank
+
+from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Row
+from graphic_tmm.project import draw_project
+from graphic_tmm.scene.read import read
+
+SHEETS = Path(__file__).parents[2] / "sheets"
+
+
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize("speed", [1.0, -1.0])
+def test_the_row_goes_with_the_crank_in_equal_steps(first: int, speed: float) -> None:
+    project = project_of(slider_crank(0.045, 0.18, -0.018, 1, speed), "B", "right", first=first)
+    assert project.names == tuple(str(first + k) for k in range(12))
+    for place, angle in enumerate(project.angles):
+        assert apart(angle, project.angles[0] + speed * 30 * place) < 1e-9
+        assert 0 <= angle < 360
+
+
+def test_the_engine_keeps_an_exact_right_angle() -> None:
+    project = draw_project(read(SHEETS / "engine").mechanism, Row(12, 1, 0.0), plans=["positions"])
+    assert project.angles[3] == 90.0
+    assert project.names[3] == "4"
+
+
+@pytest.mark.parametrize(
+    ("speed", "first", "name"), [(1.0, 0, "6*"), (-1.0, 0, "5*"), (1.0, 1, "7*"), (-1.0, 1, "6*")]
+)
+def test_the_other_extreme_is_named_after_the_position_it_follows(
+    speed: float, first: int, name: str
+) -> None:
+    project = project_of(slider_crank(0.1, 0.3, 0.05, 1, speed), "B", "right", OTHER, first=first)
+    travelled = (speed * (project.angles[-1] - project.angles[0])) % 360
+    assert project.names[-1] == name
+    assert math.floor(travelled / 30) + first == int(name[:-1])
+
+
+def test_an_extreme_exactly_on_a_position_is_named_after_it() -> None:
+    project = project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", OTHER)
+    assert project.names[-1] == "6*"
+    assert project.angles[-1] == pytest.approx(180.0, abs=1e-12)
+
+
+def test_extra_angles_stand_as_given_outside_the_row() -> None:
+    project = project_of(slider_crank(0.3, 0.64, 0.0, 1, -1.0), "B", "right", 105.0, OTHER, -30.0)
+    assert project.names[12:] == ("105°", "6*", "-30°")
+    assert project.angles[12] == 105.0
+    assert project.angles[14] == 330.0
+
+
+def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
+    project = draw_project(
+        slider_crank(0.3, 0.64, 0.0), Row(4, zero=10.0, extra=(77.5,)), plans=["positions"]
+    )
+    assert project.angles == (10.0, 100.0, 190.0, 280.0, 77.5)
+    phi = math.radians(77.5)
+    due = 0.3 * math.cos(phi) + math.sqrt(0.64**2 - (0.3 * math.sin(phi)) ** 2)
+    assert abs(places(project, "B")[-1] - due) < 1e-15
+
+
+def test_the_other_extreme_needs_a_zero_that_is_one() -> None:
+    with pytest.raises(StructureError, match="needs a zero position that is an extreme itself"):
+        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12, extra=(OTHER,)))
+
+
+@pytest.mark.parametrize("letter", ["O", "Q"])
+def test_a_point_that_does_not_move_has_no_extreme(letter: str) -> None:
+    with pytest.raises(StructureError, match=f"zero: {letter} is not a moving point.*A, B"):
+        project_of(slider_crank(0.3, 0.64, 0.0), letter, "left")
+
+
+def test_an_acceleration_plan_for_a_position_that_is_not_there_is_refused() -> None:
+    with pytest.raises(StructureError, match=r"no position 13; there are 0, 1"):
+        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12, accelerations=("13",)))
+
+
+def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
+    with pytest.raises(StructureError, match="no point Q"):
+        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12), trajectories=["Q"])
+
+
+@pytest.mark.parametrize(
+    ("extra", "said"), [((OTHER, OTHER), OTHER), ((105.0, 20.0, 105.0), "105°")]
+)
+def test_an_extra_named_twice_is_refused(extra: tuple[float | str, ...], said: str) -> None:
+    with pytest.raises(StructureError, match="named twice") as caught:
+        project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", *extra)
+    assert said in str(caught.value)
+
+
+def test_an_extra_is_named_with_as_many_digits_as_tell_it() -> None:
+    """From a rounder angle, and from its neighbours; rounding of radians makes no digits."""
+    wanted = (
+        30.0,
+        29.999999999,
+        29.9999999999,
+        89.999,
+        math.degrees(math.pi / 3),
+        1.23456789012,
+        105.5,
+    )
+    wanted = (*wanted, 5.7295779513, 5.72957795131)
+    mechanism = read(SHEETS / "engine").mechanism
+    project = draw_project(mechanism, Row(12, 1, 0.0, wanted), plans=["positions"])
+    assert project.names[12:] == (
+        "30°",
+        "29.999999999°",
+        "29.9999999999°",
+        "89.999°",
+        "60°",
+        "1.23456789°",
+        "105.5°",
+        "5.7295779513°",
+        "5.72957795131°",
+    )
+    assert project.angles[13] == 29.999999999
+    assert project.angles[14] == 29.9999999999

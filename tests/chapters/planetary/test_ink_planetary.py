@@ -1,0 +1,197 @@
+"""The planetary train in ink: everything stands where the log has it, letters stand clear."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+import shapely
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.record import Construction
+from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
+from graphic_tmm.chapters.planetary.plan import Planetary, draw_planetary
+from graphic_tmm.chapters.planetary.tables import (
+    condition_table,
+    rate_table,
+    ratio_lines,
+    train_table,
+)
+from graphic_tmm.chapters.planetary.task import PlanetaryOrder
+from graphic_tmm.chapters.planetary.tooth_search import search
+from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
+from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.placing import box, shape
+from graphic_tmm.paper.write.svg import svg
+
+C7 = PlanetaryOrder("ring", 0.008, 302.4, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
+ORDERS = {
+    "C7": C7,
+    "ring, five": PlanetaryOrder("ring", 0.004, -100.0, ratio=3.2, tolerance=0.05, satellites=(5,)),
+    "external-internal": PlanetaryOrder("external-internal", 0.004, 302.0, ratio=12.0),
+    "external-external": PlanetaryOrder("external-external", 0.004, 302.0, ratio=-0.5, tolerance=0.03),
+    "external-external, H": PlanetaryOrder("external-external", 0.004, 302.0, "H", ratio=60.0),
+    "internal-internal": PlanetaryOrder("internal-internal", 0.004, 302.0, "H", ratio=-40.0, tolerance=0.05),
+    "internal-internal, two": PlanetaryOrder(
+        "internal-internal", 0.004, -302.0, "H", ratio=20.0, tolerance=0.05, satellites=(2,)
+    ),
+}  # fmt: skip
+CAPTIONS = Captions(
+    ("Схема планетарного редуктора", "μ_l = 0,005 м/мм"),
+    ("Картина линейных скоростей", "μ_v = 0,5 (м/с)/мм"),
+    ("План угловых скоростей", "μ_ω = 4 (1/с)/мм, H_ω = 25 мм"),
+)
+
+
+class Inked(NamedTuple):
+    made: Planetary
+    log: Construction
+    reading: Reading
+    drawing: Drawing
+
+
+@cache
+def inked(name: str, lettered: bool = True) -> Inked:
+    draft = Draft()
+    made = draw_planetary(draft, ORDERS[name])
+    log = draft.board.construction()
+    reading = execute(log, draft.given)
+    view = draw_planetary_ink(reading, made, CAPTIONS, "Редуктор", lettered=lettered)
+    return Inked(made, log, reading, view)
+
+
+def lines(of: Drawing, *pens: str) -> list[tuple[complex, complex]]:
+    found = [s for s in of.strokes if isinstance(s, Stroke) and s.pen in pens]
+    ends = [[complex(x, y) for x, y, _ in s.path] for s in found if not s.closed]
+    return [(path[0], path[-1]) for path in ends if len(path) == 2]
+
+
+def circles(of: Drawing, pen: str = "main") -> list[tuple[complex, float]]:
+    found = []
+    for s in of.strokes:
+        if isinstance(s, Stroke) and s.pen == pen and s.closed and not s.filled and s.path[0][2]:
+            a, b = (complex(x, y) for x, y, _ in s.path)
+            found.append(((a + b) / 2, abs(b - a) / 2))
+    return found
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_every_pitch_circle_stands_in_its_place_to_scale(name: str) -> None:
+    made, _, reading, view = inked(name)
+    drawn, scheme = circles(view), made.train.scheme
+    mu = float(reading[made.mu][0, 0])
+    axes = [complex(z) for z in reading[made.end.satellites][0]]
+    for wheel, z in zip(scheme.wheels, made.train.teeth, strict=True):
+        module = made.order.module
+        centres = [0j] if wheel in ("1", scheme.wheels[-1]) else axes
+        for centre in centres:
+            near = [abs(c - centre) + abs(r - module * z / 2 / mu) for c, r in drawn]
+            assert min(near) < 1e-9
+    assert len(axes) == made.train.satellites
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_rays_are_parallel_to_the_lines_of_the_picture(name: str) -> None:
+    made, _, reading, view = inked(name)
+    pole = complex(reading[made.rates.pole][0, 0])
+    bodies = lines(view, "main")
+    rays = [(a, b) for a, b in lines(view, "medium") if abs(a - pole) < 1e-9]
+    assert len(rays) == 3
+    place = complex(reading[made.picture.zeros[0]][0, 0]).real
+    tips = [complex(reading[mark][0, 0]).real for mark in made.picture.ends]
+    for a, b in rays:
+        way = (b - a) / abs(b - a)
+        along = [
+            abs(((d - c) / abs(d - c) * np.conj(way)).imag)
+            for c, d in bodies
+            if min(c.real, d.real) > min(place, *tips) - 1e-6 and abs(d - c) > 1e-6
+        ]
+        assert min(along) < 1e-9
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_the_line_of_the_satellites_goes_through_all_three_of_its_points(name: str) -> None:
+    made, _, reading, view = inked(name)
+    spots = [complex(reading[m][0, 0]) for m in (*made.picture.ends, made.picture.zeros[3])]
+    through = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in lines(view, "main")]
+    assert any(
+        all(one.distance(shapely.Point(z.real, z.imag)) < 1e-6 for z in spots) for one in through
+    )
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_letters_stand_clear_of_each_other(name: str) -> None:
+    labels = inked(name).drawing.labels
+    assert all(box(a).disjoint(box(b)) for a, b in combinations(labels, 2))
+    texts = [label.text for label in labels]
+    made = inked(name).made
+    for wheel in (*made.train.scheme.wheels, "H", "O", "A", "B", "C", "P"):
+        assert any(wheel in text.split(", ") for text in texts)
+    assert {"a", "b"} <= set(texts)
+
+
+@pytest.mark.parametrize("name", ["C7", "ring, five", "external-external"])
+def test_letters_stand_clear_of_heavy_lines(name: str) -> None:
+    view = inked(name).drawing
+    heavy = [shape(s) for s in view.strokes if s.pen in ("main", "rod", "joint")]
+    assert all(box(label).disjoint(line) for label in view.labels for line in heavy)
+
+
+@pytest.mark.parametrize("name", ORDERS)
+def test_an_unlettered_train_has_room_for_its_ink(name: str) -> None:
+    bare = inked(name, lettered=False).drawing
+    assert bare.cell is not None
+    room, view = shapely.box(*bare.cell), inked(name).drawing
+    assert all(room.covers(shape(s)) for s in view.strokes)
+    assert all(room.covers(box(label)) for label in view.labels)
+
+
+def test_what_was_read_can_be_read_off_the_sheet() -> None:
+    made, _, reading, view = inked("C7")
+    told = [dict(s.data) for s in view.strokes if s.data]
+    assert {t["segment"] for t in told} == {"Aa", "Bb", "s_1", "s_2", "s_H"}
+    (one,) = (t for t in told if t["segment"] == "s_1")
+    assert float(one["value"]) == pytest.approx(302.4, rel=1e-5)
+    page = svg(Sheet("s", "s", "A1", 841.0, 594.0, (view.moved(150 + 200j),)))
+    assert page == svg(Sheet("s", "s", "A1", 841.0, 594.0, (view.moved(150 + 200j),)))
+    assert float(reading[made.mu][0, 0]) == 0.005
+
+
+@pytest.mark.parametrize("language", ["ru", "en"])
+@pytest.mark.parametrize("name", ORDERS)
+def test_tables_are_those_of_the_log(name: str, language: str) -> None:
+    made, log, reading, _ = inked(name)
+    conditions = condition_table(log, reading, made, language)
+    texts = [label.text for label in conditions.labels]
+    assert sum("a_w =" in text or "a′_w =" in text for text in texts) == 2
+    rates = rate_table(log, reading, made, language)
+    assert {"s_1", "s_2", "s_H"} <= {label.text for label in rates.labels}
+    trains = train_table(search(made.order), language)
+    assert "k" in {label.text for label in trains.labels}
+    willis, measured, difference = ratio_lines(log, reading, made, language)
+    assert "s_1" in measured
+    assert difference.endswith("0,00 %" if language == "ru" else "0.00 %")
+    for text in (willis, measured, difference, *texts):
+        assert letter(text).parts
+
+
+def test_the_table_of_the_windrower() -> None:
+    made, log, reading, _ = inked("C7")
+    texts = [label.text for label in condition_table(log, reading, made, "ru").labels]
+    assert "N = (z_1 + z_3)/k = (25 + 89)/3 = 38 – целое" in texts
+    assert "a′_w = m·(z_3 − z_2)/2 = 0,008·(89 − 32)/2 = 0,228 м = a_w" in texts
+    rows = [label.text for label in train_table(search(C7), "ru").labels]
+    assert {"25", "32", "89", "4,560", "732,0"} <= set(rows)
+
+
+def test_a_ruler_shows_its_difference() -> None:
+    draft = Draft()
+    made = draw_planetary(draft, C7)
+    log = draft.board.construction()
+    reading = execute(log, draft.given, hand=Hand(0.5))
+    assert ratio_lines(log, reading, made, "en")[2].endswith("= 0.35 %")  # 75.5/16.5 = 4.576

@@ -1,0 +1,70 @@
+"""Planetary orders: what is no train is a clear error."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder, module_ratio, scheme_of
+from graphic_tmm.chapters.planetary.tooth_search import choose, search
+from graphic_tmm.errors import StructureError
+
+C7 = PlanetaryOrder("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
+TWO = replace(C7, scheme="external-internal", teeth=(), ratio=12.0)
+NAN = float("nan")
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        ({"scheme": "planet"}, 'no scheme "planet"'),
+        ({"module": 0.0}, "module = 0: a number greater than 0"),
+        ({"module": NAN}, "module = nan"),
+        ({"module_2": 0.008}, "a single row has one module"),
+        ({"alpha": 0.0}, "alpha = .*: a number greater than 0 and less than 45"),
+        ({"alpha": NAN}, "alpha = .*: a number greater than 0 and less than 45"),
+        ({"ha": -1.0}, "ha = .*: a number greater than 0"),
+        ({"c": -0.1}, "c = .*: a number 0 to 5"),
+        ({"speed": 0.0}, "the driving shaft turns at 0.0"),
+        ({"speed": float("inf")}, "the driving shaft"),
+        ({"driving": "3"}, 'wheel "3" cannot drive'),
+        ({"ratio": 0.0}, "a ratio of 0 is none"),
+        ({"ratio": NAN}, "ratio = nan: a number"),
+        ({"ratio": None}, "neither a ratio nor all tooth numbers"),
+        ({"tolerance": -0.1}, "tolerance = -0.1: a number 0 to 0.5"),
+        ({"tolerance": 1.0}, "tolerance = 1: "),
+        ({"tolerance": NAN}, "tolerance = nan: "),
+        ({"teeth": (25, 32)}, "wheels 1, 2, 3, not 2"),
+        ({"teeth": (25.5, 32, 89)}, "teeth = 25.5: a whole number"),
+        ({"teeth": (25, True, 89)}, "teeth = True: a whole number"),
+        ({"teeth": (25, 32, -89)}, "teeth = -89: a whole number"),
+        ({"satellites": ()}, "no number of satellites"),
+        ({"satellites": (0,)}, "satellites = 0: a whole number 1 to 49"),
+        ({"satellites": (2.5,)}, "satellites = 2.5: a whole number"),
+        ({"limits": Limits(least=60, most=50)}, "from 60 to 50"),
+        ({"limits": Limits(most=10**9)}, "a whole number 1 to 1000"),
+        ({"limits": Limits(difference=0)}, "difference = 0: a whole number"),
+        ({"mu_l": 0.0}, "mu_l = 0: "),
+        ({"mu_v": -1.0}, "mu_v = -1: "),
+        ({"pole": 0.0}, "pole = 0: "),
+    ],
+)
+def test_what_is_no_train_is_refused(change: dict[str, Any], says: str) -> None:
+    for act in (scheme_of, search, choose):
+        with pytest.raises(StructureError, match=f"planetary: .*{says}"):
+            act(replace(C7, **change))
+
+
+def test_modules_without_a_simple_ratio_are_refused() -> None:
+    assert module_ratio(replace(TWO, module_2=0.01)) == module_ratio(TWO) * 5 / 4
+    with pytest.raises(StructureError, match="no simple ratio: take standard ones"):
+        scheme_of(replace(TWO, module_2=0.00812345678))
+
+
+def test_schemes_know_their_wheels() -> None:
+    scheme = scheme_of(C7)
+    assert (scheme.wheels, scheme.opposed) == (("1", "2", "3"), True)
+    scheme = scheme_of(replace(C7, scheme="internal-internal", teeth=()))
+    assert (scheme.wheels, scheme.opposed) == (("1", "2", "3", "4"), False)

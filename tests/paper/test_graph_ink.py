@@ -1,0 +1,121 @@
+"""Graphs in ink: what the log drew and nothing else, over the base, the curve through its points."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import shapely
+from gallery import SHEETS
+
+from graphic_tmm.board.values import Curve
+from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
+from graphic_tmm.paper.graph import Names, axes_of, draw_graph
+from graphic_tmm.paper.placing import box, flat, shape
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import SheetOrder
+from graphic_tmm.studio import fitted
+from graphic_tmm.work import Work
+
+POINTS = {"windrower": "D", "engine": "B"}
+CASES = [
+    (n, s, m) for n in POINTS for s in ("displacement", "velocity") for m in ("chords", "tangents")
+]
+
+
+@cache
+def drawn(name: str, start: str, method: str) -> Work:
+    order = KinematicOrder(POINTS[name], start=start, method=method)
+    sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
+    scene = replace(read(SHEETS / name), diagrams=order, flywheel=None, sheets=sheets)
+    return fitted(scene, exact=True)
+
+
+def graph(work: Work, symbol: str, *, lettered: bool = True) -> Drawing:
+    names = Names(work.project.names, symbol, "t")
+    log, row = work.project.construction, work.project.count
+    view = f"diagram {symbol}"
+    return draw_graph(log, work.reading, view, row, names, "X", lettered=lettered)
+
+
+def length(work: Work, symbol: str) -> float:
+    marks = axes_of(work.project.construction, f"diagram {symbol}")
+    return float(work.reading[marks.length][0, 0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CASES, ids="-".join)
+@pytest.mark.parametrize("symbol", ["S", "V", "a"])
+def test_the_curve_stands_over_the_base_and_passes_through_the_readings(
+    case: tuple[str, str, str], symbol: str
+) -> None:
+    work = drawn(*case)
+    assert work.project.kinematic is not None
+    chart = work.project.kinematic.charts[symbol]
+    pieces = [s for s in graph(work, symbol).strokes if isinstance(s, Bezier)]
+    assert pieces
+    x = [z.real for piece in pieces for z in piece.controls]
+    assert min(x) == pytest.approx(0.0, abs=1e-6)
+    assert max(x) == pytest.approx(length(work, symbol), abs=1e-6)
+    path = shapely.union_all(
+        [shapely.LineString([(z.real, z.imag) for z in flat(p.controls)]) for p in pieces]
+    )
+    feet = work.reading[axes_of(work.project.construction, chart.view).feet][0]
+    for foot, y in zip(feet, work.reading[chart.ordinates[0]][0], strict=True):
+        assert path.distance(shapely.Point(foot.real, y)) < 0.2  # eight chords stand for an arc
+
+
+@pytest.mark.parametrize("case", CASES, ids="-".join)
+@pytest.mark.parametrize("symbol", ["S", "V", "a"])
+def test_no_letter_stands_on_another_and_all_positions_are_numbered(
+    case: tuple[str, str, str], symbol: str
+) -> None:
+    work = drawn(*case)
+    view = graph(work, symbol)
+    boxes = [box(label) for label in view.labels]
+    for k, one in enumerate(boxes):
+        assert not any(one.intersects(other) for other in boxes[k + 1 :])
+    texts = [label.text for label in view.labels]
+    for name in work.project.names:
+        assert texts.count(name) == (2 if name == work.project.names[0] else 1)
+    assert symbol in texts
+    assert "t" in texts
+
+
+def test_every_chord_of_a_differentiation_is_drawn_and_its_ray_is_parallel_to_it() -> None:
+    work = drawn("windrower", "velocity", "chords")
+    log, row = work.project.construction, work.project.count
+    join = next(s for s in log.steps if s.op.name == "join" and s.it.view == "diagram V")
+    chords = work.reading[join.it].along[0, :row]
+    bare = graph(work, "a", lettered=False)
+    thin = [s for s in bare.strokes if isinstance(s, Stroke) and s.pen == "thin"]
+    pole = next(s.it for s in log.steps if s.it.view == "diagram a" and s.it.letter == "P")
+    start = complex(work.reading[pole][0, 0])
+    ways = []
+    for stroke in thin:
+        ends = [complex(x, y) for x, y, _ in stroke.path]
+        if abs(ends[0] - start) < 1e-9 and abs(ends[-1].real) < 1e-9 and ends[-1].imag:
+            ways.append((ends[-1] - start) / abs(ends[-1] - start))
+    for chord in chords:
+        assert min(abs((way * np.conj(chord)).imag) for way in ways) < 1e-9
+
+
+def test_an_unlettered_graph_takes_the_room_of_its_ink() -> None:
+    work = drawn("windrower", "displacement", "chords")
+    for symbol in ("S", "V", "a"):
+        bare = graph(work, symbol, lettered=False)
+        assert bare.cell is not None
+        room = shapely.box(*bare.cell)
+        assert all(room.covers(shape(s)) for s in graph(work, symbol).strokes)
+
+
+def test_a_curve_that_a_reading_is_taken_from_is_a_curve_of_the_log() -> None:
+    work = drawn("engine", "velocity", "tangents")
+    log = work.project.construction
+    for symbol in ("S", "V", "a"):
+        curves = [s for s in log.steps if s.it.kind is Curve and s.it.view == f"diagram {symbol}"]
+        drawn_curves = {s.title for s in graph(work, symbol).strokes if isinstance(s, Bezier)}
+        assert drawn_curves == {step.it.letter for step in curves}

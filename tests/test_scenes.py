@@ -1,0 +1,184 @@
+"""Every scene that comes with the project, whole, against vector loops that know nothing of plans."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from gallery import NAMES, SHEETS
+from oracle import Motion, State, solve_from_points
+
+from graphic_tmm.chapters.kinematics.positions import side_record, side_values
+from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.mechanism.structure import Group, dissect
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import warnings
+from graphic_tmm.work import Work, work
+
+RATIO = 1e-9
+
+
+@cache
+def scene_of(name: str) -> Scene:
+    return read(SHEETS / name)
+
+
+@cache
+def work_of(name: str) -> Work:
+    return work(scene_of(name), exact=True)
+
+
+def _points(made: Work, place: int) -> dict[str, complex]:
+    """Places (m, sheet's axes) of all letters at a position, as the plan of positions has them."""
+    project = made.project
+    origin = made.scene.mechanism.frame.points[project.structure.pivot]
+    mu = made.scales["positions"].value
+    found = {}
+    for body in project.positions.bodies.values():
+        for letter in body.link.points:
+            row = np.ravel(made.reading[body.marks[letter]])
+            found[letter] = origin + mu * complex(row[place % row.size])
+    return found
+
+
+@cache
+def states(name: str) -> tuple[State, ...]:
+    made = work_of(name)
+    mechanism = made.scene.mechanism
+    return tuple(
+        solve_from_points(mechanism, angle, _points(made, place))
+        for place, angle in enumerate(made.project.angles)
+    )
+
+
+def _at(array: np.ndarray, place: int) -> complex:
+    row = np.ravel(array)
+    return complex(row[place % row.size])
+
+
+def _largest(state: State, name: str) -> float:
+    due = [getattr(motion, name) for motion in state.points.values()]
+    return max(map(abs, due))
+
+
+def test_the_scenes_use_every_kind_of_group() -> None:
+    kinds = {group.kind for name in NAMES for group in dissect(scene_of(name).mechanism).groups}
+    assert kinds == {1, 2, 3, 4, 5}
+
+
+def test_the_scenes_use_what_a_task_may_ask_for() -> None:
+    scenes = [scene_of(name) for name in NAMES]
+    assert {scene.language for scene in scenes} == {"ru", "en"}
+    assert {sheet.format for scene in scenes for sheet in scene.sheets} == {"A1", "A4"}
+    assert {scene.row.first for scene in scenes} == {0, 1}
+    assert any(scene.mechanism.drive.acceleration for scene in scenes)
+    assert {scene.mechanism.drive.speed > 0 for scene in scenes} == {True, False}
+    assert {scene.turned for scene in scenes} == {True, False}
+    assert any(OTHER in scene.row.extra for scene in scenes)
+    assert any(isinstance(extra, float) for scene in scenes for extra in scene.row.extra)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_scene_is_drawn_at_every_position(name: str) -> None:
+    made = work_of(name)
+    assert made.undrawn == ()
+    assert warnings(made) == ()
+    assert not [finding for finding in made.findings() if finding.kind == "undrawn"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> None:
+    made = work_of(name)
+    plan = made.project.velocities
+    mechanism = made.scene.mechanism
+    assert plan is not None
+    turn = 1j * math.copysign(1.0, mechanism.drive.speed) if made.scene.turned else 1.0
+    mu = made.scales["velocities"].value
+    for place, state in enumerate(states(name)):
+        points = _points(made, place)
+        speed = max(abs(mechanism.drive.speed) * state.size, _largest(state, "v"))
+        for number, body in made.project.positions.bodies.items():
+            for letter in body.link.points:
+                due: Motion = state.points[letter, number]
+                assert abs(points[letter] - due.r) <= RATIO * state.size, (place, letter)
+                image = plan.images.by_letter[number][letter]
+                seen = _at(made.reading[image], place) * mu * turn
+                assert abs(seen - due.v) <= RATIO * speed, (place, letter, number)
+        for number, omega in state.omega.items():
+            mark = plan.rates.get(number)
+            drawn = _at(made.reading[mark], place).real if mark is not None else 0.0
+            least = max(abs(mechanism.drive.speed), *map(abs, state.omega.values()))
+            assert abs(drawn - omega) <= RATIO * least, (place, number)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_acceleration_equals_the_vector_loops(name: str) -> None:
+    made = work_of(name)
+    plan = made.project.accelerations
+    drive = made.scene.mechanism.drive
+    if "accelerations" not in {p for sheet in made.scene.sheets for p in sheet.place}:
+        assert made.accelerated is None
+        return
+    assert plan is not None
+    assert made.accelerated is not None
+    mu = made.scales["accelerations"].value
+    for index, place in enumerate(made.project.accelerated):
+        state = states(name)[place]
+        pull = max(drive.speed**2 * state.size, _largest(state, "a"))
+        for number, body in made.project.positions.bodies.items():
+            for letter in body.link.points:
+                image = plan.images.by_letter[number][letter]
+                seen = _at(made.accelerated[image], index) * mu
+                due = state.points[letter, number].a
+                assert abs(seen - due) <= RATIO * pull, (place, letter, number)
+        for number, epsilon in state.epsilon.items():
+            mark = plan.rates.get(number)
+            drawn = _at(made.accelerated[mark], index).real if mark is not None else 0.0
+            least = max(drive.speed**2, *map(abs, state.epsilon.values()))
+            assert abs(drawn - epsilon) <= RATIO * least, (place, number)
+
+
+def _reach(state: State, group: Group) -> float:
+    """How far (m, m²) a group stands on the side that +1 names."""
+    first, second = group.legs
+    mechanism = state.mechanism
+    if group.kind == 1:
+        a, c, b = (state.points[pair.name].r for pair in (first.pair, second.pair, group.inner))
+        return ((b - a) * (c - a).conjugate()).imag
+    pair = second.pair if group.kind == 2 else group.inner
+    assert pair.slide is not None
+    turned = state.pose[pair.slide.on][2] + math.radians(pair.slide.guide.angle)
+    start, end = (
+        (state.points[first.pair.name].r, state.points[group.inner.name].r)
+        if group.kind == 2
+        else (
+            state.points[_letter(group, pair.slide.on)].r,
+            state.points[_letter(group, pair.other(pair.slide.on))].r,
+        )
+    )
+    assert mechanism.by_number
+    return ((end - start) * cmath.rect(1.0, -turned)).real
+
+
+def _letter(group: Group, link: int) -> str:
+    return next(leg.pair.name for leg in group.legs if leg.link == link)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_sides_are_kept(name: str) -> None:
+    mechanism = scene_of(name).mechanism
+    for state in states(name):
+        for group in dissect(mechanism).groups:
+            side = side_record(mechanism, group)
+            if group.kind > 3:
+                assert side is None
+                continue
+            assert side is not None
+            sign = float(np.asarray(side_values(side, state.phi)))
+            size = state.size**2 if group.kind == 1 else state.size
+            # an arc that touches may lie on either side by its rounding
+            assert sign * _reach(state, group) > -1e-9 * size, (state.phi, group.name)
