@@ -7,11 +7,11 @@ import re
 from itertools import combinations
 from pathlib import Path
 
-import asked
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from mechanisms import sample
+from support import asked
+from support.mechanisms import sample
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.values import Point

@@ -251,7 +251,7 @@ def test_the_constant_moment_of_a_flywheel_is_told_when_it_is_left_out(tmp_path:
 
 
 def test_the_packaged_scenes_leave_nothing_unsaid(tmp_path: Path) -> None:
-    from gallery import SHEETS
+    from support.gallery import SHEETS
 
     from graphic_tmm.scene.remarks import unplaced
 

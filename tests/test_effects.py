@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
-from effects import LOADS, PLACED, named, needs, only, steps
-from gallery import SHEETS
+from support.effects import LOADS, PLACED, named, needs, only, steps
+from support.gallery import SHEETS
 
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene

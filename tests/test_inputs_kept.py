@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.errors import SheetError

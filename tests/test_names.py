@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from gallery import SHEETS
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from loaded import order_of, solve, weighed
-from mechanisms import assemble
+from support.gallery import SHEETS
+from support.loaded import order_of, solve, weighed
+from support.mechanisms import assemble
 from test_called import written
 from test_part_protocol import PARTS
 from test_part_protocol import drawn as part_of

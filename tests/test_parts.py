@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.chapters.planetary.plan import Planetary

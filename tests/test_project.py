@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanisms import Drawn, mechanisms
-from oracle import poses_from_points, solve_fast
+from support.mechanisms import Drawn, mechanisms
+from support.oracle import poses_from_points, solve_fast
 from test_assembly import brute, coulisse, four_bar, slider_crank
 
 from graphic_tmm.board.execute import execute

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gallery import FOLDERS, SHEETS
+from support.gallery import FOLDERS, SHEETS
 
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
 from graphic_tmm.paper.pens import pens

@@ -8,8 +8,8 @@ from functools import cache
 
 import numpy as np
 import pytest
-from gallery import NAMES, SHEETS
-from oracle import Motion, State, solve_from_points
+from support.gallery import NAMES, SHEETS
+from support.oracle import Motion, State, solve_from_points
 
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import shapely
-from gallery import FOLDERS
+from support.gallery import FOLDERS
 
 from graphic_tmm.files import write
 from graphic_tmm.paper.placing import box, shape

@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import shapely
-from gallery import NAMES, SHEETS
+from support.gallery import NAMES, SHEETS
 
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side

@@ -13,11 +13,11 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from gallery import SHEETS
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 from rich.table import Table
+from support.gallery import SHEETS
 from test_called import written
 
 from graphic_tmm.__main__ import main

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from gallery import NAMES, SHEETS
 from rich.console import Console
+from support.gallery import NAMES, SHEETS
 from test_main import column, made, run, scene
 
 from graphic_tmm.readers.columns import Column, columns, segment_name

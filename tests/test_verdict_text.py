@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 from test_hostile_text import BLOCK, scene
 
 from graphic_tmm.paper.lettering.letters import escape

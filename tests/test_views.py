@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 import shapely
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.drawing import Drawing, Stroke

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from gallery import NAMES, SHEETS
 from hypothesis import given
 from hypothesis import strategies as st
+from support.gallery import NAMES, SHEETS
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding

@@ -26,7 +26,7 @@ ROOM = 8.0
 
 
 def axes(left: float, right: float, low: float, high: float) -> list[Stroke]:
-    """Return two thin axes with arrowheads, from ``left`` and ``low`` to `OVER` mm behind ``right`` and ``high``."""
+    """Return thin axes with arrowheads, from ``left`` and ``low`` to `OVER` mm behind ``right``, ``high``."""
     tips = complex(right + OVER, 0), complex(0, high + OVER)
     return [
         line("thin", complex(left, 0), tips[0]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tasks import by, drawing, scene
+from support.tasks import by, drawing, scene
 
 from graphic_tmm.accuracy.axes import COUNTS, LONG, grid, singly
 

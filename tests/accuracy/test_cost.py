@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from typing import Any
 
 import pytest
-from gallery import NAMES
-from logs import FourBar, logs, sizes
+from support.gallery import NAMES
+from support.logs import FourBar, logs, sizes
 
 from graphic_tmm.accuracy.cost import MINUTES, NOTHING, Work, count, done
 from graphic_tmm.accuracy.geometrography import ELEMENTARY

@@ -6,8 +6,8 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from gallery import SHEETS
-from logs import FourBar
+from support.gallery import SHEETS
+from support.logs import FourBar
 
 from graphic_tmm.accuracy.cost import MINUTES, count
 from graphic_tmm.accuracy.notation import elements, symbol

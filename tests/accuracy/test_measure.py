@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tasks import by, drawing, measure, quantity, scales, scene
+from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.accuracy.drawing import draw

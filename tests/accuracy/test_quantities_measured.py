@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gallery import SHEETS
-from tasks import by, drawing, measure, quantity, scales, scene
+from support.gallery import SHEETS
+from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from gallery import ALL
-from logs import logs, sizes
+from support.gallery import ALL
+from support.logs import logs, sizes
 
 from graphic_tmm.accuracy.repetition import ALONG, repeated, varying
 from graphic_tmm.board.execute import execute

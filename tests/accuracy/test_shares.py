@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tasks import by, drawing, quantity
+from support.tasks import by, drawing, quantity
 
 from graphic_tmm.accuracy.shares import shares
 from graphic_tmm.board.execute import execute, needed

@@ -8,10 +8,10 @@ from io import StringIO
 from string import Formatter
 
 import pytest
-from gallery import SHEETS
 from PIL import Image
 from rich.console import Console
-from tasks import studied
+from support.gallery import SHEETS
+from support.tasks import studied
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, slopes
 from graphic_tmm.accuracy.figure import figures

@@ -15,8 +15,8 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent.parent)]
 
 def main() -> None:
     """Print the table of the README."""
-    from compare import errors
-    from mechanisms import KINDS, sample
+    from support.compare import errors
+    from support.mechanisms import KINDS, sample
 
     print(f"{'mechanisms':<26}{'number':>7}   largest relative error against vector loops (median)")
     rows = [(kind, sample(300, seed=5, dyads=(1, 1), kinds=[kind])) for kind in KINDS]

@@ -18,8 +18,8 @@ from typing import TypeVar
 TESTS = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS / "checking"), str(TESTS), str(TESTS.parent)]
 
-from gallery import SHEETS  # noqa: E402
-from trials import Blamed, Honest, Planted, blamed, honest, made, planted  # noqa: E402
+from support.gallery import SHEETS  # noqa: E402
+from support.trials import Blamed, Honest, Planted, blamed, honest, made, planted  # noqa: E402
 
 from graphic_tmm.checking.cells import cells  # noqa: E402
 

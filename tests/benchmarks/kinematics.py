@@ -15,7 +15,7 @@ import numpy as np
 from clock import Row, in_turns, show  # first: it finds the tests' other modules
 
 import bare  # isort: skip
-from drawn import Board, board  # isort: skip
+from support.drawn import Board, board  # isort: skip
 
 from graphic_tmm.board.execute import Program, Reading, prepare
 from graphic_tmm.board.hand import EXACT, Hand

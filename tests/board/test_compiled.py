@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from drawn import board
-from mechanisms import sample
+from support.drawn import board
+from support.mechanisms import sample
 
 from graphic_tmm.board import compiled
 from graphic_tmm.board.execute import Reading, execute, prepare

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gallery import SHEETS
 from hypothesis import example, given
 from hypothesis import strategies as st
+from support.gallery import SHEETS
 
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import CHUNK, EXACT, HANDS, MOST, SIZE, Hand, trials_in_block

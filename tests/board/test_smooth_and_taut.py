@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flywheels import crank, scene_of, slopes
+from support.flywheels import crank, scene_of, slopes
 
 from graphic_tmm.board.operations import graph_curves as c
 from graphic_tmm.board.operations.graphs import erect

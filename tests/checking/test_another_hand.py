@@ -9,7 +9,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from another_hand import MACHINES, MODES, POSITIONS, RULERS, Pencil, csv_of, gross, rows_of, sheets
+from support.another_hand import (
+    MACHINES,
+    MODES,
+    POSITIONS,
+    RULERS,
+    Pencil,
+    csv_of,
+    gross,
+    rows_of,
+    sheets,
+)
 
 from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.check import checks

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings

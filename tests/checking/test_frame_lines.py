@@ -7,10 +7,10 @@ import io
 from pathlib import Path
 
 import numpy as np
-import photographs
 import pytest
-from photographs import CORNERS, FRAME, PAPER, Camera
 from PIL import Image
+from support import photographs
+from support.photographs import CORNERS, FRAME, PAPER, Camera
 
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
 from graphic_tmm.checking.photo.perspective import homography

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gallery import SHEETS
-from trials import honest, made
+from support.gallery import SHEETS
+from support.trials import honest, made
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import pytest
-from trials import Planted, made, planted, plants, readings, usual
+from support.trials import Planted, made, planted, plants, readings, usual
 
 from graphic_tmm.checking.catalogue import CATALOGUE
 from graphic_tmm.checking.cells import cells

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from trials import made
+from support.trials import made
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from gallery import SHEETS
-from trials import blamed, made, readings
+from support.gallery import SHEETS
+from support.trials import blamed, made, readings
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.bench import Bench, yardstick

@@ -8,10 +8,10 @@ import math
 from pathlib import Path
 
 import numpy as np
-import photographs
 import pytest
-from photographs import CORNERS, FRAME, TARGETS, Camera
 from PIL import Image
+from support import photographs
+from support.photographs import CORNERS, FRAME, TARGETS, Camera
 
 from graphic_tmm.checking.photo.perspective import through
 from graphic_tmm.checking.photo.photo import BENT, flatten, png

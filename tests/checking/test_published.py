@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed, report
+from support.reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed, report
 
 from graphic_tmm.checking.records import WRONG
 from graphic_tmm.checking.report import (
@@ -82,7 +82,7 @@ def test_what_is_shown_is_short_printable_and_on_one_line(text: str, most: int) 
 SCRIPT = """
 import sys
 sys.path[:0] = [{tests!r}, {root!r}]
-from reports import engine, explaining
+from support.reports import engine, explaining
 from test_report import FORMS
 for form in FORMS:
     made = engine("ru")._replace(mistakes=(explaining(2, 3, 9), explaining(4)), notes=("a", "b"))

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from reports import engine, judged
+from support.reports import engine, judged
 
 from graphic_tmm.checking.records import VERDICTS, WRONG
 from graphic_tmm.checking.report.chart import COLOURS, SHAPES, axis, chart

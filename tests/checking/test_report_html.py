@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from reports import HOSTILE, LANGUAGES, engine, hostile
+from support.reports import HOSTILE, LANGUAGES, engine, hostile
 
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.rows import grids, notes, summary, title, who

@@ -8,7 +8,7 @@ import re
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from reports import (
+from support.reports import (
     HOSTILE,
     PUBLISHED,
     due,

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from reports import LANGUAGES, explaining, judged, printed, report
+from support.reports import LANGUAGES, explaining, judged, printed, report
 
 from graphic_tmm.checking.records import DOUBTFUL, WRONG, Likely
 from graphic_tmm.checking.report.html import html_report

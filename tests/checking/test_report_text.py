@@ -9,7 +9,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
-from reports import HOSTILE, LANGUAGES, engine, explaining, hostile, judged, loaded, printed, report
+from support.reports import (
+    HOSTILE,
+    LANGUAGES,
+    engine,
+    explaining,
+    hostile,
+    judged,
+    loaded,
+    printed,
+    report,
+)
 
 from graphic_tmm.checking.records import WRONG
 from graphic_tmm.checking.report.html import html_report

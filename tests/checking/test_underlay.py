@@ -8,10 +8,10 @@ import re
 from pathlib import Path
 
 import numpy as np
-import photographs
 import pytest
 from click.testing import CliRunner, Result
-from photographs import DOTS, Camera
+from support import photographs
+from support.photographs import DOTS, Camera
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.paper.write.svg import svg

@@ -6,7 +6,7 @@ import csv
 import io
 
 import pytest
-from gallery import NAMES, SHEETS
+from support.gallery import NAMES, SHEETS
 
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import result_columns, template, write_readings

@@ -7,8 +7,8 @@ from functools import cache
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 import pytest
-from cams import C6, Made, made
-from teeth import pair
+from support.cams import C6, Made, made
+from support.teeth import pair
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import mpmath as mp  # type: ignore[import-untyped]
-import oracle
 import pytest
-from drawn import board
-from hard_judge import DIGITS, Verdict, exact_of, judge, named, right
-from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+from support import oracle
+from support.drawn import board
+from support.hard_judge import DIGITS, Verdict, exact_of, judge, named, right
+from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 import pytest
-from drawn import board
-from hard_judge import Verdict, judge, named, right
-from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+from support.drawn import board
+from support.hard_judge import Verdict, judge, named, right
+from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
 from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.survey import survey

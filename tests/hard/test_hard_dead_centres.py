@@ -7,11 +7,11 @@ import math
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-import oracle
 import pytest
-from drawn import board
-from hard_judge import DIGITS, exact_of, judge, right
-from hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+from support import oracle
+from support.drawn import board
+from support.hard_judge import DIGITS, exact_of, judge, right
+from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
 from graphic_tmm.mechanism.records import Mechanism
 

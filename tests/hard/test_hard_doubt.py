@@ -12,16 +12,15 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import dynamics
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-import oracle
 import pytest
-from drawn import board
-from hard_judge import DIGITS, Verdict, exact_of, judge
-from loaded import Solved, errors, order_of, places, solve, weighed
-from mechanisms import Drawn, sample
-from wrenches import StaticsError
+from support import dynamics, oracle
+from support.drawn import board
+from support.hard_judge import DIGITS, Verdict, exact_of, judge
+from support.loaded import Solved, errors, order_of, places, solve, weighed
+from support.mechanisms import Drawn, sample
+from support.wrenches import StaticsError
 
 from graphic_tmm.board.findings import DOUBTFUL, Finding, examine
 from graphic_tmm.chapters.forces.task import Friction

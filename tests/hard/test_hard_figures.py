@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from figures_judge import Told, dead_centre, drawn_at, figures, rows
-from mechanisms import sample
+from support.figures_judge import Told, dead_centre, drawn_at, figures, rows
+from support.mechanisms import sample
 from test_hard_forces import weighed
 
 from graphic_tmm.__main__ import main

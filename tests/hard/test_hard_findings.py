@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from drawn import board
-from hard_judge import judge
-from hard_mechanisms import coulisse, slider_crank
+from support.drawn import board
+from support.hard_judge import judge
+from support.hard_mechanisms import coulisse, slider_crank
 from test_hard_chains import chain
 
 from graphic_tmm.board.execute import BLOCK

@@ -11,15 +11,23 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import dynamics
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-import oracle
 import pytest
-from dynamics import Loaded
-from hard_judge import DIGITS
-from hard_mechanisms import FRAMES, Frame, closed, coulisse, four_bar, put, side_at, slider_crank
-from loaded import Solved, errors, order_of, places, solve
+from support import dynamics, oracle
+from support.dynamics import Loaded
+from support.hard_judge import DIGITS
+from support.hard_mechanisms import (
+    FRAMES,
+    Frame,
+    closed,
+    coulisse,
+    four_bar,
+    put,
+    side_at,
+    slider_crank,
+)
+from support.loaded import Solved, errors, order_of, places, solve
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine

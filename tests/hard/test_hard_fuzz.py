@@ -9,7 +9,7 @@ import shapely
 from click.testing import CliRunner
 from fuzz import case
 from fuzz_tasks import task
-from gallery import NAMES, SHEETS
+from support.gallery import NAMES, SHEETS
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.paper.symbols.hatching import MOST, hatched

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from drawn import board
-from gallery import NAMES, SHEETS
-from hard_judge import judge, right
-from hard_mechanisms import four_bar, slider_crank
+from support.drawn import board
+from support.gallery import NAMES, SHEETS
+from support.hard_judge import judge, right
+from support.hard_mechanisms import four_bar, slider_crank
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.execute import execute

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hostile import READINGS, SCENES
+from support.hostile import READINGS, SCENES
 
 from graphic_tmm.accuracy.minutes import MINUTES, read_minutes
 from graphic_tmm.checking.readings.read import read_readings

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from drawn import board
-from gallery import NAMES, SHEETS
-from hard_mechanisms import Frame, put
-from mechanisms import sample
+from support.drawn import board
+from support.gallery import NAMES, SHEETS
+from support.hard_mechanisms import Frame, put
+from support.mechanisms import sample
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.mechanism.records import Mechanism

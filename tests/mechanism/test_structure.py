@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanisms import KINDS, Drawn, mechanisms, sample
+from support.mechanisms import KINDS, Drawn, mechanisms, sample
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.task import Rim
 from graphic_tmm.chapters.indicator.task import Gas, Stretch

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import read

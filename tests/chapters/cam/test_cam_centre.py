@@ -11,7 +11,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from cams import (
+from support.cams import (
     C6,
     EXACT_R0,
     SHAPES,

@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from cams import C6, SHAPES, Made, made, motion
+from support.cams import C6, SHAPES, Made, made, motion
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.phases import divide

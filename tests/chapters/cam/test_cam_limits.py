@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from cams import C6, Made, curvatures, least_radius, made, motion, pressure_angles
+from support.cams import C6, Made, curvatures, least_radius, made, motion, pressure_angles
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import Hand

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from cams import C6, SHAPES, Made, displaced, made, motion, outline, polygon
+from support.cams import C6, SHAPES, Made, displaced, made, motion, outline, polygon
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.findings import cam_findings

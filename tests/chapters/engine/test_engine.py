@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results

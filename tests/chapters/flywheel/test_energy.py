@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.energy import Energies
 from graphic_tmm.errors import StructureError

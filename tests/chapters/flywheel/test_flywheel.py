@@ -7,10 +7,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from flywheels import along, graphs, slopes
-from gallery import SHEETS
 from hypothesis import given
 from hypothesis import strategies as st
+from support.flywheels import along, graphs, slopes
+from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.flywheel.plan import Flywheel

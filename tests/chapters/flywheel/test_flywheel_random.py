@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flywheels import at_positions, crank, graphs, scene_of, truth
+from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
 from graphic_tmm.board.charts import HEIGHT
 from graphic_tmm.chapters.flywheel.table import (

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.readers.protocol import protocol

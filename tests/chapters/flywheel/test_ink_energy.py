@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 import shapely
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,

@@ -8,16 +8,16 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-import dynamics
 import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
-from dynamics import Friction, Loaded, Statics, loads, put_loads, statics
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from mechanisms import Drawn, mechanisms, sample
-from oracle import State, solve, solve_fast
-from wrenches import StaticsError
+from support import dynamics
+from support.dynamics import Friction, Loaded, Statics, loads, put_loads, statics
+from support.mechanisms import Drawn, mechanisms, sample
+from support.oracle import State, solve, solve_fast
+from support.wrenches import StaticsError
 
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect

@@ -9,12 +9,12 @@ from functools import cache
 
 import numpy as np
 import pytest
-from dynamics import Loaded
-from gallery import SHEETS
-from loaded import errors, order_of, solve, weighed
-from mechanisms import Drawn, sample
+from support.dynamics import Loaded
+from support.gallery import SHEETS
+from support.loaded import errors, order_of, solve, weighed
+from support.mechanisms import Drawn, sample
+from support.wrenches import StaticsError
 from test_forces_oracle import RATIO
-from wrenches import StaticsError
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.forces.task import ForcesOrder, Friction, Load

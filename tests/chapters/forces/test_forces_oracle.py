@@ -5,8 +5,8 @@ from __future__ import annotations
 import random
 
 import pytest
-from loaded import errors, order_of, solve, weighed
-from mechanisms import KINDS, Drawn, sample
+from support.loaded import errors, order_of, solve, weighed
+from support.mechanisms import KINDS, Drawn, sample
 
 RATIO = 1e-9
 

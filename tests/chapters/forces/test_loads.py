@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.forces.task import ForcesOrder, Load, Travel
 from graphic_tmm.errors import StructureError

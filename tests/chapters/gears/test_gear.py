@@ -7,7 +7,7 @@ from dataclasses import replace
 import mpmath
 import numpy as np
 import pytest
-from teeth import Pair, dense, pair
+from support.teeth import Pair, dense, pair
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from teeth import Pair, dense, flank, meshing, pair, profile, wheel
+from support.teeth import Pair, dense, flank, meshing, pair, profile, wheel
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.gears.task import GearOrder

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.chapters.indicator.plan import Indicator

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder, Stretch
 from graphic_tmm.errors import StructureError

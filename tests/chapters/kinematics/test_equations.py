@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from gallery import PLANS, SHEETS
+from support.gallery import PLANS, SHEETS
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.equations import Equation, ends_of, equations, quantity

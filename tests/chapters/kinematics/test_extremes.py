@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanisms import Drawn, mechanisms
+from support.mechanisms import Drawn, mechanisms
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import undefined

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from drawn import board
-from mechanisms import Drawn, sample
+from support.drawn import board
+from support.mechanisms import Drawn, sample
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import arrays

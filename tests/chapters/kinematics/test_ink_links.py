@@ -16,9 +16,9 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 import shapely
-from mechanisms import Drawn, sample
-from oracle import OracleError, Pose, solve_from_points
-from rewritten import relettered, text_of
+from support.mechanisms import Drawn, sample
+from support.oracle import OracleError, Pose, solve_from_points
+from support.rewritten import relettered, text_of
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.mechanism.records import Link, Slide

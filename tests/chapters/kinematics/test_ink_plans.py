@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from gallery import NAMES, PLANS, SHEETS
+from support.gallery import NAMES, PLANS, SHEETS
 
 from graphic_tmm.chapters.kinematics.ink_plans import BEYOND, Place, draw_plan, markup, vectors
 from graphic_tmm.paper.drawing import Drawing, Stroke

@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from gallery import NAMES, SHEETS
+from support.gallery import NAMES, SHEETS
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_positions import (

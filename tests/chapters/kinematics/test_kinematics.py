@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from gallery import SHEETS
+from support.gallery import SHEETS
 
 import graphic_tmm
 from graphic_tmm.errors import ConstructionError, SceneError

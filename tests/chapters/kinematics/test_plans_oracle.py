@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from compare import errors
 from hypothesis import HealthCheck, given, settings
-from mechanisms import KINDS, Drawn, mechanisms, sample
+from support.compare import errors
+from support.mechanisms import KINDS, Drawn, mechanisms, sample
 
 RATIO = 1e-9
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from drawn import board
 from hypothesis import HealthCheck, given, settings
-from mechanisms import Drawn, mechanisms
+from support.drawn import board
+from support.mechanisms import Drawn, mechanisms
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-import train_oracle as oracle
+from support import train_oracle as oracle
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute

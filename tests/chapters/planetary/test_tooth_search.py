@@ -9,7 +9,7 @@ from fractions import Fraction as F
 
 import numpy as np
 import pytest
-import train_oracle as oracle
+from support import train_oracle as oracle
 
 from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, choose, search

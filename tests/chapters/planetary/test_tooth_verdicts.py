@@ -6,9 +6,9 @@ from dataclasses import replace
 from fractions import Fraction as F
 
 import pytest
-import train_oracle as oracle
 from hypothesis import given
 from hypothesis import strategies as st
+from support import train_oracle as oracle
 
 from graphic_tmm.chapters.planetary.task import SCHEMES, Limits, PlanetaryOrder, Train
 from graphic_tmm.chapters.planetary.tooth_verdicts import CONDITIONS, Verdict, check

@@ -11,14 +11,8 @@ from dataclasses import replace
 from decimal import Decimal
 from typing import Any, NamedTuple
 
-import dynamics
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-import oracle
-from dynamics import Loaded
-from hard_judge import DIGITS, exact_of
-from loaded import order_of, places, weighed
-from mechanisms import Drawn
 from test_hard_doubt import locks, solved_at
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
@@ -28,6 +22,11 @@ from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import table_columns
 from graphic_tmm.work import Work, work
+from support import dynamics, oracle
+from support.dynamics import Loaded
+from support.hard_judge import DIGITS, exact_of
+from support.loaded import order_of, places, weighed
+from support.mechanisms import Drawn
 
 SHOWN = ("positions", "velocities", "accelerations", "forces", "lever", "force table")
 READ = (measure, measure_along)
@@ -185,7 +184,7 @@ def rows(drawn: Sequence[Drawn]) -> Iterator[tuple[Loaded, tuple[float, ...]]]:
 
 def dead_centre(seed: int) -> tuple[Mechanism, float]:
     """A slider-crank, and an angle in line, or some power of ten of a degree beside it."""
-    from hard_mechanisms import slider_crank
+    from support.hard_mechanisms import slider_crank
 
     source = np.random.default_rng(seed)
     r = float(source.uniform(0.05, 0.4))

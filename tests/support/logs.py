@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cache
 
-from gallery import SHEETS
-
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ray, strike
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle, Curve, Length, Point, Side, arrays
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
+from support.gallery import SHEETS
 
 Log = tuple[Construction, Mapping[Mark, object]]
 

@@ -10,9 +10,9 @@ from typing import Any
 import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
-from dynamics import Friction, statics
-from oracle import State, solve_fast, solve_from_points
-from wrenches import StaticsError
+from support.dynamics import Friction, statics
+from support.oracle import State, solve_fast, solve_from_points
+from support.wrenches import StaticsError
 
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Slide
 

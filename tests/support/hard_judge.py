@@ -18,9 +18,6 @@ from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-import oracle
-from drawn import Board, board
-from hard_mechanisms import closed, side_at
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding, examine
@@ -30,6 +27,9 @@ from graphic_tmm.board.values import Arc
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.mechanism.records import Mechanism
+from support import oracle
+from support.drawn import Board, board
+from support.hard_mechanisms import closed, side_at
 
 DIGITS = 50
 NAMES = ("r", "v", "a")

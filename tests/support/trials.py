@@ -12,7 +12,6 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from gallery import SHEETS
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations.instruments import lay_off, meet
@@ -29,6 +28,7 @@ from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import Made, drawings, make
+from support.gallery import SHEETS
 
 FRESH = 1 << 20
 """A seed that no yardstick is drawn with."""

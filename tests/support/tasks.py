@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-from gallery import SHEETS
-
 from graphic_tmm.accuracy.drawing import Drawing, Pinned, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import Quantity, quantities
@@ -15,6 +13,7 @@ from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
+from support.gallery import SHEETS
 
 
 @cache

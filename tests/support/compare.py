@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from drawn import board
-from mechanisms import Drawn
-from oracle import solve_fast
+
+from support.drawn import board
+from support.mechanisms import Drawn
+from support.oracle import solve_fast
 
 
 def errors(drawn: Drawn, *, turned: bool) -> dict[str, float]:

@@ -12,8 +12,8 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from mechanisms import KINDS, Drawn, mechanisms, sample, sides, sides_kept
-from oracle import (
+from support.mechanisms import KINDS, Drawn, mechanisms, sample, sides, sides_kept
+from support.oracle import (
     OracleError,
     Rates,
     State,

@@ -8,11 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-import dynamics
 import numpy as np
-from dynamics import Loaded, Statics, put_loads
-from mechanisms import Drawn
-from oracle import State, solve_fast
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
@@ -26,6 +22,10 @@ from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.mechanism.structure import Structure, dissect
+from support import dynamics
+from support.dynamics import Loaded, Statics, put_loads
+from support.mechanisms import Drawn
+from support.oracle import State, solve_fast
 
 
 class Solved(NamedTuple):

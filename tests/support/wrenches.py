@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 
 import mpmath  # type: ignore[import-untyped]
 import numpy as np
-from oracle import Numbers, OracleError, State
 
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
+from support.oracle import Numbers, OracleError, State
 
 G = 9.81  # m/s²
 Forces = Sequence[tuple[int, str, complex]]  # link, letter, N

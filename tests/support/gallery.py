@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-SHEETS = Path(__file__).parent.parent / "sheets"
+SHEETS = Path(__file__).parents[2] / "sheets"
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
 

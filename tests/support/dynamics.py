@@ -18,8 +18,11 @@ from typing import Any, Literal, NamedTuple
 import mpmath  # type: ignore[import-untyped]
 import numpy as np
 from hypothesis import strategies as st
-from oracle import Numbers, State
-from wrenches import (
+
+from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.mechanism.structure import Pair, dissect
+from support.oracle import Numbers, State
+from support.wrenches import (
     Forces,
     Moments,
     Stage,
@@ -32,9 +35,6 @@ from wrenches import (
     solved,
     stage_of,
 )
-
-from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Pair, dissect
 
 Both = tuple[int, int]  # (i, j): of link i on link j
 

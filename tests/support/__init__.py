@@ -1,0 +1,1 @@
+"""What tests share: mechanisms at random, oracles that know nothing of plans, drawn scenes."""
