@@ -81,7 +81,7 @@ def test_what_is_shown_is_short_printable_and_on_one_line(text: str, most: int) 
 
 SCRIPT = """
 import sys
-sys.path[:0] = [{tests!r}, {root!r}]
+sys.path[:0] = [{here!r}, {tests!r}, {root!r}]
 from support.reports import engine, explaining
 from test_report import FORMS
 for form in FORMS:
@@ -93,8 +93,8 @@ for form in FORMS:
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_the_run() -> None:
     here = os.path.dirname(os.path.abspath(__file__))
-    root = os.path.dirname(os.path.dirname(here))
-    script = SCRIPT.format(tests=here, root=root)
+    tests = os.path.dirname(here)
+    script = SCRIPT.format(here=here, tests=tests, root=os.path.dirname(tests))
     runs = [
         subprocess.run(
             [sys.executable, "-c", script],
