@@ -133,8 +133,8 @@ def table(
     budget: str | None,
 ) -> None:
     """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
+    from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
-    from graphic_tmm.studio import table as told
 
     drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
     wide = width or terminal_width()
@@ -303,14 +303,13 @@ def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.readers.protocol import steps_of
+    from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)
-    known = ("synthesis", *PLANS)
-    chosen = known if plan == "all" else (plan,)
+    chosen = plans() if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
-    for line in steps_of(drawn.work, drawn.parts, drawn.scene, chosen, position, spoken, known):
+    for line in steps_of(drawn, chosen, position, spoken):
         click.echo(line)
     warn(drawn)
 
@@ -320,7 +319,7 @@ def scenes() -> None:
     """List the scenes that come with the package."""
     import tomllib
 
-    from graphic_tmm.studio import packaged
+    from graphic_tmm.scenes import packaged
 
     found = packaged()
     width = max((len(path.name) for path in found), default=0)
@@ -341,7 +340,7 @@ def new(folder: str, like: str | None) -> None:
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun
     from graphic_tmm.scene.read import FILE, SCENE, read
-    from graphic_tmm.studio import scene_path
+    from graphic_tmm.scenes import scene_path
 
     target = Path(folder)
     if (target / FILE).exists():

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    Place,
+    draw_plan,
+)
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.judge import spot_of

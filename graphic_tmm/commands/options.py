@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 if TYPE_CHECKING:
+    from graphic_tmm.drawn import DrawnScene
     from graphic_tmm.scene.records import Scene
-    from graphic_tmm.studio import Made
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -115,7 +115,7 @@ def say(text: str) -> None:
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
     """Return the scene of a path or a name; ``lettered``: refuse letters that cannot be written on a sheet."""
     from graphic_tmm.scene.read import read
-    from graphic_tmm.studio import scene_path
+    from graphic_tmm.scenes import scene_path
 
     path = scene_path(name)
     if not lettered:
@@ -180,14 +180,13 @@ def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     return scene if seed is None else replace(scene, seed=seed)
 
 
-def warn(made: Made, *, sheets: bool = False) -> None:
+def warn(made: DrawnScene, *, sheets: bool = False) -> None:
     """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    from graphic_tmm.readers.warnings import warnings
     from graphic_tmm.scene.remarks import unplaced
-    from graphic_tmm.studio import part_warnings, warnings
 
     told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
-    told += list(warnings(made.work)) if made.work is not None else []
-    told += [text for part in made.parts for text in part_warnings(part)]
+    told += [text for drawn in made.boards for text in warnings(drawn)]
     for text in told:
         say(f"graphic-tmm: {made.scene.source}: warning: {text}")
 
@@ -196,7 +195,7 @@ def terminal_width() -> int:
     """Return how many characters a line of the terminal has, many if nothing is printed to one."""
     import shutil
 
-    from graphic_tmm.studio import WIDTH
+    from graphic_tmm.readers.table import WIDTH
 
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDTH
 

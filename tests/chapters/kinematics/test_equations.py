@@ -10,7 +10,7 @@ import pytest
 from support.gallery import PLANS, SHEETS
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics.equations import Equation, ends_of, equations, quantity
+from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.readers.columns import segment_name
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted

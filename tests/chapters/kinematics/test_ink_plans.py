@@ -10,7 +10,15 @@ import pytest
 import shapely
 from support.gallery import NAMES, PLANS, SHEETS
 
-from graphic_tmm.chapters.kinematics.ink_plans import BEYOND, Place, draw_plan, markup, vectors
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    BEYOND,
+    Place,
+    draw_plan,
+    vectors,
+)
+from graphic_tmm.paper.lettering.letters import (
+    markup,
+)
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS

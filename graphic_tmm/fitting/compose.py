@@ -1,27 +1,26 @@
-"""From a drawn project to sheets: its views packed onto paper, each sheet in its frame."""
+"""From drawn boards to sheets: their views packed onto paper, each sheet in its frame."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from graphic_tmm.chapter import places
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.words import number
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack, settled
-from graphic_tmm.parts import Part
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.views import FREE_VIEWS, PART_VIEWS, VIEWS
-from graphic_tmm.work import Work
+
+LENGTHS = "μ_l"
+"""The symbol of the scale factors of which the title block tells the first."""
 
 
-def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tuple[Sheet, ...]:
-    """Return the sheets of a scene, each order followed by the sheets it spills onto.
+def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
+    """Return the sheets of a scene, each order followed by the sheets it spills onto."""
 
-    ``drawn``: its mechanism as drawn, if it has one; ``parts``: what is drawn beside it.
-    """
-
-    def views(plan: str, within: Within) -> list[Drawing]:
-        whole = views_of(plan, scene, drawn, parts, True)
+    def views(place: str, within: Within) -> list[Drawing]:
+        whole = views_of(place, scene, boards, True)
         return [part for view in whole for part in settled(view, within)]
 
     placed_views = laid(scene, views)
@@ -34,7 +33,7 @@ def compose(scene: Scene, drawn: Work | None, parts: Sequence[Part] = ()) -> tup
             first=index == 0,
             number=index + 1,
             count=count,
-            fields=_fields(scene, drawn, parts),
+            fields=_fields(scene, boards),
         )
         name = f"sheet-{index + 1}" if count > 1 else "sheet"
         width, height = SIZES[format]
@@ -60,21 +59,18 @@ def laid(scene: Scene, views: Views) -> list[tuple[str, list[Drawing]]]:
     found: list[tuple[str, list[Drawing]]] = []
     for order, rooms in orders(scene):
         within = rooms[0].within
-        there = [view for plan in order.place for view in views(plan, within)]
+        there = [view for place in order.place for view in views(place, within)]
         found += [(order.format, placed) for placed in pack(there, rooms, order.format)]
     return found
 
 
-def views_of(
-    plan: str, scene: Scene, drawn: Work | None, parts: Sequence[Part], lettered: bool
-) -> list[Drawing]:
+def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) -> list[Drawing]:
     """Return the views of a place as they are drawn, before any of them comes apart."""
-    if plan in FREE_VIEWS:
-        return FREE_VIEWS[plan](scene)
-    if plan in PART_VIEWS:
-        return [view for p in parts if p.kind == plan for view in PART_VIEWS[plan](p, lettered)]
-    assert drawn is not None
-    return VIEWS[plan](drawn, lettered)
+    chapter, shown = places()[place]
+    if not chapter.board:
+        return shown.plain(scene)
+    there = [one for one in boards if one.board == chapter.board]
+    return [view for one in there for view in shown.draw(one, lettered)]
 
 
 def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
@@ -82,11 +78,10 @@ def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
     return Room(area.inner, area.occupied)
 
 
-def _fields(scene: Scene, drawn: Work | None, parts: Sequence[Part]) -> dict[str, str]:
+def _fields(scene: Scene, boards: Sequence[Drawn]) -> dict[str, str]:
     fields = dict(scene.title_block)
     fields.setdefault("name", scene.title)
-    scales = [drawn.scales["positions"]] if drawn is not None else []
-    scales += [s for part in parts for s in part.scales().values() if s.symbol == "μ_l"]
+    scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]
     if scales:
         reduction = scales[0].value * 1000.0
         fields.setdefault("scale", _ratio(reduction, scene.language))
