@@ -38,7 +38,7 @@ def underlay(
         If there is no such sheet, the corners are none, the photograph cannot be flattened, or a file cannot be
         written.
     """
-    from graphic_tmm.checking.photo.photo import flatten, png
+    from graphic_tmm.checking.photo.flatten import flatten, png
     from graphic_tmm.paper.frame.frame import drawing_area
     from graphic_tmm.paper.write.svg import Under, svg
 

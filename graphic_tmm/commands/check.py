@@ -143,8 +143,8 @@ def _judged(
 ) -> Report:
     """Return the report on a file of readings; ``beyond``: where doubt begins, and wrong."""
     from graphic_tmm.checking.check import check
+    from graphic_tmm.checking.judging.scatter import Limits
     from graphic_tmm.checking.readings.read import read_readings
-    from graphic_tmm.checking.scatter import Limits
 
     taken, limits = read_readings(Path(readings)), Limits(*beyond)
     return check(
