@@ -16,16 +16,14 @@ import numpy as np
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number
-from graphic_tmm.checking.bench import Bench, Yardstick, yardstick
-from graphic_tmm.checking.cells import Cell
-from graphic_tmm.checking.own import apart
-from graphic_tmm.checking.readings.units import half_of, taken_figure
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.own_errors import apart
+from graphic_tmm.checking.judging.reader import GIVEN
+from graphic_tmm.checking.judging.scatter import Scatter, times_off
+from graphic_tmm.checking.judging.yardstick import Yardstick
+from graphic_tmm.checking.readings.units import due_figure, half_of, taken_figure
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
-from graphic_tmm.checking.scatter import Scatter, times_off
-from graphic_tmm.checking.tolerance import GIVEN
 from graphic_tmm.studio import Made
-
-__all__ = ["amount", "apart", "judge", "spot_of", "yardstick"]
 
 LEAST = 1e-9
 """A deviation below this share of the plan is none."""
@@ -62,162 +60,148 @@ def judge(made: Made, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged,
     ``made``: drawn by the exact hand.
     """
     rows = [part for taken in readings for part in taken.parts()]
-    bench = Bench(made, rows, by)
-    order = sorted(range(len(rows)), key=lambda k: _rank(bench, rows[k]))
+    drawing = Comparison(made, rows, by)
+    order = sorted(range(len(rows)), key=lambda k: _rank(drawing, rows[k]))
     found: dict[int, Judged] = {}
     verdicts: dict[Taken, str] = {}
     for k in order:
-        found[k] = _judged(bench, rows[k], verdicts)
+        found[k] = _judged(drawing, rows[k], verdicts)
         verdicts[rows[k]] = found[k].verdict
     return tuple(found[k] for k in range(len(rows)))
 
 
-def amount(cell: Cell, taken: Taken) -> float:
-    """Return the figure that a reading is compared with: mm where it is given in mm."""
-    found = cell.mm if taken.mm is not None else cell.value
-    assert found is not None
-    return found
-
-
-def spot_of(taken: Taken) -> complex:
-    """Return where a reading says that a point stands."""
-    assert taken.x is not None
-    assert taken.y is not None
-    return complex(taken.x, taken.y)
-
-
-def _rank(bench: Bench, taken: Taken) -> tuple[float, bool]:
+def _rank(drawing: Comparison, taken: Taken) -> tuple[float, bool]:
     """Return the place of a reading among the others: earlier steps first, mm before their quantity."""
-    step = bench.step(taken)
+    step = drawing.step(taken)
     return (math.inf if step is None else step.it.slot, not taken.in_mm)
 
 
-def _judged(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> Judged:
-    seen, off = bench.by.spread[taken.at], _off(bench, taken)
-    own = _own(bench, taken)
-    total = FINE if _none(bench, taken, off, off.signed) else seen.verdict(off.counted, off.times)
+def _judged(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) -> Judged:
+    seen, off = drawing.by.spread[taken.at], _off(drawing, taken)
+    own = _own(drawing, taken)
+    total = FINE if _none(drawing, taken, off, off.signed) else seen.verdict(off.counted, off.times)
     verdict, quantile = total, seen.quantile(off.counted)
-    blamed, error, follows = bench.step(taken), None, None
+    blamed, error, follows = drawing.step(taken), None, None
     if own is not None:
-        still = _none(bench, taken, off, own.error)
+        still = _none(drawing, taken, off, own.error)
         mine = FINE if still else own.scatter.verdict(own.counted)
-        error = None if _rate(bench, taken) else own.error
-        if _strict(bench, taken, verdicts) or _milder(mine, total):
+        error = None if _rate(drawing, taken) else own.error
+        if _strict(drawing, taken, verdicts) or _milder(mine, total):
             verdict, blamed = mine, own.step
             quantile = own.scatter.quantile(0.0 if still else own.counted)
-            follows = _follows(bench, taken, off) if mine == FINE != total else None
+            follows = _follows(drawing, taken, off) if mine == FINE != total else None
     return Judged(
         taken=taken,
         found=off.found,
         due=off.due,
         deviation=off.signed,
-        percent=_percent(bench, taken, off),
+        percent=_percent(drawing, taken, off),
         quantile=quantile,
         verdict=verdict,
-        unit="mm" if taken.in_mm else bench.due[taken.key].unit,
-        step=_named(bench, blamed) if verdict != FINE else "",
+        unit="mm" if taken.in_mm else drawing.due[taken.key].unit,
+        step=_named(drawing, blamed) if verdict != FINE else "",
         own=error,
         follows=follows,
     )
 
 
-def _off(bench: Bench, taken: Taken) -> _Off:
-    reader = bench.by.reader
+def _off(drawing: Comparison, taken: Taken) -> _Off:
+    reader = drawing.by.reader
     if taken.pointed:
-        spot, goal = spot_of(taken), bench.spots[taken.key]
+        spot, goal = taken.spot, drawing.spots[taken.key]
         grain = reader.lost(taken.last)
         return _Off(abs(spot), abs(goal), abs(spot - goal), grain, 0.0)
-    cell = bench.due[taken.key]
-    found, goal = taken_figure(taken, cell), amount(cell, taken)
+    cell = drawing.due[taken.key]
+    found, goal = taken_figure(taken, cell), due_figure(cell, taken)
     grain = half_of(taken, cell)
-    mu = 1.0 if taken.mm is not None else bench.scale(taken)
+    mu = 1.0 if taken.mm is not None else drawing.scale(taken)
     if mu > 0.0:
         grain = mu * reader.unblurred(grain / mu)
-    elif bench.is_given(taken):
+    elif drawing.is_given(taken):
         grain += GIVEN * abs(goal)
     return _Off(found, goal, float(apart(found, goal)), grain, float(times_off(found, goal)))
 
 
-def _own(bench: Bench, taken: Taken) -> _Own | None:
+def _own(drawing: Comparison, taken: Taken) -> _Own | None:
     """Return a reading against what the earlier ones make of it; None where that cannot be told."""
-    if (length := bench.beside(taken)) is not None:
-        return _agreed(bench, taken, length)
-    step = bench.step(taken)
-    usual = None if step is None else bench.by.usual.get((step.it, bench.place(taken)))
-    errors = bench.errors(taken)
-    if not errors or usual is None or _other_sense(bench, taken):
+    if (length := drawing.beside(taken)) is not None:
+        return _agreed(drawing, taken, length)
+    step = drawing.step(taken)
+    steps = None if step is None else drawing.by.steps.get((step.it, drawing.place(taken)))
+    errors = drawing.errors(taken)
+    if not errors or steps is None or _other_sense(drawing, taken):
         return None
-    if bench.calculated(taken):
-        (by, error, grain), digits = errors[0], bench.by.reader.rounding(taken.mm or 0.0)
+    if drawing.calculated(taken):
+        (by, error, grain), digits = errors[0], drawing.by.reader.rounding(taken.mm or 0.0)
         counted = max(abs(error) - grain - digits, 0.0)
-        return _Own(Scatter(np.empty(0), 0.0, bench.by.limits.wrong * digits), counted, by, error)
+        return _Own(Scatter(np.empty(0), 0.0, drawing.by.limits.wrong * digits), counted, by, error)
     if taken.pointed:
-        lost = bench.by.reader.lost(taken.last, bench.share)
+        lost = drawing.by.reader.lost(taken.last, drawing.share)
         errors = tuple((one, error, lost) for one, error, _ in errors)
-    counted, by, error = usual.worst(errors, bench.share if taken.pointed else 1.0)
-    return _Own(usual.scatter, counted, by, error)
+    counted, by, error = steps.worst(errors, drawing.share if taken.pointed else 1.0)
+    return _Own(steps.scatter, counted, by, error)
 
 
-def _agreed(bench: Bench, taken: Taken, length: Taken) -> _Own | None:
+def _agreed(drawing: Comparison, taken: Taken, length: Taken) -> _Own | None:
     """Return a quantity against the length beside it times μ, mm: it has no more slips than a calculation."""
-    step, mu, hand = bench.step(taken), bench.scale(taken), bench.by.reader.hand
+    step, mu, hand = drawing.step(taken), drawing.scale(taken), drawing.by.reader.hand
     if not mu > 0.0:
         return None
     assert length.mm is not None
-    cell = bench.due[taken.key]
+    cell = drawing.due[taken.key]
     found = taken_figure(taken, cell)
     error = abs(found) / mu - abs(length.mm)
-    ruler = bench.by.reader.half
-    digits = bench.by.reader.rounding(length.mm)
+    ruler = drawing.by.reader.half
+    digits = drawing.by.reader.rounding(length.mm)
     counted = max(abs(error) - half_of(taken, cell) / mu - length.last.mm - ruler - digits, 0.0)
     slip = max(hand.reading, ruler)
-    return _Own(Scatter(np.empty(0), 0.0, bench.by.limits.wrong * slip), counted, step, error)
+    return _Own(Scatter(np.empty(0), 0.0, drawing.by.limits.wrong * slip), counted, step, error)
 
 
-def _strict(bench: Bench, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:
+def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:
     """Whether only what earlier readings make of a reading counts.
 
     Always of a point; of what is calculated, if they are right.
     """
     if taken.pointed:
         return True
-    if bench.beside(taken) is None and not (_rate(bench, taken) or bench.calculated(taken)):
+    if drawing.beside(taken) is None and not (_rate(drawing, taken) or drawing.calculated(taken)):
         return False
-    return all(verdicts.get(one) == FINE for one in bench.sources(taken))
+    return all(verdicts.get(one) == FINE for one in drawing.sources(taken))
 
 
-def _other_sense(bench: Bench, taken: Taken) -> bool:
+def _other_sense(drawing: Comparison, taken: Taken) -> bool:
     """Whether a rate has the other sense than is due: lengths are read without one, so they do not tell it."""
-    if not _rate(bench, taken):
+    if not _rate(drawing, taken):
         return False
-    cell = bench.due[taken.key]
-    return taken_figure(taken, cell) < 0.0 < amount(cell, taken)
+    cell = drawing.due[taken.key]
+    return taken_figure(taken, cell) < 0.0 < due_figure(cell, taken)
 
 
-def _rate(bench: Bench, taken: Taken) -> bool:
-    step = bench.step(taken)
+def _rate(drawing: Comparison, taken: Taken) -> bool:
+    step = drawing.step(taken)
     return step is not None and step.it.kind is Number
 
 
-def _follows(bench: Bench, taken: Taken, off: _Off) -> Taken | None:
+def _follows(drawing: Comparison, taken: Taken, off: _Off) -> Taken | None:
     """Return the earlier reading that brings the most of a deviation."""
-    sources = bench.sources(taken)
-    carried = [(bench.carried(taken, one), -k) for k, one in enumerate(sources)]
+    sources = drawing.sources(taken)
+    carried = [(drawing.carried(taken, one), -k) for k, one in enumerate(sources)]
     most, k = max(carried, default=(0.0, 0))
-    mm = 1.0 if taken.in_mm or _rate(bench, taken) else bench.scale(taken)
+    mm = 1.0 if taken.in_mm or _rate(drawing, taken) else drawing.scale(taken)
     return sources[-k] if most * mm >= CARRIED * abs(off.signed) else None
 
 
-def _none(bench: Bench, taken: Taken, off: _Off, error: float) -> bool:
+def _none(drawing: Comparison, taken: Taken, off: _Off, error: float) -> bool:
     """Whether an error is nothing but the rounding of the machine."""
-    whole = bench.whole.get((taken.plan, taken.position), 0.0) if taken.in_mm else 0.0
+    whole = drawing.whole.get((taken.plan, taken.position), 0.0) if taken.in_mm else 0.0
     return abs(error) <= LEAST * max(whole, abs(off.due))
 
 
-def _percent(bench: Bench, taken: Taken, off: _Off) -> float:
+def _percent(drawing: Comparison, taken: Taken, off: _Off) -> float:
     """Return a deviation in % of the longest vector of its plan; NaN where nothing is drawn of it."""
-    whole = bench.whole.get((taken.plan, taken.position), 0.0)
-    mu = 1.0 if taken.in_mm else bench.scale(taken)
+    whole = drawing.whole.get((taken.plan, taken.position), 0.0)
+    mu = 1.0 if taken.in_mm else drawing.scale(taken)
     return 100.0 * abs(off.signed) / mu / whole if whole and mu else math.nan
 
 
@@ -226,8 +210,8 @@ def _milder(one: str, other: str) -> bool:
     return VERDICTS.index(one) <= VERDICTS.index(other)
 
 
-def _named(bench: Bench, step: Step | None) -> str:
+def _named(drawing: Comparison, step: Step | None) -> str:
     """Return a step as a report names it: its number in its plan, its letter; empty for none."""
-    if step is None or bench.made.work is None:
+    if step is None or drawing.made.work is None:
         return ""
-    return f"{step_number(bench.made.work.project.construction, step)} {step.it.name}"
+    return f"{step_number(drawing.made.work.project.construction, step)} {step.it.name}"

@@ -12,8 +12,8 @@ from support.trials import honest, made
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.scatter import Limits, scatter
-from graphic_tmm.checking.tolerance import Reader
+from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.judging.scatter import Limits, scatter
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import drawings, make
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.cells import Cell, Key, cells, points
-from graphic_tmm.checking.own import apart
+from graphic_tmm.checking.judging.own_errors import apart
+from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
-from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.studio import Made, drawings
 
 NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
@@ -45,7 +45,7 @@ class Scatter(NamedTuple):
     times: float = np.inf
 
     @property
-    def usual(self) -> float:
+    def rms(self) -> float:
         """The root mean square of the deviations; 0 of none."""
         return float(np.sqrt(np.mean(self.sorted**2))) if self.sorted.size else 0.0
 

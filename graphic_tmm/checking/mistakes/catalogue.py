@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.checking.alterations import (
+from graphic_tmm.checking.mistakes.alterations import (
     Figures,
     at_the_end,
     backwards,

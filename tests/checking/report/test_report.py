@@ -93,8 +93,9 @@ for form in FORMS:
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_the_run() -> None:
     here = os.path.dirname(os.path.abspath(__file__))
-    tests = os.path.dirname(here)
-    script = SCRIPT.format(here=here, tests=tests, root=os.path.dirname(tests))
+    tests = os.path.dirname(os.path.dirname(here))
+    root = os.path.dirname(tests)
+    script = SCRIPT.format(here=here, tests=tests, root=root)
     runs = [
         subprocess.run(
             [sys.executable, "-c", script],

@@ -10,9 +10,9 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Point, Reals
-from graphic_tmm.checking.own import Found, Own, exact, run
-from graphic_tmm.checking.scatter import Limits, Scatter, limited
-from graphic_tmm.checking.tolerance import Reader
+from graphic_tmm.checking.judging.own_errors import Found, Own, exact, run
+from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
 from graphic_tmm.work import Work
 
 LEAST = 1e-9
@@ -27,11 +27,11 @@ SHARES = (0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 """Of the slip of reading coordinates that was counted upon."""
 
 
-class Usual(NamedTuple):
+class StepScatter(NamedTuple):
     """The hand's own errors of what led to a reading: their root mean squares, mm, step by step.
 
     ``sharp``: the same, if coordinates were read without a slip. ``scatter``: of the largest error measured by
-    its size; ``most``: what `MOST` of the errors, so measured, are below. ``even``: which of the errors are
+    its size; ``most``: what `MOST` of the errors, so measured, are below. ``steady``: which of the errors are
     counted for that: not those that a hand makes now and then.
     """
 
@@ -39,7 +39,7 @@ class Usual(NamedTuple):
     sharp: tuple[float, ...]
     scatter: Scatter
     most: float
-    even: tuple[bool, ...]
+    steady: tuple[bool, ...]
 
     def at(self, share: float) -> tuple[float, ...]:
         """Return the sizes if coordinates were read with this share of the slip that was counted upon."""
@@ -49,7 +49,7 @@ class Usual(NamedTuple):
     def worst(
         self, errors: Sequence[tuple[Step, float, float]], share: float
     ) -> tuple[float, Step, float]:
-        """Return how many times its usual size the largest error is as the hand goes, its step, and it.
+        """Return how many times its root mean square the largest error is, as the hand goes, its step, and it.
 
         ``errors``: each a step, its error, and how much of it may be rounding; ``share``: as in `at`.
         """
@@ -61,7 +61,7 @@ class Usual(NamedTuple):
         return times[k], errors[k][0], errors[k][1]
 
 
-def share_of_slip(seen: Sequence[tuple[Usual, Sequence[float]]]) -> float:
+def share_of_slip(seen: Sequence[tuple[StepScatter, Sequence[float]]]) -> float:
     """Return with which share of the slip that was counted upon the coordinates of a drawing were read.
 
     What most of the errors of a drawing are below tells, whatever a few gross ones are. It is counted with what
@@ -70,28 +70,28 @@ def share_of_slip(seen: Sequence[tuple[Usual, Sequence[float]]]) -> float:
     Parameters
     ----------
     seen
-        What is usual of each point, and its errors, mm.
+        How the hand scatters at each point, and the errors of that point, mm.
     """
     rows = [
-        (usual, k, abs(error))
-        for usual, errors in seen
+        (own, k, abs(error))
+        for own, errors in seen
         for k, error in enumerate(errors)
-        if usual.even[k]
+        if own.steady[k]
     ]
     if len(rows) < FEW:
         return 1.0
     wide = 1.0 + SURE / math.sqrt(len(rows))
-    most = float(np.median([usual.most for usual, _ in seen]))
+    most = float(np.median([own.most for own, _ in seen]))
     for share in SHARES:
-        times = [error / usual.at(share)[k] for usual, k, error in rows]
+        times = [error / own.at(share)[k] for own, k, error in rows]
         if float(np.quantile(times, MOST)) * wide <= most:
             return share
     return 1.0
 
 
-def usual_errors(
+def step_scatters(
     work: Work, found: Found, by: Reader, limits: Limits
-) -> dict[tuple[Mark, int], Usual]:
+) -> dict[tuple[Mark, int], StepScatter]:
     """Return how far off the hand's own steps are, by mark and position (its index), where they were read."""
     if not found:
         return {}
@@ -103,21 +103,23 @@ def usual_errors(
         for who in (by, by.sharp)
     )
     return {
-        (mark, int(place)): _usual(blunt[mark], sharp[mark], int(place), limits)
+        (mark, int(place)): _step_scatter(blunt[mark], sharp[mark], int(place), limits)
         for mark, there in found.items()
         for place in np.flatnonzero(~np.isnan(there[0]))
     }
 
 
-def _usual(errors: Sequence[Own], sharp: Sequence[Own], place: int, limits: Limits) -> Usual:
+def _step_scatter(
+    errors: Sequence[Own], sharp: Sequence[Own], place: int, limits: Limits
+) -> StepScatter:
     sizes, least = (tuple(_size(own, place) for own in some) for some in (errors, sharp))
     times = [
         np.nan_to_num(np.abs(own.error[:, place])) / size
         for own, size in zip(errors, sizes, strict=True)
     ]
-    even = tuple(own.usual is own.error for own in errors)
-    most = np.quantile([row for row, counts in zip(times, even, strict=True) if counts], MOST)
-    return Usual(sizes, least, _limited(np.array(times), limits), float(most), even)
+    steady = tuple(own.sized_by is own.error for own in errors)
+    most = np.quantile([row for row, counts in zip(times, steady, strict=True) if counts], MOST)
+    return StepScatter(sizes, least, _limited(np.array(times), limits), float(most), steady)
 
 
 def _limited(times: Reals, limits: Limits) -> Scatter:
@@ -128,8 +130,8 @@ def _limited(times: Reals, limits: Limits) -> Scatter:
 
 
 def _size(own: Own, place: int) -> float:
-    usual = _at(own.usual, place)
-    return max(float(np.sqrt(np.mean(usual**2))), LEAST) if usual.size else LEAST
+    seen = _at(own.sized_by, place)
+    return max(float(np.sqrt(np.mean(seen**2))), LEAST) if seen.size else LEAST
 
 
 def _at(values: Reals, place: int) -> Reals:

@@ -13,8 +13,8 @@ from PIL import Image
 from support import photographs
 from support.photographs import CORNERS, FRAME, TARGETS, Camera
 
+from graphic_tmm.checking.photo.flatten import BENT, flatten, png
 from graphic_tmm.checking.photo.perspective import through
-from graphic_tmm.checking.photo.photo import BENT, flatten, png
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.frame.frame import drawing_area
 

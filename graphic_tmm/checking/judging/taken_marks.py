@@ -10,10 +10,10 @@ import numpy as np
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import POINTED, Cell, Key
-from graphic_tmm.checking.own import Grain, alone
+from graphic_tmm.checking.judging.own_errors import Grain, alone
+from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import Taken
-from graphic_tmm.checking.tolerance import Reader
 from graphic_tmm.readers.columns import segment_name
 from graphic_tmm.work import Work
 
@@ -87,8 +87,7 @@ def mark_figure(
     """
     last = taken.last
     if step.it.kind is Point:
-        spot = complex(taken.x or 0.0, taken.y or 0.0)
-        return (spot, by.lost(last), 0.0) if taken.pointed else None
+        return (taken.spot, by.lost(last), 0.0) if taken.pointed else None
     if (taken.value is None and taken.mm is None) or cell is None:
         return None
     figure, half = taken_figure(taken, cell), half_of(taken, cell)

@@ -156,7 +156,7 @@ def test_any_quadrilateral_on_any_picture_gives_numbers() -> None:
 @pytest.mark.slow
 def test_the_frame_of_a_sheet_drawn_by_the_package() -> None:
     resvg = pytest.importorskip("resvg_py")
-    text = (Path(__file__).parents[2] / "sheets/engine/engine.svg").read_text("utf-8")
+    text = (Path(__file__).parents[3] / "sheets/engine/engine.svg").read_text("utf-8")
     made = resvg.svg_to_bytes(svg_string=text, dpi=25.4 * photographs.DOTS, skip_system_fonts=True)
     painted = Image.open(io.BytesIO(bytes(made))).convert("RGBA")
     white = Image.new("RGBA", painted.size, "white")

@@ -11,23 +11,24 @@ import pytest
 from support.gallery import SHEETS
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.bench import yardstick
+from graphic_tmm.checking import known
 from graphic_tmm.checking.cells import Cell, cells
 from graphic_tmm.checking.check import check
-from graphic_tmm.checking.judge import judge
+from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.reader import POINTS, reader
+from graphic_tmm.checking.judging.scatter import Limits, limited
+from graphic_tmm.checking.judging.yardstick import yardstick
 from graphic_tmm.checking.readings.figures import half_unit
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Report, Taken
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.text import markdown_report
-from graphic_tmm.checking.scatter import Limits, limited
-from graphic_tmm.checking.tolerance import POINTS, reader
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made, make
 
-CASES = Path(__file__).resolve().parent.parent / "cases" / "check"
+CASES = Path(__file__).resolve().parents[2] / "cases" / "check"
 HEAD = "plan,position,segment,mm,value,unit,x,y\n"
 TRIALS = 120
 CLUMSY = 5.0
@@ -237,14 +238,12 @@ def test_a_point_half_a_mm_off_is_fine_on_paper_and_not_on_a_screen(tmp_path: Pa
 def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    from graphic_tmm.checking.readings import names
-
     def unsure(made: Made) -> dict[tuple[str, str, str], Cell]:
         found = cells(made)
         del found["velocities", "ab", "2"]
         return found
 
-    monkeypatch.setattr(names, "cells", unsure)
+    monkeypatch.setattr(known, "cells", unsure)
     rows = "velocities,1,pb,68,,,,\nvelocities,2,ab,3,,,,\n"
     report = checked("sc", rows, tmp_path)
     assert [one.taken.segment for one in report.readings] == ["pb"]

@@ -1,69 +1,28 @@
-"""What lies ready when readings are judged: dues, marks, own errors, and the yardstick of a hand."""
+"""A scene drawn exactly beside the readings of a drawing: dues, marks, own errors, where each comes from."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
-from graphic_tmm.checking.own import Grain, Run, apart, exact, read_of, run
-from graphic_tmm.checking.own_scatter import Usual, share_of_slip, usual_errors
+from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
+from graphic_tmm.checking.judging.step_scatter import share_of_slip
+from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
+from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
-from graphic_tmm.checking.scatter import Limits, Scatter, scatter
-from graphic_tmm.checking.taken_marks import as_marks, scale_of, steps_of
-from graphic_tmm.checking.tolerance import Reader, reader
 from graphic_tmm.studio import Made
 
 
-class Yardstick(NamedTuple):
-    """By what readings are judged: how the hand's drawings scatter, and what errors its own steps make."""
-
-    reader: Reader
-    limits: Limits
-    spread: Mapping[tuple[Key, bool], Scatter]
-    usual: Mapping[tuple[Mark, int], Usual]
-
-
-def yardstick(
-    made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits, points: str = "paper"
-) -> Yardstick:
-    """Return by what readings of these figures are judged.
-
-    Parameters
-    ----------
-    made
-        The scene as the exact hand draws it.
-    readings
-        Which figures were read; other readings of the same figures are judged by the same yardstick.
-    hand
-        By whose drawings they are judged, so many as its ``trials``.
-    limits
-        Where doubt begins, and wrong.
-    points
-        How points were read, one of ``POINTS``.
-    """
-    by = reader(made.scene, hand, points)
-    wanted: dict[Key, set[bool]] = {}
-    rows = [part for taken in readings for part in taken.parts()]
-    for taken in rows:
-        wanted.setdefault(taken.key, set()).add(taken.in_mm)
-    usual: dict[tuple[Mark, int], Usual] = {}
-    if made.work is not None:
-        found, _ = as_marks(made.work, steps_of(made.work), rows, cells(made), by)
-        usual = usual_errors(made.work, found, by, limits)
-    return Yardstick(by, limits, scatter(made, by, wanted, limits), usual)
-
-
 @dataclass(frozen=True)
-class Bench:
+class Comparison:
     """A scene drawn exactly, with the readings of a drawing; ``rows``: one kind of figure each."""
 
     made: Made
@@ -161,10 +120,10 @@ class Bench:
         seen = []
         for taken in self.rows:
             step = self.step(taken) if taken.pointed else None
-            usual = None if step is None else self.by.usual.get((step.it, self.place(taken)))
-            if usual is not None:
+            own = None if step is None else self.by.steps.get((step.it, self.place(taken)))
+            if own is not None:
                 errors = [error for _, error, _ in self.errors(taken)]
-                seen += [(usual, errors)] if errors else []
+                seen += [(own, errors)] if errors else []
         return share_of_slip(seen)
 
     def stands(self, taken: Taken, step: Step, place: int) -> bool:

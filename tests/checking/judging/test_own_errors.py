@@ -7,11 +7,12 @@ from support.gallery import SHEETS
 from support.trials import blamed, made, readings
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.bench import Bench, yardstick
 from graphic_tmm.checking.cells import cells, cells_and_points, points
 from graphic_tmm.checking.check import check
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.yardstick import yardstick
 from graphic_tmm.checking.records import FINE, WRONG, Taken
-from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.read import read
 
 SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-crank", "lever")
@@ -24,7 +25,7 @@ def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
     due = cells_and_points(made(name)) if pointed else cells(made(name))
     rows = readings(due, due)
     by = yardstick(made(name), rows, HANDS["student"]._replace(trials=2), Limits())
-    own = Bench(made(name), rows, by)
+    own = Comparison(made(name), rows, by)
     drawn = [t for t in rows if t.plan == "velocities" and (t.pointed or t.mm is not None)]
     assert all(own.errors(taken) for taken in drawn)
     assert max(abs(error) for taken in rows for _, error, _ in own.errors(taken)) < 1e-9

@@ -40,13 +40,13 @@ class Grain(NamedTuple):
 class Own(NamedTuple):
     """The error of one step: of a length or a rate how much too large, of a point or a line how far it is off.
 
-    All are arrays (trial, position), in mm, of a rate in its unit. ``usual``: by what the usual size of the
-    error is told; ``grain``: so much of it may be the rounding of what was read.
+    All are arrays (trial, position), in mm, of a rate in its unit. ``sized_by``: of what the root mean
+    square tells how large a hand makes it; ``grain``: so much of it may be the rounding of what was read.
     """
 
     step: Step
     error: Reals
-    usual: Reals
+    sized_by: Reals
     grain: Reals | float = 0.0
 
 
@@ -190,7 +190,7 @@ def _even(step: Step, error: Reals) -> Own:
 def _met(step: Step, found: Any, due: Any, drawn: list[Any]) -> Own:
     """Return how far a point is off the due meeting of two lines or arcs, where it is nearer to the other.
 
-    Its usual size is told by how far a hand is off that meeting: where the two are near, a hand takes one for
+    A hand's size of it is told by how far it is off that meeting: where the two are near, a hand takes one for
     the other.
     """
     off = np.abs(found - due)

@@ -7,10 +7,10 @@ from collections.abc import Iterable
 import pytest
 from support.trials import Planted, made, planted, plants, readings, usual
 
-from graphic_tmm.checking.catalogue import CATALOGUE
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.judge import judge
-from graphic_tmm.checking.mistakes import likely
+from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.mistakes.catalogue import CATALOGUE
+from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import WRONG
 
 SCENES = (
