@@ -16,7 +16,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     draw_plan,
     vectors,
 )
-from graphic_tmm.paper.lettering.letters import (
+from graphic_tmm.paper.lettering.indices import (
     markup,
 )
 from graphic_tmm.paper.drawing import Drawing, Stroke
