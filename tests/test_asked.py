@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from support import asked
+from support.gallery import CASES
 from support.mechanisms import sample
 
 from graphic_tmm.__main__ import main
@@ -25,7 +26,6 @@ from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import Made, make, sheets
 from graphic_tmm.work import Work
 
-CASES = Path(__file__).parent / "cases" / "sheets"
 FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)
 LEAST = {"A4": 60.0, "A1": 100.0}
@@ -199,7 +199,7 @@ MOST = {
 """Sheets that a case takes at most: so many as its plans of 40 mm, figures and blocks of tables need."""
 
 
-ALL = sorted(path.stem for path in CASES.glob("*.toml"))
+ALL = sorted(path.stem for path in (CASES / "sheets").glob("*.toml"))
 LONG = ("fails-a4-forces", "fails-a4-table", "hydraulic")
 
 
@@ -207,7 +207,7 @@ LONG = ("fails-a4-forces", "fails-a4-table", "hydraulic")
     "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in ALL]
 )
 def test_scenes_that_were_refused_are_drawn(name: str) -> None:
-    made, paper = sheets(read(CASES / f"{name}.toml"))
+    made, paper = sheets(read(CASES / "sheets" / f"{name}.toml"))
     in_frames(made, paper)
     sensible(made, paper)
     assert len(paper) <= MOST.get(name, len(paper))

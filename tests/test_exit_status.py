@@ -14,11 +14,11 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner, Result
+from support.gallery import ROOT
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.scene import read as reading
 
-ROOT = Path(__file__).parent.parent
 ALL = (
     ("draw", "cam"),
     ("table", "cam"),

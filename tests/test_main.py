@@ -12,10 +12,10 @@ from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner, Result
+from support.gallery import ROOT
 
 from graphic_tmm.__main__ import main
 
-ROOT = Path(__file__).parent.parent
 ENGINE = (ROOT / "sheets" / "engine" / "scene.toml").read_text(encoding="utf-8")
 
 

@@ -10,6 +10,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from support.gallery import ROOT
 
 import graphic_tmm
 from graphic_tmm.board.grammar import OPERATIONS
@@ -41,7 +42,6 @@ from graphic_tmm.chapters.gears import formulas as gearing
 from graphic_tmm.chapters.gears import rack, rolling
 from graphic_tmm.chapters.planetary import formulas as trains
 
-ROOT = Path(__file__).parent.parent
 TOP = {"pyproject.toml", "graphic_tmm", "sheets", "tests", "README.md", "LICENSE"}
 
 

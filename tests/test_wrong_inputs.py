@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from support.gallery import ROOT
 
 from graphic_tmm.__main__ import main
 
-ROOT = Path(__file__).parent.parent
 SCENE = """title = "Rocker"
 language = "en"
 [lengths]

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from support.gallery import SHEETS
+from support.gallery import ALL, SHEETS
 
 from graphic_tmm.checking.cells import cells, position_names
 from graphic_tmm.checking.check import checks
@@ -21,7 +21,6 @@ from graphic_tmm.studio import Made, make, scene_columns, scene_results, table
 
 HANDS = ("cad", "careful", "student")
 RULERS = (0.1, 0.5, 1.0)
-NAMES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 HEAD = ("plan", "position", "segment", "mm", "value", "unit")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 EVERYDAY = (
@@ -97,7 +96,7 @@ def test_a_printed_table_passes_its_own_check(
 @pytest.mark.slow
 @pytest.mark.parametrize("ruler", RULERS)
 @pytest.mark.parametrize("hand", HANDS)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALL)
 def test_every_printed_table_passes_its_own_check(
     name: str, hand: str, ruler: float, tmp_path: Path
 ) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.gallery import SHEETS
+from support.gallery import CASES, SHEETS
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.bench import yardstick
@@ -27,7 +27,6 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made, make
 
-CASES = Path(__file__).resolve().parent.parent / "cases" / "check"
 HEAD = "plan,position,segment,mm,value,unit,x,y\n"
 TRIALS = 120
 CLUMSY = 5.0
@@ -35,7 +34,7 @@ CLUMSY = 5.0
 
 @cache
 def scene(name: str) -> Scene:
-    return read(CASES / f"{name}.toml")
+    return read(CASES / "check" / f"{name}.toml")
 
 
 @cache

@@ -378,6 +378,6 @@ def test_a_picture_lies_under_thin_coloured_ink_and_nothing_hides_it(name: str) 
 
 
 def test_svgwrite_is_not_loaded_before_a_sheet_is_written() -> None:
-    code = "import sys, graphic_tmm.paper.svg; print('svgwrite' in sys.modules)"
+    code = "import sys, graphic_tmm.paper.write.svg; print('svgwrite' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"

@@ -1,11 +1,15 @@
-"""The scenes that come with the package: all of them, and those of a mechanism."""
+"""Where things stand: the clone, the cases, the scenes of the package, those of a mechanism."""
 
 from __future__ import annotations
 
 import tomllib
 from pathlib import Path
 
-SHEETS = Path(__file__).parents[2] / "sheets"
+ROOT = Path(__file__).parents[2]
+"""The clone: what is committed beside the package."""
+SHEETS = ROOT / "sheets"
+CASES = ROOT / "tests" / "cases"
+"""Scenes, tables and readings that were found from outside."""
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.gallery import SHEETS
 from support.mechanisms import Drawn, mechanisms
 
 from graphic_tmm.board.execute import execute
@@ -23,8 +24,6 @@ from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.project import Project, draw_project
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
-
-SHEETS = Path(__file__).parents[2] / "sheets"
 
 
 def slider_crank(r: float, rod: float, e: float, sign: int = 1, speed: float = 1.0) -> Mechanism:

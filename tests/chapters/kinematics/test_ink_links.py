@@ -16,6 +16,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 import shapely
+from support.gallery import CASES
 from support.mechanisms import Drawn, sample
 from support.oracle import OracleError, Pose, solve_from_points
 from support.rewritten import relettered, text_of
@@ -326,12 +327,9 @@ def test_three_hundred_random_links_are_inked_as_what_they_are(seed: int, tmp_pa
     assert positions >= 2 * plans
 
 
-CASES = Path(__file__).parents[2] / "cases" / "sheets"
-
-
 def case(name: str) -> Seen:
     """Draw a case with an exact ruler, so that the vector loops close on its marks."""
-    scene = replace(read(CASES / f"{name}.toml"), ruler=None)
+    scene = replace(read(CASES / "sheets" / f"{name}.toml"), ruler=None)
     made, paper = sheets(scene)
     assert made.work is not None
     return Seen(made.work, paper)
@@ -369,7 +367,7 @@ def test_a_slotted_arm_is_as_long_as_the_path_of_its_stone() -> None:
 
 
 def test_the_whole_path_is_covered_when_one_position_is_drawn() -> None:
-    text = (CASES / "bug-bell-crank-rocker.toml").read_text(encoding="utf-8")
+    text = (CASES / "sheets" / "bug-bell-crank-rocker.toml").read_text(encoding="utf-8")
     seen = look_at(text.replace("positions = 8", "positions = 1").replace('"A4"', '"A1"'))
     _, high = bar_of(seen, 3, 1 + 0j)
     assert seen.main == 0  # OA stands square to OB: A is 316 mm from B there
@@ -387,7 +385,7 @@ def look_at(text: str) -> Seen:
 
 @pytest.mark.slow
 def test_a_detached_group_holds_the_same_links() -> None:
-    scene = replace(read(CASES / "hydraulic.toml"), ruler=None)
+    scene = replace(read(CASES / "sheets" / "hydraulic.toml"), ruler=None)
     made, paper = sheets(scene)
     assert made.work is not None
     seen, lengths = Seen(made.work, paper), []
@@ -406,7 +404,7 @@ def test_a_detached_group_holds_the_same_links() -> None:
 
 
 def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row() -> None:
-    made, _ = sheets(replace(read(CASES / "rotary.toml"), ruler=None))
+    made, _ = sheets(replace(read(CASES / "sheets" / "rotary.toml"), ruler=None))
     assert made.work is not None
     rows = {(c.plan, c.segment): c for c in table_columns(made.work)}
     for place, degrees in enumerate(made.work.project.angles):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
+from support.gallery import SHEETS
 from test_extremes import apart, places, project_of, slider_crank
 
 from graphic_tmm.chapters.kinematics.row import OTHER
@@ -13,8 +13,6 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.project import draw_project
 from graphic_tmm.scene.read import read
-
-SHEETS = Path(__file__).parents[2] / "sheets"
 
 
 @pytest.mark.parametrize("first", [0, 1])
