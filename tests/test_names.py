@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from support.gallery import SHEETS
+from support.gallery import SHEETS, made
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
 from test_called import written
@@ -65,15 +65,10 @@ class Told(NamedTuple):
 
 
 @cache
-def drawn(name: str) -> Made:
-    return make(read(SHEETS / name))
-
-
-@cache
 def scene(name: str, language: str) -> Told:
-    made = drawn(name)
-    lines = list(told(made.work, PLANS, None, language)) if made.work is not None else []
-    return Told(made, (*lines, *part_protocol(made.parts, PLANS, language)))
+    found = made(name)
+    lines = list(told(found.work, PLANS, None, language)) if found.work is not None else []
+    return Told(found, (*lines, *part_protocol(found.parts, PLANS, language)))
 
 
 def logs(made: Made) -> Iterator[tuple[Construction, Reading]]:

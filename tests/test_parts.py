@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from support.gallery import SHEETS
+from support.gallery import SHEETS, made
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.chapters.planetary.plan import Planetary
@@ -18,7 +18,7 @@ from graphic_tmm.parts import draw_parts
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import make, part_warnings, sheets, table
+from graphic_tmm.studio import part_warnings, sheets, table
 
 GIVEN = """teeth      = [25, "?", "?"]     # z1 is given, the others are found: 32 and 89
 satellites = 3 """
@@ -27,7 +27,7 @@ KINDS = {"cam": "cam", "gear-pair": "gears", "planetary": "planetary"}
 
 
 def document(name: str, exact: bool = True) -> dict[str, Any]:
-    text = table(make(read(SHEETS / name), exact=exact), "json")
+    text = table(made(name, exact=exact), "json")
     assert isinstance(text, str)
     found = json.loads(text)
     assert isinstance(found, dict)

@@ -13,15 +13,13 @@ from typing import Any
 
 import pytest
 from rich.console import Console
-from support.gallery import NAMES, SHEETS
+from support.gallery import NAMES, drawn
 from test_main import column, made, run, scene
 
 from graphic_tmm.readers.columns import Column, columns, segment_name
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.work import Work
+from graphic_tmm.studio import table, table_columns
 
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
@@ -36,11 +34,6 @@ X = [0, 42.53, 65.29, 60, 38.64, 17.47, 0, 17.47, 38.64, 60, 65.29, 42.53]
 S = [39.38, 48.37, 59.87, 60, 51.31, 42.70, 39.38, 42.70, 51.31, 60, 59.87, 48.37]
 H = [60, 53.45, 32.83, 0, 32.83, 53.45, 60, 53.45, 32.83, 0, 32.83, 53.45]
 COLUMN = Column("velocities", "pb", "pb", "m/s", (1.0, -0.0, None), (0.25, -0.0, None))
-
-
-@cache
-def drawn(name: str) -> Work:
-    return fitted(read(SHEETS / name))
 
 
 @cache
@@ -144,7 +137,7 @@ def test_every_turning_link_has_its_rates_with_their_sign() -> None:
 
 @pytest.mark.slow
 def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
-    exact = table(fitted(read(SHEETS / "windrower"), exact=True), "json")
+    exact = table(drawn("windrower", exact=True), "json")
     assert isinstance(exact, str)
     rows = [one for one in json.loads(exact)["columns"] if one["plan"] == "velocities"]
     found = {one["segment"]: one["mm"] for one in rows}
@@ -184,7 +177,7 @@ def test_twelve_digits_are_kept() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_csv_holds_what_json_holds(name: str) -> None:
-    exact = fitted(read(SHEETS / name), exact=True)
+    exact = drawn(name, exact=True)
     text, whole = table(exact, "csv"), table(exact, "json")
     assert isinstance(text, str)
     assert isinstance(whole, str)

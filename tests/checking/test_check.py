@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from support.gallery import SHEETS
+from support.gallery import SHEETS, exact
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points as spots
@@ -16,7 +16,6 @@ from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 
 def test_an_unknown_segment_is_named_with_its_line() -> None:
@@ -50,7 +49,7 @@ def test_the_command(tmp_path: Path) -> None:
         )
         assert done.exit_code == 1
         assert done.stdout
-    spot = spots(make(read(SHEETS / "engine"), exact=True))["velocities", "a", "1"] * (1 - 1.5 / 60)
+    spot = spots(exact("engine"))["velocities", "a", "1"] * (1 - 1.5 / 60)
     row = f"velocities,1,a,{spot.real:.1f},{spot.imag:.1f}"
     path.write_text(f"plan,position,segment,x,y\n{row}\n", "utf-8")
     for points, status in (("paper", 0), ("screen", 1)):

@@ -5,19 +5,17 @@ from __future__ import annotations
 import io
 
 import pytest
-from support.gallery import SHEETS
+from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.write.dxf import WEIGHTS, dxf
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
 ezdxf = pytest.importorskip("ezdxf")
 
 
 @pytest.fixture(scope="module")
 def sheet():
-    return sheets(read(SHEETS / "engine"))[1][0]
+    return paper("engine")[1][0]
 
 
 @pytest.fixture(scope="module")

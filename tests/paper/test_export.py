@@ -8,19 +8,17 @@ from __future__ import annotations
 import io
 
 import pytest
-from support.gallery import SHEETS
+from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.write import export
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
 MM = 25.4 / 72
 
 
 @pytest.fixture(scope="module", params=["engine", "crank-rocker"])
 def drawn(request):
-    return sheets(read(SHEETS / request.param))[1]
+    return paper(request.param)[1]
 
 
 @pytest.mark.slow
