@@ -16,9 +16,8 @@ from hypothesis import strategies as st
 from support.gallery import SHEETS, made
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
-from test_called import written
-from test_part_protocol import PARTS
-from test_part_protocol import drawn as part_of
+from support.parts import PARTS, part_of
+from support.scenes import calling, written
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
@@ -236,7 +235,7 @@ SCENES = {
 
 @pytest.mark.parametrize("what", SCENES)
 def test_other_machines_are_told_in_names_of_the_field(what: str, tmp_path: Path) -> None:
-    made = make(read(written(tmp_path, *SCENES[what])))
+    made = make(read(calling(tmp_path, *SCENES[what])))
     for log, _ in logs(made):
         assert not {n: list(russian_faults(n)) for n in names(log, "ru") if any(russian_faults(n))}
         assert not {n for n in names(log, "en") if any(faults(n))}
@@ -314,8 +313,7 @@ positions = [1]
 
 
 def test_loads_of_one_link_are_told_apart_and_directions_by_their_value(tmp_path: Path) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(TWO_LOADS, encoding="utf-8")
+    path = written(tmp_path, TWO_LOADS)
     made = make(read(path))
     assert made.work is not None
     lines = "\n".join(told(made.work, PLANS, "1", "ru"))

@@ -9,10 +9,9 @@ from hashlib import sha256
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
+from support.command import invoke
 from support.gallery import ROOT
-
-from graphic_tmm.__main__ import main
+from support.scenes import written
 
 SCENE = """title = "Rocker"
 language = "en"
@@ -209,7 +208,7 @@ def run(folder: Path, *arguments: str) -> object:
     before, home = stands(folder), os.getcwd()
     os.chdir(folder)
     try:
-        done = CliRunner().invoke(main, list(arguments))
+        done = invoke(*arguments)
     finally:
         os.chdir(home)
     assert stands(folder) == before
@@ -219,17 +218,14 @@ def run(folder: Path, *arguments: str) -> object:
 @pytest.mark.parametrize(("old", "new", "words"), CASES, ids=range(len(CASES)))
 def test_a_wrong_scene(old: str, new: str, words: list[str], tmp_path: Path) -> None:
     assert old in SCENE
-    file = tmp_path / "scene.toml"
-    file.write_text(SCENE.replace(old, new, 1), encoding="utf-8")
+    file = written(tmp_path, SCENE.replace(old, new, 1))
     done = run(tmp_path, "draw", str(file), "-o", "out", "-f", "svg,dxf")
     refused(done, str(file) if "assembles" not in "".join(words) else "", *words)
 
 
 def test_the_scene_that_is_made_wrong_is_right(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_text(SCENE, encoding="utf-8")
-    assert (
-        CliRunner().invoke(main, ["draw", str(tmp_path), "-o", str(tmp_path / "o")]).exit_code == 0
-    )
+    assert invoke("draw", tmp_path, "-o", tmp_path / "o").exit_code == 0
 
 
 # files
@@ -295,7 +291,7 @@ def test_a_name_that_is_wrong(arguments: tuple[str, ...], words: list[str], tmp_
     home = os.getcwd()
     os.chdir(tmp_path)
     try:
-        done = CliRunner().invoke(main, list(arguments))
+        done = invoke(*arguments)
     finally:
         os.chdir(home)
     refused(done, *words)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
+from support.command import invoke
 from support.gallery import exact
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Report, Taken
@@ -106,6 +105,6 @@ def test_the_overlay_shows_what_was_read(tmp_path: Path) -> None:
         "--trials",
         "40",
     ]
-    done = CliRunner().invoke(main, arguments)
+    done = invoke(*arguments)
     assert done.exit_code in (0, 1), done.output
     assert out.read_text("utf-8").startswith("<?xml") or "<svg" in out.read_text("utf-8")
