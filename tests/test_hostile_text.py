@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import pytest
 import shapely
 from support.command import invoke
+from support.each import each
 from support.words import BLOCK, quoted, worded
 
 from graphic_tmm.paper.placing import box, shape
@@ -167,8 +168,8 @@ def test_a_dxf_holds_ink_only(what: str, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
-@pytest.mark.parametrize("language", ["ru", "en"])
-@pytest.mark.parametrize("word", ["Ж", "слово ", "<&> ", "}_{^\\", "Щ "])
+@each("language", ["ru", "en"])
+@each("word", ["Ж", "слово ", "<&> ", "}_{^\\", "Щ "])
 def test_what_is_too_long_for_its_place_is_cut(
     word: str, language: str, format: str, tmp_path: Path
 ) -> None:
@@ -206,8 +207,8 @@ KEYS = {
 }
 
 
-@pytest.mark.parametrize("key", KEYS)
-@pytest.mark.parametrize("what", REFUSED)
+@each("key", KEYS)
+@each("what", REFUSED)
 def test_what_cannot_be_drawn_is_refused_once_with_its_key(
     what: str, key: str, tmp_path: Path
 ) -> None:
@@ -326,9 +327,9 @@ def test_a_name_too_long_for_its_files_is_refused_and_nothing_left(tmp_path: Pat
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("text", [REFUSED[what][0] for what in REFUSED], ids=list(REFUSED))
-@pytest.mark.parametrize(
-    ("old", "new"),
+@each("text", [REFUSED[what][0] for what in REFUSED])
+@each(
+    "old, new",
     [
         ("title =", "{} = 1\ntitle ="),
         ('along = "x"', "along = {}"),

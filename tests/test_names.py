@@ -13,6 +13,7 @@ from typing import NamedTuple
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from support.each import each
 from support.gallery import SHEETS, made
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
@@ -100,7 +101,7 @@ def russian_faults(name: str) -> Iterator[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PACKAGED)
-@pytest.mark.parametrize("language", ["ru", "en"])
+@each("language", ["ru", "en"])
 def test_no_line_of_a_protocol_holds_what_only_machines_need(name: str, language: str) -> None:
     for line in scene(name, language).lines:
         assert not MACHINE.search(line), line
@@ -160,7 +161,7 @@ def catalogue(language: str) -> set[str]:
 
 
 @pytest.mark.parametrize("name", PACKAGED)
-@pytest.mark.parametrize("language", ["ru", "en"])
+@each("language", ["ru", "en"])
 def test_a_table_calls_its_rows_as_the_protocol_does(name: str, language: str) -> None:
     made, lines = scene(name, language)
     text = "\n".join(lines)

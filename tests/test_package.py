@@ -10,6 +10,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from support.each import each
 from support.gallery import ROOT
 
 import graphic_tmm
@@ -77,7 +78,7 @@ def _placeholders(text: str) -> set[str]:
     return {name for _, name, _, _ in string.Formatter().parse(text) if name}
 
 
-@pytest.mark.parametrize("op", OPERATIONS.values(), ids=str)
+@each("op", OPERATIONS.values())
 def test_an_operation_speaks_both_languages(op) -> None:
     assert op.en
     assert op.ru

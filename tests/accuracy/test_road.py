@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from support.command import invoke
+from support.each import each
 
 from graphic_tmm.accuracy.cost import MINUTES
 from graphic_tmm.accuracy.minutes import read_minutes
@@ -47,8 +48,8 @@ def test_accuracy_without_time_speaks_of_no_seconds() -> None:
     assert "квартили" not in found.stdout
 
 
-@pytest.mark.parametrize(
-    ("text", "words"),
+@each(
+    "text, words",
     [
         ("R9 = 1.0", ["R9", "no such elementary operation", "R1"]),
         ("R1 = -1", ["R1", "a number 0 to 1000000"]),

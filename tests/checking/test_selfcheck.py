@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from support.each import each
 from support.gallery import ALL, SHEETS
 
 from graphic_tmm.checking.cells import cells, position_names
@@ -94,8 +95,8 @@ def test_a_printed_table_passes_its_own_check(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ruler", RULERS)
-@pytest.mark.parametrize("hand", HANDS)
+@each("ruler", RULERS)
+@each("hand", HANDS)
 @pytest.mark.parametrize("name", ALL)
 def test_every_printed_table_passes_its_own_check(
     name: str, hand: str, ruler: float, tmp_path: Path

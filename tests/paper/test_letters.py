@@ -9,6 +9,7 @@ import re
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.lettering.glyphs import BLANKS, characters, glyph
@@ -66,8 +67,8 @@ def test_missing_character_is_refused_by_name() -> None:
         letter("v_{漢}")
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("table", [CAPITAL_WIDTHS, SMALL_WIDTHS, DIGIT_WIDTHS])
+@each("size", SIZES)
+@each("table", [CAPITAL_WIDTHS, SMALL_WIDTHS, DIGIT_WIDTHS])
 def test_widths_of_the_standard(size: float, table: dict[int, str]) -> None:
     for units, row in table.items():
         for character in row:
@@ -217,7 +218,7 @@ def test_bars_and_underlines() -> None:
     assert len(upright(r"\bar{}").strokes) == 0
 
 
-@pytest.mark.parametrize(
+@each(
     "markup",
     ["v_", "v^", "v__A", "a_b_c", "a^b^c", "{A", "A}", "v_{A", r"\vec{v}", "\\", r"\bar", "_}"],
 )

@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
@@ -276,10 +277,8 @@ def test_labels_are_drawn_and_named_and_live_text_is_asked_for() -> None:
     assert order.index("words") < order.index("drawing plan")
 
 
-@pytest.mark.parametrize(
-    ("turn", "way"), [(0.0, 1), (90.0, 1j), (180.0, -1), (30.0, cmath.rect(1, math.pi / 6))]
-)
-@pytest.mark.parametrize(("anchor", "share"), [("start", 0.0), ("middle", 0.5), ("end", 1.0)])
+@each("turn, way", [(0.0, 1), (90.0, 1j), (180.0, -1), (30.0, cmath.rect(1, math.pi / 6))])
+@each("anchor, share", [("start", 0.0), ("middle", 0.5), ("end", 1.0)])
 def test_lettering_starts_where_its_anchor_says(
     turn: float, way: complex, anchor: str, share: float
 ) -> None:

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from support.each import each
 from support.gallery import PLANS, drawn
 
 from graphic_tmm.board.record import Mark
@@ -55,7 +56,7 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
     assert list(equations(log, "nothing")) == []
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS)
+@each("name, plan", PLANS)
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
@@ -65,7 +66,7 @@ def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS)
+@each("name, plan", PLANS)
 def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) -> None:
     """Along its known direction, the unknown vector is what the rest of the side leaves."""
     work = drawn(name, exact=True)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.each import each
 from support.gallery import SHEETS
 from support.linkages import four_bar, slider_crank
 from support.mechanisms import Drawn, mechanisms
@@ -38,11 +39,9 @@ def bearing(z: complex) -> float:
 # closed forms, and the construction of the drawing board
 
 
-@pytest.mark.parametrize("speed", [2.0, -2.0])
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize(
-    ("r", "rod", "e"), [(0.3, 0.64, 0.0), (0.045, 0.18, -0.018), (0.1, 0.25, 0.1)]
-)
+@each("speed", [2.0, -2.0])
+@each("sign", [1, -1])
+@each("r, rod, e", [(0.3, 0.64, 0.0), (0.045, 0.18, -0.018), (0.1, 0.25, 0.1)])
 def test_a_slider_is_extreme_where_crank_and_rod_are_in_line(
     r: float, rod: float, e: float, sign: int, speed: float
 ) -> None:
@@ -71,10 +70,10 @@ def test_a_rod_shorter_than_the_crank_is_drawn_in_line_too() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("speed", [2.0, -2.0])
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize(
-    ("r", "rod", "s", "c"),
+@each("speed", [2.0, -2.0])
+@each("sign", [1, -1])
+@each(
+    "r, rod, s, c",
     [
         (0.02, 0.06, 0.045, 0.06 - 0.01j),
         (0.1, 0.35, 0.2, 0.4 + 0.05j),

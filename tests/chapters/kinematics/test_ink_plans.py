@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 from support.gallery import NAMES, PLANS, drawn
 
 from graphic_tmm.chapters.kinematics.ink_plans import BEYOND, Place, draw_plan, markup, vectors
@@ -50,7 +51,7 @@ def test_vectors_of_the_engine_are_those_of_its_plans() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "which"), PLANS)
+@each("name, which", PLANS)
 def test_a_vector_runs_between_its_points_as_long_as_its_segment(name: str, which: str) -> None:
     work = drawn(name, exact=True)
     reading = work.accelerated if which == "accelerations" else work.reading
@@ -164,8 +165,8 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
         assert all(room.covers(one) for one in arrows_only)
 
 
-@pytest.mark.parametrize(
-    ("letter", "due"),
+@each(
+    "letter, due",
     [
         ("a", "a"),
         ("s2", "s_{2}"),

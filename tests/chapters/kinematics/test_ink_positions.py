@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 from support.gallery import NAMES, drawn
 
 from graphic_tmm.board.record import Mark
@@ -195,8 +196,8 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
     assert all(abs(x - y) < 2 * MARGIN for x, y in zip(full, bare, strict=True))
 
 
-@pytest.mark.parametrize("sense", [1, -1])
-@pytest.mark.parametrize("bearing", range(-180, 180, 15))
+@each("sense", [1, -1])
+@each("bearing", range(-180, 180, 15))
 def test_the_arrow_of_the_crank_stands_clear_of_the_foot_of_its_pivot(
     bearing: int, sense: int
 ) -> None:
