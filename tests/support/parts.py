@@ -9,8 +9,6 @@ from graphic_tmm.scene.read import read
 from support.scenes import written
 
 HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'
-
-
 PARTS = {
     "an offset roller": (
         "cam",

@@ -81,8 +81,6 @@ SECTIONS = {
     "planetary": '[planetary]\nmodule = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\n',
     "friction": "[friction]\nf = 0.1\n",
 }
-
-
 ONLY_POSITIONS = '[[sheet]]\nplace = ["positions"]\n'
 
 

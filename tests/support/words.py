@@ -33,8 +33,6 @@ place = ["positions", "structure"]
 [title_block]
 {block}
 """
-
-
 BLOCK = (
     *("designation", "name", "organisation", "drawn_by", "checked_by", "standards_by"),
     *("approved_by", "material", "letter", "mass", "scale"),
