@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    Place,
+    draw_plan,
+)
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.checking.cells import points
-from graphic_tmm.checking.judge import spot_of
 from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.captions import CAPTIONS
@@ -103,7 +105,7 @@ def _plan(made: Made, plan: str, position: str, upon: Sequence[Stroke], title: s
 
 def _read(one: Judged, goal: complex, enlarge: float) -> list[Stroke]:
     """Return the cross of a point that was read, and the arrow of its deviation."""
-    away = enlarge * (spot_of(one.taken) - goal)
+    away = enlarge * (one.taken.spot - goal)
     found, pen = goal + away, "main" if one.verdict == WRONG else "medium"
     strokes = [line(pen, found - CROSS * way, found + CROSS * way) for way in (1 + 1j, 1 - 1j)]
     if abs(away) > SEEN:

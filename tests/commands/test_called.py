@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from graphic_tmm.work import record
 from support.command import invoke, printed, rows, warned
 from support.gallery import FOLDERS
 from support.scenes import MECHANISM, SECTIONS, calling
@@ -13,7 +14,6 @@ from support.scenes import MECHANISM, SECTIONS, calling
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.remarks import unplaced
 from graphic_tmm.studio import make, sheets
-from graphic_tmm.work import record
 
 PLANS = {
     "diagrams": {"diagrams"},

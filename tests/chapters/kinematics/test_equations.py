@@ -10,8 +10,8 @@ from support.each import each
 from support.gallery import PLANS, drawn
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.readers.columns import segment_name
+from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 
 
 def found(name: str, plan: str) -> list[Equation]:

@@ -11,8 +11,16 @@ import shapely
 from support.each import each
 from support.gallery import NAMES, PLANS, drawn
 
-from graphic_tmm.chapters.kinematics.ink_plans import BEYOND, Place, draw_plan, markup, vectors
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    BEYOND,
+    Place,
+    draw_plan,
+    vectors,
+)
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.lettering.letters import (
+    markup,
+)
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
 
