@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.charts import HEIGHT, Chart
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
@@ -29,13 +30,13 @@ POLYGON = 200.0
 """Room for a polygon of forces, mm."""
 
 GRAPH_LENGTHS = (
-    ("diagrams.base", "diagram S", "L"),
-    ("diagrams.base", "diagram V", "L"),
-    ("flywheel.base", "moment", "L"),
-    ("flywheel.H", "work", "H"),
-    ("engine.base", "engine", "L"),
+    ("diagrams.base", "diagram S", roles.BASE),
+    ("diagrams.base", "diagram V", roles.BASE),
+    ("flywheel.base", "moment", roles.BASE),
+    ("flywheel.H", "work", roles.POLE_DISTANCE),
+    ("engine.base", "engine", roles.BASE),
 )
-"""The lengths of graphs that a scene need not give: its key, the view and the letter of the mark."""
+"""The lengths of graphs that a scene need not give: its key, the view and the role of the mark."""
 
 
 class Sizes(NamedTuple):
@@ -137,10 +138,10 @@ def base_lengths(project: Project, share: float, told: Container[str]) -> dict[M
     if share >= 1.0:
         return {}
     log, found = project.construction, {}
-    for key, view, letter in GRAPH_LENGTHS:
-        mark = log.mark(view, letter)
-        if mark in project.given and key not in told:
-            found[mark] = share * float(np.ravel(np.asarray(project.given[mark]))[0])
+    for key, view, role in GRAPH_LENGTHS:
+        for mark in log.roles(view, role):
+            if mark in project.given and key not in told:
+                found[mark] = share * float(np.ravel(np.asarray(project.given[mark]))[0])
     return found
 
 

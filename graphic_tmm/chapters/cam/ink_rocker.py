@@ -56,7 +56,7 @@ def draw_rocker_ink(
     strokes: list[Ink] = segments(np.zeros_like(roller), roller)
     strokes += segments(roller, points)
     wanted: list[Wanted] = []
-    spots = _limits(construction, ink, cam, made, strokes, wanted, names.limits)
+    spots = _limits(ink, cam, made, strokes, wanted, names.limits)
     for mark in made.curves:
         strokes += ink.curve(mark)
     strokes += ink.dots(points)
@@ -80,7 +80,6 @@ def draw_rocker_ink(
 
 
 def _limits(
-    construction: Construction,
     ink: Numbers,
     cam: Cam,
     made: Centre,
@@ -95,9 +94,7 @@ def _limits(
     path, found = cam.path, list[tuple[float, complex, complex, str]]()
     assert isinstance(path, Lever)
     points, lowest = ink.all(made.points), ink.one(made.lowest)
-    for name, text, phase in zip("rf", texts, cam.diagrams.turn.phases, strict=True):
-        mark = construction.mark(VIEW, f"O_{name}")
-        assert mark is not None
+    for mark, text, phase in zip(made.ends, texts, cam.diagrams.turn.phases, strict=True):
         part = slice(phase.first, phase.last + 1)
         for q, end in zip(points[part], ink.all(mark)[part], strict=True):
             turn = -path.sense * cmath.phase(end / lowest) if np.isfinite(end) else -1.0

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
@@ -83,17 +83,17 @@ def draw_flywheel(
         If δ or H is not positive, masses or loads are missing.
     """
     _refuse(order)
-    board, velocities = draft.board, machine.velocities
-    board.open(VIEWS["moment"])
-    length = draft.take(Length, "L", order.base, "mm")
-    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    velocities = machine.velocities
+    draft.open(VIEWS["moment"])
+    length = draft.take(Length, "L", order.base, "mm", roles.BASE)
+    mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
     if cylinder is not None:
         moment = _by_gas(draft, machine, cylinder, order.constant)
     else:
         moment = _by_loads(draft, machine, forces, order.constant)
-    mu_M = board.take(Number, "μ_M", "(N·m)/mm")
-    heights = board.draw(to_board, "y_M", moment, mu_M)
+    mu_M = draft.scale("μ_M", "(N·m)/mm")
+    heights = draft.draw(to_board, "y_M", moment, mu_M)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
@@ -105,7 +105,7 @@ def draw_flywheel(
     segment = _segment(draft, energy_axes, own)
     assert velocities.speed is not None
     delta = draft.take(Number, "δ", order.delta)
-    inertia = board.draw(
+    inertia = draft.draw(
         flywheel_inertia, "J_F", segment, energy_axes.mu, delta, velocities.speed, unit="kg·m²"
     )
     rim = None
@@ -136,14 +136,14 @@ def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -
 
     It drives; with a constant driving moment it is the resistance of the gas that is told, of a compressor.
     """
-    board, velocities = draft.board, machine.velocities
+    velocities = machine.velocities
     way = cylinder.outward if constant == "resisting" else -cylinder.outward
     sign = draft.take(Number, "σ", way)
     pin = velocities.images.by_letter[machine.mechanism.drive.link][machine.pin]
-    drawn = board.uses(pin)[1]
+    drawn = draft.uses(pin)[1]
     speed = velocities.readings[cylinder.leg.link]
     force = cylinder.indicator.force
-    return board.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
+    return draft.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
 
 
 def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:
@@ -152,7 +152,6 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         raise StructureError(
             "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
         )
-    board = draft.board
     found = [forces.lever.moments[k] for k in forces.loads.outer if k in forces.lever.moments]
     if not found:
         raise StructureError(
@@ -160,9 +159,9 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         )
     total = found[0]
     for more in found[1:]:
-        total = board.draw(added, "ΣM", total, more, unit="N·mm")
+        total = draft.draw(added, "ΣM", total, more, unit="N·mm")
     formula = moment_of_drive if constant == "resisting" else moment_of_resistance
-    return board.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
+    return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
 class _Works(NamedTuple):
@@ -181,19 +180,18 @@ class _Works(NamedTuple):
 
 def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder) -> _Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
-    board = draft.board
-    board.open(VIEWS["work"])
+    draft.open(VIEWS["work"])
     scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
     axes = graphs.draw_axes(draft, VIEWS["work"], source.base, scaled.mu)
     pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
     graphs.along_rays(draft, axes, found, pole.point, at, source)
-    straight = board.draw(join, "(A′)", axes.origin, found.end)
-    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    other = board.draw(meet, "A′", straight, lines)
+    straight = draft.draw(join, "(A′)", axes.origin, found.end)
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    other = draft.draw(meet, "A′", straight, lines)
     ahead = order.constant == "resisting"
     ends = (other, found.points) if ahead else (found.points, other)
-    surplus = board.draw(measure_along, "ΔT", *ends, axes.up)
+    surplus = draft.draw(measure_along, "ΔT", *ends, axes.up)
     level = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
@@ -205,12 +203,11 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
 
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
-    board = draft.board
-    board.open(source.view)
-    slope = board.draw(parallel, "(PM)", pole.point, straight, sense=1)
-    constant = board.draw(meet, "M_c", source.up, slope)
-    level = board.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
-    return board.draw(lay_off, "P′", level, pole.distance)
+    draft.open(source.view)
+    slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
+    constant = draft.draw(meet, "M_c", source.up, slope)
+    level = draft.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
+    return draft.draw(lay_off, "P′", level, pole.distance)
 
 
 def _energies(
@@ -220,16 +217,16 @@ def _energies(
 
     Returns the energies, ΔT, the curve of the flywheel's energy, the charts. ``source``, ``at``: the moment.
     """
-    board, work = draft.board, done.axes
-    board.open(VIEWS["energy"])
+    work = done.axes
+    draft.open(VIEWS["energy"])
     energies = draw_energies(draft, machine.mechanism, machine.velocities)
-    heights = board.draw(to_board, "y_T", energies.total, work.mu)
+    heights = draft.draw(to_board, "y_T", energies.total, work.mu)
     axes = graphs.draw_axes(draft, VIEWS["energy"], work.base, work.mu)
     gained = graphs.lay_ordinates(draft, axes, done.surplus, "g")
     ahead = graphs.along_rays(draft, axes, gained, done.pole, at, source)
     links = graphs.lay_ordinates(draft, axes, heights, "l")
     carried = graphs.through(draft, axes, links)
-    rest = board.draw(measure_along, "y_F", links.points, gained.points, axes.up)
+    rest = draft.draw(measure_along, "y_F", links.points, gained.points, axes.up)
     own = graphs.lay_ordinates(draft, axes, rest, "f")
     curve = graphs.difference(draft, axes, own, ahead, carried)
     readings = [
@@ -244,9 +241,9 @@ def _energies(
 
 def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
-    board, ends = draft.board, []
+    ends = []
     for op, name in ((highest, "c"), (lowest, "d")):
-        top = board.draw(op, f"{name}′", own, axes.origin, axes.end)
-        level = board.draw(parallel, f"({name})", top, axes.along, sense=1)
-        ends.append(board.draw(meet, name, axes.up, level))
-    return board.draw(measure_along, "cd", ends[1], ends[0], axes.up)
+        top = draft.draw(op, f"{name}′", own, axes.origin, axes.end)
+        level = draft.draw(parallel, f"({name})", top, axes.along, sense=1)
+        ends.append(draft.draw(meet, name, axes.up, level))
+    return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up)

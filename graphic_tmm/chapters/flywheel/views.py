@@ -64,7 +64,7 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
             lettered=lettered,
         )
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
-        angles = [_angle(drawn, name) for name in ("ψ_{max}", "ψ_{min}")]
+        angles = [_angle(drawn, mark) for mark in made.energy_mass.angles]
         views.append(captioned(found, words["energy-mass"], ", ".join(scales), ", ".join(angles)))
     if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
         views.append(_sketch(drawn, made))
@@ -145,10 +145,8 @@ def _value(drawn: Work, mark: Mark) -> float:
     return float(drawn.reading[mark][0, 0])
 
 
-def _angle(drawn: Work, letter: str) -> str:
-    mark = drawn.project.construction.mark("energy-mass", letter)
-    assert mark is not None
-    return f"{letter} = {number(_value(drawn, mark), drawn.scene.language)}°"
+def _angle(drawn: Work, mark: Mark) -> str:
+    return f"{mark.name} = {number(_value(drawn, mark), drawn.scene.language)}°"
 
 
 def _sketch(drawn: Work, made: Flywheel) -> Drawing:

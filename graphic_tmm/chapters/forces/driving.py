@@ -51,10 +51,10 @@ def solve_driver(
 
     ``tried``: the number of a pass that others follow.
     """
-    board, number = draft.board, driver.body.link.number
+    number = driver.body.link.number
     figure, polygon = views
-    board.open(figure)
-    board.say(f"I({number})")
+    draft.open(figure)
+    draft.say(f"I({number})")
     forces = acting.forces.get(number, [])
     couples = acting.couples.get(number, [])
     total = moments.sum(driver.pivot, forces, couples, f"ΣM_{number}")
@@ -63,25 +63,24 @@ def solve_driver(
     sides = [(force.letter, force.line, force.value) for force in forces]
     force, raised = None, f"^{{({tried})}}" if tried else ""
     if kind == "force":
-        assert draft.mu_l is not None
         letter = f"P_b{raised}"
-        balance = board.draw(balancing, letter, total, driver.arm, draft.mu_l, unit="N")
-        line = board.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
+        balance = draft.draw(balancing, letter, total, driver.arm, draft.mu_l, unit="N")
+        line = draft.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
         force = Force(letter, number, driver.pin, line, balance)
         sides.append((letter, line, balance))
     else:
-        balance = board.draw(reversed_, f"M_b{raised}", total, unit="N·m")
-    board.open(polygon)
-    mu = board.take(Number, "μ_F", "N/mm")
+        balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m")
+    draft.open(polygon)
+    mu = draft.scale("μ_F", "N/mm")
     start = draft.take(Point, "1", 0j)
-    board.lay_out(start, mu)
+    draft.lay_out(start, mu)
     chain = Chain(draft, mu, start)
     for letter, line, value in sides:
         chain.add(letter, line, value)
     end = chain.end
     name = f"R_{{{frame}{number}}}"
-    length = board.draw(measure, f"y_{{R{frame}{number}}}", end, start)
-    value = board.draw(in_si, name, length, mu, unit="N")
+    length = draft.draw(measure, f"y_{{R{frame}{number}}}", end, start)
+    value = draft.draw(in_si, name, length, mu, unit="N")
     reaction = Reaction(name, (frame, number), end, start, length, value, value)
     return Driven(
         balance, force, reaction, Polygon(polygon, mu, (*chain.sides, (name, end, start)))

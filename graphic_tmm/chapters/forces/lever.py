@@ -68,7 +68,7 @@ class _Plan:
     def __init__(self, draft: Draft, velocities: Motion, quarters: int) -> None:
         self.draft, self.velocities, self.quarters = draft, velocities, quarters
         self.pole = draft.take(Point, "p", 0j)
-        self.times = draft.board.take(Number, "k")
+        self.times = draft.ask(Number, "k")
         self.known: dict[Mark, Mark] = {velocities.images.pole: self.pole}
         self.forces: list[Carried] = []
         self.moments: dict[str, Mark] = {}
@@ -76,11 +76,9 @@ class _Plan:
 
     def image(self, of: Mark) -> Mark:
         if of not in self.known:
-            board = self.draft.board
-            pole = self.velocities.images.pole
-            letter = board.free(of.letter)
-            self.known[of] = board.draw(
-                carry, letter, self.pole, pole, of, self.times, quarters=self.quarters
+            plan = (self.velocities.images.pole, of)
+            self.known[of] = self.draft.draw(
+                carry, of.letter, self.pole, *plan, self.times, quarters=self.quarters, free=True
             )
         return self.known[of]
 
@@ -88,16 +86,15 @@ class _Plan:
         """Carry a force to its image; one at the pole has no arm."""
         point = self.image(image)
         if point != self.pole:
-            board = self.draft.board
-            along = board.draw(parallel, board.free(f"({letter})"), point, line, sense=1)
+            along = self.draft.draw(parallel, f"({letter})", point, line, sense=1)
             self.turn(letter, point, along, value)
 
     def turn(self, letter: str, point: Mark, along: Mark, value: Mark) -> None:
         """Measure the arm of a force on the lever and calculate its moment, N·mm."""
-        board = self.draft.board
+        draft = self.draft
         bare = letter.replace("_", "").replace("{", "").replace("}", "")
-        height = board.draw(arm, board.free(f"h_{{{bare}}}"), self.pole, along)
-        found = board.draw(on_lever, board.free(f"M({letter})"), value, height, unit="N·mm")
+        height = draft.draw(arm, f"h_{{{bare}}}", self.pole, along)
+        found = draft.draw(on_lever, f"M({letter})", value, height, unit="N·mm")
         self.forces.append(Carried(letter, point, along, value))
         self.note(letter, found)
 
@@ -109,14 +106,13 @@ class _Plan:
 
     def carry_couple(self, couple: Couple, base: _Base, kind: str) -> None:
         """Convert a couple to the plan, or set a pair of forces at the ends of its link's segment."""
-        draft, board = self.draft, self.draft.board
-        assert draft.mu_l is not None
+        draft = self.draft
         bare = couple.letter.replace("_", "").replace("{", "").replace("}", "")
         if kind == "moment":
             formula = converted if base.sense > 0 else converted_reversed
-            found = board.draw(
+            found = draft.draw(
                 formula,
-                board.free(f"{couple.letter}′"),
+                f"{couple.letter}′",
                 couple.value,
                 self.times,
                 base.segment,
@@ -127,13 +123,13 @@ class _Plan:
             self.converted[couple.letter] = found
             self.note(couple.letter, found)
             return
-        force = board.draw(
-            tangential, board.free(f"F_{{{bare}}}"), couple.value, base.length, draft.mu_l, unit="N"
+        force = draft.draw(
+            tangential, f"F_{{{bare}}}", couple.value, base.length, draft.mu_l, unit="N"
         )
-        across = board.draw(square, board.free(f"(F_{{{bare}}})"), base.at, base.line, sense=1)
+        across = draft.draw(square, f"(F_{{{bare}}})", base.at, base.line, sense=1)
         self.carry_force(f"F_{{{bare}}}", base.end, across, force)
         if base.start != self.velocities.images.pole:
-            back = board.draw(reversed_, board.free(f"−F_{{{bare}}}"), force, unit="N")
+            back = draft.draw(reversed_, f"−F_{{{bare}}}", force, unit="N")
             self.carry_force(f"−F_{{{bare}}}", base.start, across, back)
 
 
@@ -166,10 +162,10 @@ def draw_lever(
     ``quarters``: right angles that the velocity plan lacks to be a turned one; ``sense``: of the crank's
     rotation; ``arm``: the crank's real length (m) if a balancing moment is wanted, None for a force.
     """
-    draft.board.open(VIEW)
+    draft.open(VIEW)
     plan = _Plan(draft, velocities, quarters)
-    mu = draft.board.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
-    draft.board.lay_out(plan.pole, mu)
+    mu = draft.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
+    draft.lay_out(plan.pole, mu)
     forces, turned = loads
     pin_image = velocities.images.by_letter[driver.body.link.number][driver.pin.letter]
     pin = plan.image(pin_image)
@@ -180,7 +176,7 @@ def draw_lever(
         base = _base(draft, positions, velocities, driver, couple.link, sense)
         if base is not None:
             plan.carry_couple(couple, base, couples)
-    segment = draft.board.draw(measure, f"p{pin.letter}", plan.pole, pin)
+    segment = draft.draw(measure, f"p{pin.letter}", plan.pole, pin)
     balance = _balance(draft, plan, segment, arm)
     images = {
         number: tuple(
@@ -195,16 +191,15 @@ def draw_lever(
 
 
 def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
-    board = draft.board
     total: Mark | None = None
     for found in plan.moments.values():
-        total = found if total is None else board.draw(added, "ΣM", total, found, unit="N·mm")
+        total = found if total is None else draft.draw(added, "ΣM", total, found, unit="N·mm")
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
-    force = board.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
+    force = draft.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
     if arm is None:
         return force
-    return board.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m")
+    return draft.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m")
 
 
 def _base(
@@ -220,7 +215,7 @@ def _base(
     crank = driver.body.link.number
     if rate == velocities.rates[crank]:
         image = velocities.images.by_letter[crank][driver.pin.letter]
-        segment = draft.board.uses(image)[1]
+        segment = draft.uses(image)[1]
         pole = velocities.images.pole
         return _Base(segment, driver.arm, pole, image, driver.pin, driver.body.axis, 1)
     for closing in positions.closings:

@@ -110,8 +110,8 @@ def draw_forces(
     slid = rub.along_guides(found, _by_joint(found, last)) if rub is not None else []
     carried = ([*loads.on_lever, *slid], [*loads.couples_on_lever, *rubbing.couples])
     lever = _lever(ground, driver, order, carried, arm)
-    draft.board.open("lever")
-    difference = draft.board.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
+    draft.open("lever")
+    difference = draft.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
     circles = rub.circles if rub is not None else None
     return Forces(
         order,
@@ -183,15 +183,15 @@ def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str
 
 def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark, Mark]:
     """Tell what further passes can change, refuse what does not settle, and find the efficiency."""
-    board = ground.draft.board
-    board.open("friction")
+    draft = ground.draft
+    draft.open("friction")
     unit, letter = ("N", "P_b") if kind == "force" else ("N·m", "M_b")
     last, before, first = (done.driven.balance for done in reversed(passes[-3:]))
-    open_ = board.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
-    balance = board.draw(settled, letter, last, open_, unit=unit)
+    open_ = draft.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
+    balance = draft.draw(settled, letter, last, open_, unit=unit)
     speed = ground.velocities.rates[ground.mechanism.drive.link]
     without = passes[0].driven.balance
-    share = board.draw(efficiency, "η", without, balance, speed, unit="%")
+    share = draft.draw(efficiency, "η", without, balance, speed, unit="%")
     return balance, open_, share
 
 

@@ -46,20 +46,20 @@ class Chain:
 
     def add(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a load parallel to its line of action."""
-        board = self.draft.board
-        side = board.draw(parallel, board.free(f"({letter})"), self.end, line, sense=1)
+        draft = self.draft
+        side = draft.draw(parallel, f"({letter})", self.end, line, sense=1)
         self.lay(letter, side, value)
 
     def add_across(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a tangential component: square to its link."""
-        side = self.draft.board.draw(square, f"({letter})", self.end, line, sense=1)
+        side = self.draft.draw(square, f"({letter})", self.end, line, sense=1)
         self.lay(letter, side, value)
 
     def lay(self, letter: str, side: Mark, value: Mark) -> None:
         """Lay off a force along a line that begins at the end of the chain."""
-        board = self.draft.board
-        length = board.draw(to_board, board.free(f"y_{{{_bare(letter)}}}"), value, self.mu)
-        head = self.draft.board.draw(lay_off, str(self.count + 1), side, length)
+        draft = self.draft
+        length = draft.draw(to_board, f"y_{{{_bare(letter)}}}", value, self.mu)
+        head = self.draft.draw(lay_off, str(self.count + 1), side, length)
         self.sides.append((letter, self.end, head))
         self.end = head
 

@@ -73,23 +73,22 @@ def draw_indicator(
     StructureError
         If the pressures are not as many as the positions of the row.
     """
-    board = draft.board
-    board.open(VIEW)
-    mu = board.take(Number, "μ_p", "Pa/mm")
-    board.lay_out(None, mu)
+    draft.open(VIEW)
+    mu = draft.scale("μ_p", "Pa/mm")
+    draft.lay_out(None, mu)
     origin = draft.take(Point, "O", 0j)
-    base = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
-    up = board.draw(square, "(Oy)", origin, base, sense=1)
+    base = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
+    up = draft.draw(square, "(Oy)", origin, base, sense=1)
     length = draft.take(Length, "L", order.base, "mm")
-    end = board.draw(lay_off, "E", base, length)
+    end = draft.draw(lay_off, "E", base, length)
     feet, stroke = _divide(draft, origin, base, end, travel, count)
-    lines = board.draw(square, "(i)", feet, base, sense=1)
+    lines = draft.draw(square, "(i)", feet, base, sense=1)
     ground = _Ground(mu, length, lines, feet, up, travel, stroke)
     sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
     force = sides[0].force
     if order.shaft is not None:
         sides.append(_side(draft, "shaft", order.shaft, (count, extras), ground))
-        force = board.draw(net_force, "P", force, sides[1].force, unit="N")
+        force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
     chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
     return Indicator(order, chart, origin, end, feet, tuple(sides), force)
@@ -114,19 +113,18 @@ def _divide(
 
     Returns the feet of the positions, and the stroke as it lies on the ray (Length).
     """
-    board = draft.board
-    way = board.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
-    marks = board.draw(lay_off, "q", way, travel)
-    last = board.draw(farthest, "q_S", origin, marks, row=count)
-    closing = board.draw(join, "(q_SE)", last, end)
-    lines = board.draw(parallel, "(q)", marks, closing, sense=1)
-    stroke = board.draw(measure, "s_{max}", origin, last)
-    return board.draw(meet, "i", base, lines), stroke
+    way = draft.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
+    marks = draft.draw(lay_off, "q", way, travel)
+    last = draft.draw(farthest, "q_S", origin, marks, row=count)
+    closing = draft.draw(join, "(q_SE)", last, end)
+    lines = draft.draw(parallel, "(q)", marks, closing, sense=1)
+    stroke = draft.draw(measure, "s_{max}", origin, last)
+    return draft.draw(meet, "i", base, lines), stroke
 
 
 def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
     """Lay off the pressures of one side, read them, go round them with the planimeter."""
-    board, sign, (count, extras) = draft.board, NAMES[name], row
+    sign, (count, extras) = NAMES[name], row
     if gas.stretches:
         pressure = by_stretches(
             draft, sign, gas, row, on.travel, on.stroke, at_shaft=name == "shaft"
@@ -138,16 +136,16 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
         raise StructureError(
             f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
         )
-    height = board.draw(to_board, f"h_{sign}", pressure, on.mu)
-    points = board.draw(lay_off, sign, on.lines, height)
-    curve = board.draw(taut_curve, f"({sign}–{sign})", points, row=count)
-    ordinate = board.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
-    read = board.draw(in_si, f"p_{sign}", ordinate, on.mu, unit="Pa")
-    area = board.draw(planimeter, f"f_{sign}", curve, unit="mm²")
-    height = board.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
-    mean = board.draw(in_si, f"p_{{{sign}m}}", height, on.mu, unit="Pa")
+    height = draft.draw(to_board, f"h_{sign}", pressure, on.mu)
+    points = draft.draw(lay_off, sign, on.lines, height)
+    curve = draft.draw(taut_curve, f"({sign}–{sign})", points, row=count)
+    ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
+    read = draft.draw(in_si, f"p_{sign}", ordinate, on.mu, unit="Pa")
+    area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
+    height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
+    mean = draft.draw(in_si, f"p_{{{sign}m}}", height, on.mu, unit="Pa")
     outer = draft.take(Number, f"D_{sign}", gas.bore, "m")
     inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
-    face = board.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
-    force = board.draw(gas_force, f"P_{sign}", read, face, unit="N")
+    face = draft.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
+    force = draft.draw(gas_force, f"P_{sign}", read, face, unit="N")
     return Side(name, points, curve, ordinate, mean, force)

@@ -62,15 +62,15 @@ class Images:
         if point == anchor or (base is None and image == self.pole):
             drawn = image
         elif base is None:
-            drawn = self.draft.board.draw(coincide, self.draft.board.free(letter), image)
+            drawn = self.draft.draw(coincide, letter, image, free=True)
         elif anchor == base.A and image == base.a:
-            drawn = self.draft.board.draw(
-                similar, self.draft.board.free(letter), base.a, base.b, base.A, base.B, point
+            drawn = self.draft.draw(
+                similar, letter, base.a, base.b, base.A, base.B, point, free=True
             )
         else:
-            drawn = self.draft.board.draw(
+            drawn = self.draft.draw(
                 homologous,
-                self.draft.board.free(letter),
+                letter,
                 image,
                 base.a,
                 base.b,
@@ -78,6 +78,7 @@ class Images:
                 base.B,
                 anchor,
                 point,
+                free=True,
             )
         known[point.letter] = drawn
         return drawn

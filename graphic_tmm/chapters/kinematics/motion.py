@@ -88,7 +88,7 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
         if image == pole or image in plan.measured:
             continue
         plan.measured.add(image)
-        draft.board.draw(measure, f"{pole.letter}{image.letter}", pole, image)
+        draft.draw(measure, f"{pole.letter}{image.letter}", pole, image)
 
 
 def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:
@@ -102,7 +102,7 @@ def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:
     for step in draft.board.construction().steps:
         if step.op.reads and step.it.kind is Length and step.uses[:2] == (pole, image):
             return step.it
-    return draft.board.uses(image)[1]
+    return draft.uses(image)[1]
 
 
 def is_signed(draft: Draft, reading: Mark) -> bool:
