@@ -51,10 +51,11 @@ class Draft:
         """Begin (or go on with) the view of that name."""
         self.board.open(view)
 
-    def lay_out(self, pole: Mark | None, scale: Mark) -> None:
-        """Tell the pole and the scale factor of the view that is open."""
-        self._scales[self.view] = scale
-        self.board.lay_out(pole, scale)
+    def lay_out(self, pole: Mark | None = None, scale: Mark | None = None) -> None:
+        """Tell the pole of the view that is open, and its scale factor if it was not taken in it."""
+        if scale is not None:
+            self._scales[self.view] = scale
+        self.board.lay_out(pole, self.scale_of(self.view))
 
     def say(self, note: str) -> None:
         """Write a remark that stands before the next step."""
@@ -145,7 +146,7 @@ class Draft:
         known = self._lengths.get((self.view, letter, metres))
         if known is None:
             real = self.take(Number, _real(letter), metres, "m")
-            known = self.draw(to_board, letter, real, self.mu_l)
+            known = self.draw(to_board, letter, real)
             assert known.kind is Length
             self._lengths[self.view, letter, metres] = known
         return known

@@ -105,7 +105,7 @@ def scaled_motion(draft: Draft, diagrams: Diagrams, mu: Mark) -> Motion:
     def carried(reading: Mark, of: Mark, letter: str) -> Mark:
         if of == mu:
             return reading
-        return draft.draw(rescaled, letter, reading, of, mu)
+        return draft.draw(rescaled, letter, reading, mu)
 
     seconds = [carried(r, diagrams.A.chart.mu, "a") for r in diagrams.A.readings]
     displacement = carried(diagrams.S.reading, diagrams.S.chart.mu, "s")
@@ -135,15 +135,13 @@ def draw_centre(
         for _, first, last in diagrams.stretches
     )
     limits = _limits(draft, order, diagrams, up, curves, sense)
-    down, e = _path(draft, mu, lowest, up, offset, sense)
+    down, e = _path(draft, lowest, up, offset, sense)
     ends = tuple(draft.draw(meet, f"O_{k}", down, limit) for k, limit in enumerate(limits, 1))
     least_centre = draft.draw(extreme_of_two, "O_{min}", *ends, above=-1)
-    least = draft.draw(
-        in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), mu, unit="m"
-    )
+    least = draft.draw(in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), unit="m")
     apex = draft.draw(meet, "O*", *limits)
-    small = draft.draw(in_si, "r*", draft.draw(measure, "O*B", apex, lowest), mu, unit="m")
-    r0, radius = choose_radius(draft, order, least, mu)
+    small = draft.draw(in_si, "r*", draft.draw(measure, "O*B", apex, lowest), unit="m")
+    r0, radius = choose_radius(draft, order, least)
     circle = draft.draw(strike, "(R_0)", lowest, radius)
     centre = draft.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0))
     s0 = draft.draw(measure_along, "s_0", centre, lowest, up)
@@ -160,13 +158,13 @@ def draw_centre(
     return made, Path(s0, e)
 
 
-def choose_radius(draft: Draft, order: CamOrder, least: Mark, mu: Mark) -> tuple[Mark, Mark]:
+def choose_radius(draft: Draft, order: CamOrder, least: Mark) -> tuple[Mark, Mark]:
     """Return the radius r0 chosen, or the least one up to whole millimetres: its value and its length drawn."""
     if order.r0 is not None:
         r0 = draft.take(Number, "r_0", order.r0, "m")
     else:
         r0 = draft.draw(f.whole_mm_above, "r_0", least, unit="m")
-    return r0, draft.draw(to_board, "R_0", r0, mu)
+    return r0, draft.draw(to_board, "R_0", r0)
 
 
 def limit_angles(draft: Draft, order: CamOrder) -> tuple[Mark, Mark]:
@@ -203,12 +201,12 @@ def _limits(
 
 
 def _path(
-    draft: Draft, mu: Mark, lowest: Mark, up: Mark, offset: float, sense: int
+    draft: Draft, lowest: Mark, up: Mark, offset: float, sense: int
 ) -> tuple[Mark, Mark | None]:
     """Draw the line of the centres downward; return it and e as drawn (Length), if there is one."""
     if offset == 0.0:
         return draft.draw(parallel, "(O)", lowest, up, sense=-1), None
-    e = draft.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"), mu)
+    e = draft.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"))
     out = draft.draw(square, "(e)", lowest, up, sense=sense)
     foot = draft.draw(lay_off, "E", out, e)
     return draft.draw(parallel, "(O)", foot, up, sense=-1), e

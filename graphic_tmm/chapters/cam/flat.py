@@ -89,10 +89,10 @@ def draw_convexity(
     assert limit is not None
     cut = draft.draw(meet, "M", up, limit)
     need = draft.draw(measure_along, "MO", cut, origin, up)
-    rho = draft.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"), mu)
+    rho = draft.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"))
     low = draft.draw(total, "R_{min}", need, rho)
-    least = draft.draw(in_si, "r_{min}", low, mu, unit="m")
-    r0, radius = choose_radius(draft, order, least, mu)
+    least = draft.draw(in_si, "r_{min}", low, unit="m")
+    r0, radius = choose_radius(draft, order, least)
     radii = tuple(draft.draw(f.flat_radius, "ρ", radius, motion.S, second) for second in motion.A)
     ends = []
     for own, (_, first, last) in zip(points, diagrams.stretches, strict=True):

@@ -111,8 +111,7 @@ def lay_integral(
     found = []
     own, back = integral.ordinates[which], ground.of.sign < 0
     for k in range(len(ground.feet)):
-        uses = (own[min(k, len(own) - 1)], integral.scales[which], ground.mu)
-        long = draft.draw(rescaled, f"y_{which}", *uses)
+        long = draft.draw(rescaled, f"y_{which}", own[min(k, len(own) - 1)], ground.mu)
         if back and which == "S":
             long = draft.draw(law.rest_of_stroke, f"y_{which}", height, long)
         over = uprights(draft, ground, k, up=not back or which == "S")

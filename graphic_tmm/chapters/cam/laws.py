@@ -89,7 +89,7 @@ def draw_law(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Ma
 def _by_semicircle(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
     how = SEMICIRCLES[ground.of.law.name, which]
     down = how.odd and ground.of.sign < 0
-    uses = (height,) if which == "S" else (ground.stroke, ground.phase, ground.mu)
+    uses = (height,) if which == "S" else (ground.stroke, ground.phase)
     radius = draft.draw(how.radius, "R", *uses)
     centre = ground.near
     if how.centre:
@@ -139,7 +139,7 @@ def _parabola(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
 
 def _triangle(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw two straight lines from the ends of the phase to the peak over its middle."""
-    most = draft.draw(law.parabola_V, "h_V", ground.stroke, ground.phase, ground.mu)
+    most = draft.draw(law.parabola_V, "h_V", ground.stroke, ground.phase)
     middle = draft.draw(halve, "m", ground.near, ground.far, free=True)
     line = draft.draw(parallel, "(m)", middle, ground.rise, sense=ground.of.sign)
     peak = draft.draw(lay_off, "k", line, most, free=True)
@@ -152,7 +152,7 @@ def _triangle(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
 
 def _steps(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Lay off the constant accelerations: upward over the outer half, downward over the inner one."""
-    much = draft.draw(law.parabola_A, "h_A", ground.stroke, ground.phase, ground.mu)
+    much = draft.draw(law.parabola_A, "h_A", ground.stroke, ground.phase)
     lines = [uprights(draft, ground, k, up=ground.outer(k)) for k in range(len(ground.shares))]
     return tuple(draft.draw(lay_off, "a", over, much, free=True) for over in lines)
 
@@ -167,6 +167,6 @@ def _polynomial(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple
         long = draft.draw(law.polynomial_S, "y", share, height)
     else:
         op = law.polynomial_V if which == "V" else law.polynomial_A
-        long = draft.draw(op, "y", share, ground.stroke, ground.phase, ground.mu)
+        long = draft.draw(op, "y", share, ground.stroke, ground.phase)
     over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
     return (draft.draw(lay_off, which.lower(), over, long, free=True),)

@@ -88,7 +88,7 @@ def draw_profile(
     )
     paces = [centre.pace] * len(diagrams.stretches)
     theoretical = _contour(draft, diagrams, origin, placed.points, normals, paces, sense)
-    radius = draft.draw(to_board, "R", roller, centre.mu)
+    radius = draft.draw(to_board, "R", roller)
     contacts = draft.draw(lay_off, "K", normals, radius)
     paces = [
         draft.draw(f.equidistant_pace, "p", centre.pace, radius, turning)

@@ -82,15 +82,15 @@ def draw_rocker_centre(
         Number, "μ_l", order.mu_l or standard_length(max(of.centres, of.lever), ROOM), "m/mm"
     )
     draft.lay_out(None, mu)
-    lever = draft.draw(to_board, "O_1B", draft.take(Number, "l", of.lever, "m"), mu)
-    centres = draft.draw(to_board, "O_1O", draft.take(Number, "a", of.centres, "m"), mu)
+    lever = draft.draw(to_board, "O_1B", draft.take(Number, "l", of.lever, "m"))
+    centres = draft.draw(to_board, "O_1O", draft.take(Number, "a", of.centres, "m"))
     pivot = draft.take(Point, "O_1", 0j)
     begin = draft.draw(ray, "(l_0)", pivot, draft.direction(0.0 if rocks > 0 else 180.0))
     lowest = draft.draw(lay_off, "B_0", begin, lever)
-    swing = draft.draw(f.swing_of, "ψ", diagrams.S.reading, diagrams.S.chart.mu, unit="°")
+    swing = draft.draw(f.swing_of, "ψ", diagrams.S.reading, unit="°")
     levers = draft.draw(slew, "(l)", pivot, begin, swing, sense=rocks)
     roller = draft.draw(lay_off, "B", levers, lever)
-    velocity = draft.draw(f.travel_on_lever, "v", diagrams.V.reading, diagrams.V.chart.mu, lever)
+    velocity = draft.draw(f.travel_on_lever, "v", diagrams.V.reading, lever)
     outward = draft.draw(parallel, "(v)", roller, levers, sense=-alike)
     points = draft.draw(lay_off, "Q", outward, velocity)
     curves = tuple(
@@ -106,10 +106,8 @@ def draw_rocker_centre(
     draft.open(VIEW)
     bound = draft.draw(slew, "(O_{min})", pivot, begin, highest, sense=-rocks)
     least_centre = draft.draw(lay_off, "O_{min}", bound, centres)
-    least = draft.draw(
-        in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), mu, unit="m"
-    )
-    r0, radius = choose_radius(draft, order, least, mu)
+    least = draft.draw(in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), unit="m")
+    r0, radius = choose_radius(draft, order, least)
     small = draft.draw(strike, "(R_0)", lowest, radius)
     below = draft.take(Side, "±", float(-rocks))
     centre = draft.draw(cross, "O", circle, small, below)
@@ -122,7 +120,7 @@ def draw_rocker_centre(
     along = draft.draw(f.along_path, "w", velocity, reach, lever)
     turning = []
     for reading in diagrams.A.readings:
-        second = draft.draw(f.travel_on_lever, "a", reading, diagrams.A.chart.mu, lever)
+        second = draft.draw(f.travel_on_lever, "a", reading, lever)
         turning.append(draft.draw(f.turning_of_normal, "τ", p, q, along, second))
     made = Centre(
         VIEW, mu, roller, points, curves, limits, ends, lowest, least_centre, centre, least, r0,
@@ -171,7 +169,7 @@ def _limit_diagram(
     numbers = count(1)
     top: Mark | None = None
     for phase, angle in zip(diagrams.turn.phases, angles, strict=True):
-        high = draft.draw(f.on_protractor, "y", angle, mu)
+        high = draft.draw(f.on_protractor, "y", angle)
         spots = draft.draw(lay_off, "β", lines, high, free=True)
         for first, last in phase.stretches:
             curve = draft.draw(graph_of_stretch, "(β–β)", spots, first=first, last=last)
@@ -184,6 +182,6 @@ def _limit_diagram(
         readings.append(draft.draw(measure_along, f"β_{len(readings)}", axes.feet, spots, axes.up))
     assert top is not None
     high = draft.draw(measure_along, "y_{max}", axes.origin, top, axes.up)
-    found = draft.draw(f.off_protractor, "ψ_{0 min}", high, mu, unit="°")
+    found = draft.draw(f.off_protractor, "ψ_{0 min}", high, unit="°")
     assert found.kind is Angle
     return found, Chart(LIMITS, "ψ_0", "°", mu, tuple(readings), False, DEGREES, ROOM)

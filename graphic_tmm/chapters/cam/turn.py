@@ -58,7 +58,7 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
     draft.open(PRESSURE)
     mu = draft.take(Number, "μ_α", DEGREES, "°/mm")
     axes = graphs.draw_axes(draft, PRESSURE, diagrams.base, mu)
-    high = draft.draw(f.on_protractor, "y_α", centre.pressure, mu)
+    high = draft.draw(f.on_protractor, "y_α", centre.pressure)
     lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
     spots = draft.draw(lay_off, "p", lines, high)
     curves = _curves(draft, diagrams, [spots] * len(diagrams.stretches))
@@ -68,7 +68,7 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
         own = [c for c, row in zip(curves, diagrams.stretches, strict=True) if row[0] is phase]
         point, y, angle = _extreme(draft, axes, own, phase.sign)
         name = "α_{max}" if phase.sign > 0 else "α_{min}"
-        value = draft.draw(f.off_protractor, name, y, mu, unit="°")
+        value = draft.draw(f.off_protractor, name, y, unit="°")
         extremes.append(Extreme(point, value, angle))
     reading = draft.draw(measure_along, "α", axes.feet, spots, axes.up)
     chart = Chart(PRESSURE, "α", "°", mu, (reading,), False, DEGREES, ROOM)
@@ -82,21 +82,20 @@ def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiag
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
     heights = []
     for turning in centre.turning:
-        kappa = draft.draw(f.curvature_of_profile, "κ", turning, centre.pace, centre.mu, unit="1/m")
-        heights.append(draft.draw(to_board, "y_κ", kappa, mu))
+        kappa = draft.draw(f.curvature_of_profile, "κ", turning, centre.pace, unit="1/m")
+        heights.append(draft.draw(to_board, "y_κ", kappa))
     points, curves, readings = _raised(draft, diagrams, axes, heights, "κ")
     circle = draft.draw(
         f.curvature_of_profile,
         "κ",
         draft.take(Number, "1", 1.0),
         centre.pace,
-        centre.mu,
         unit="1/m",
     )
-    high = draft.draw(to_board, "y_κ", circle, mu)
+    high = draft.draw(to_board, "y_κ", circle)
     _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, 1)
-    value = draft.draw(f.least_radius, "ρ_{min}", y, mu, unit="m")
+    value = draft.draw(f.least_radius, "ρ_{min}", y, unit="m")
     chart = Chart(CURVATURE, "κ", "1/m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 
@@ -106,13 +105,13 @@ def draw_radii(draft: Draft, diagrams: Diagrams, of: Convexity) -> TurnDiagram:
     draft.open(CURVATURE)
     mu = draft.scale("μ_ρ", "m/mm")
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
-    heights = [draft.draw(rescaled, "y_ρ", radius, of.mu, mu) for radius in of.radii]
+    heights = [draft.draw(rescaled, "y_ρ", radius, mu) for radius in of.radii]
     points, curves, readings = _raised(draft, diagrams, axes, heights, "ρ")
     circle = draft.draw(total, "ρ_d", of.radius, of.motion.S)
     high = draft.draw(rescaled, "y_d", circle, of.mu, mu)
     _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, -1)
-    value = draft.draw(in_si, "ρ_{min}", y, mu, unit="m")
+    value = draft.draw(in_si, "ρ_{min}", y, unit="m")
     chart = Chart(CURVATURE, "ρ", "m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 

@@ -147,7 +147,7 @@ def _from_displacement(
     travel = draft.draw(measure_along, f"s_{order.point}", start, point, leg.line)
     draft.open(VIEWS["S"])
     mu = draft.scale("μ_S", "m/mm")
-    length = draft.draw(rescaled, "y_S", travel, draft.mu_l, mu)
+    length = draft.draw(rescaled, "y_S", travel, mu)
     axes = graphs.draw_axes(draft, VIEWS["S"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "s")
     charts = {"S": _chart(draft, "S", axes, at, True, order.S)}
@@ -163,7 +163,7 @@ def _from_velocity(
 ) -> dict[str, Chart]:
     draft.open(VIEWS["V"])
     mu = draft.scale("μ_V", "(m/s)/mm")
-    length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], velocities.mu, mu)
+    length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
     axes = graphs.draw_axes(draft, VIEWS["V"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "v")
     charts = {"V": _chart(draft, "V", axes, at, True, order.V)}

@@ -63,17 +63,17 @@ def draw_harmonics(
     half = draft.draw(second_order, "m·ω²·R·λ", size, ratio, unit="N")
     mu = draft.scale("μ_F", "N/mm")
     origin = draft.take(Point, "O", 0j)
-    draft.lay_out(origin, mu)
+    draft.lay_out(origin)
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
     axis = draft.draw(parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1)
     once = draft.draw(parallel, "(I)", origin, crank, sense=1)
     twice = draft.draw(doubled, "(II)", origin, axis, once)
     ends, forces = [], []
     for k, (name, line, force) in enumerate((("I", once, size), ("II", twice, half)), 1):
-        length = draft.draw(to_board, f"y_{name}", force, mu)
+        length = draft.draw(to_board, f"y_{name}", force)
         end = draft.draw(lay_off, name, line, length)
         segment = draft.draw(measure_along, f"x_{name}", origin, end, axis)
-        forces.append(draft.draw(projected, f"P_{{in{k}}}", segment, mu, unit="N"))
+        forces.append(draft.draw(projected, f"P_{{in{k}}}", segment, unit="N"))
         ends.append(end)
     total = draft.draw(added, "P_{inΣ}", *forces, unit="N")
     acceleration = draft.draw(per_mass, "a_{Σ}", total, mass, unit="m/s²")

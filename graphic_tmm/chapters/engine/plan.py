@@ -114,7 +114,7 @@ def draw_engine(
 
     sign = draft.take(Number, "σ", cylinder.outward)
     reading = accelerations.readings[legs.slider.link]
-    acceleration = draft.draw(towards_crank, "a_B", sign, reading, accelerations.mu, unit="m/s²")
+    acceleration = draft.draw(towards_crank, "a_B", sign, reading, unit="m/s²")
     exact = draft.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
     harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, told)
     draft.open(VIEW)
@@ -154,9 +154,9 @@ def _triangles(
     pivot = machine.positions.point(machine.pivot)
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
     mu = draft.scale("μ_F", f"{unit}/mm")
-    draft.lay_out(None, mu)
+    draft.lay_out()
     inward = draft.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
-    end_p = draft.draw(lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"], mu))
+    end_p = draft.draw(lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]))
     sense = 1 if machine.mechanism.drive.speed > 0 else -1
     across = draft.draw(square, "(N)", end_p, inward, sense=sense)
     rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
@@ -171,11 +171,11 @@ def _triangles(
     length_t = draft.draw(measure_along, "y_T", at_a, end_t, tangent)
     length_k = draft.draw(measure_along, "y_K", end_t, end_qa, along)
     for name, length in (("N", length_n), ("Q", length_q), ("T", length_t), ("K", length_k)):
-        values[name] = draft.draw(in_si, name, length, mu, unit=unit)
+        values[name] = draft.draw(in_si, name, length, unit=unit)
     moment = f"{unit}·m"
     values["M"] = draft.draw(moment_on_arm, "M", values["T"], machine.arm, unit=moment)
     distance = draft.draw(measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b)
-    values["NOB"] = draft.draw(couple_of, "N·OB", values["N"], distance, draft.mu_l, unit=moment)
+    values["NOB"] = draft.draw(couple_of, "N·OB", values["N"], distance, unit=moment)
     return Triangles(at_b, end_p, end_q, at_a, end_qa, end_t), mu
 
 
@@ -206,7 +206,7 @@ def _diagrams(
         axes = graphs.draw_axes(draft, view, base, mu)
         found = []
         for letter in letters:
-            heights = draft.draw(to_board, ordinate("h", letter), values[letter], mu)
+            heights = draft.draw(to_board, ordinate("h", letter), values[letter])
             at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
             # the links' own inertia is smooth, what the gas has a part in is not
             (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)

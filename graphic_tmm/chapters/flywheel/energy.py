@@ -50,9 +50,7 @@ def _of_link(draft: Draft, mechanism: Mechanism, link: Link, velocities: Motion)
         segment = _speed(draft, mechanism, link, velocities)
         if segment is not None:
             mass = draft.take(Number, f"m_{n}", link.mass, "kg")
-            found[f"T_{{{n}t}}"] = draft.draw(
-                translation, f"T_{{{n}t}}", mass, segment, velocities.mu, unit="J"
-            )
+            found[f"T_{{{n}t}}"] = draft.draw(translation, f"T_{{{n}t}}", mass, segment, unit="J")
     rate = velocities.rates.get(n)
     if link.inertia and rate is not None:
         inertia = draft.take(Number, f"J_{n}", link.inertia, "kg·m²")

@@ -66,9 +66,9 @@ def draw_energy_mass(
     row, mu_T = source.axes.base.intervals, source.axes.mu
     draft.open(VIEW)
     mu_J = draft.scale("μ_J", "(kg·m²)/mm")
-    draft.lay_out(None, mu_J)
+    draft.lay_out()
     inertia = draft.draw(reduced_inertia, "J_{red}", energies.total, omega, unit="kg·m²")
-    x = draft.draw(to_board, "x_J", inertia, mu_J)
+    x = draft.draw(to_board, "x_J", inertia)
     origin = draft.take(Point, "O", 0j)
     along = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = draft.draw(square, "(Oy)", origin, along, sense=1)

@@ -93,7 +93,7 @@ def draw_flywheel(
     else:
         moment = _by_loads(draft, machine, forces, order.constant)
     mu_M = draft.scale("μ_M", "(N·m)/mm")
-    heights = draft.draw(to_board, "y_M", moment, mu_M)
+    heights = draft.draw(to_board, "y_M", moment)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
@@ -105,9 +105,7 @@ def draw_flywheel(
     segment = _segment(draft, energy_axes, own)
     assert velocities.speed is not None
     delta = draft.take(Number, "δ", order.delta)
-    inertia = draft.draw(
-        flywheel_inertia, "J_F", segment, energy_axes.mu, delta, velocities.speed, unit="kg·m²"
-    )
+    inertia = draft.draw(flywheel_inertia, "J_F", segment, delta, velocities.speed, unit="kg·m²")
     rim = None
     if order.rim is not None:
         rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)

@@ -64,7 +64,7 @@ def solve_driver(
     force, raised = None, f"^{{({tried})}}" if tried else ""
     if kind == "force":
         letter = f"P_b{raised}"
-        balance = draft.draw(balancing, letter, total, driver.arm, draft.mu_l, unit="N")
+        balance = draft.draw(balancing, letter, total, driver.arm, unit="N")
         line = draft.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
         force = Force(letter, number, driver.pin, line, balance)
         sides.append((letter, line, balance))
@@ -73,14 +73,14 @@ def solve_driver(
     draft.open(polygon)
     mu = draft.scale("μ_F", "N/mm")
     start = draft.take(Point, "1", 0j)
-    draft.lay_out(start, mu)
+    draft.lay_out(start)
     chain = Chain(draft, mu, start)
     for letter, line, value in sides:
         chain.add(letter, line, value)
     end = chain.end
     name = f"R_{{{frame}{number}}}"
     length = draft.draw(measure, f"y_{{R{frame}{number}}}", end, start)
-    value = draft.draw(in_si, name, length, mu, unit="N")
+    value = draft.draw(in_si, name, length, unit="N")
     reaction = Reaction(name, (frame, number), end, start, length, value, value)
     return Driven(
         balance, force, reaction, Polygon(polygon, mu, (*chain.sides, (name, end, start)))

@@ -150,11 +150,10 @@ class Rub:
         assert closing is not None
         leg, view = guide_leg(joint), reaction.length.view
         draft.open(view)
-        scale = draft.uses(reaction.value)[1]
         letters = (f"F_{{{body}{link}}}", f"F_{{{link}{body}}}")
         ends = (reaction.tail, reaction.head)
         segment = draft.draw(measure_along, f"y_{{F{body}{link}}}", *ends, leg.line)
-        value = draft.draw(in_si, letters[0], segment, scale, unit="N")
+        value = draft.draw(in_si, letters[0], segment, unit="N")
         own = self.velocities.closed[closing.group.name]
         under = known_image(self.velocities, closing, leg)
         made = [Force(letters[0], link, closing.point, leg.line, value, own)]

@@ -117,15 +117,12 @@ class _Plan:
                 self.times,
                 base.segment,
                 base.length,
-                draft.mu_l,
                 unit="N·mm",
             )
             self.converted[couple.letter] = found
             self.note(couple.letter, found)
             return
-        force = draft.draw(
-            tangential, f"F_{{{bare}}}", couple.value, base.length, draft.mu_l, unit="N"
-        )
+        force = draft.draw(tangential, f"F_{{{bare}}}", couple.value, base.length, unit="N")
         across = draft.draw(square, f"(F_{{{bare}}})", base.at, base.line, sense=1)
         self.carry_force(f"F_{{{bare}}}", base.end, across, force)
         if base.start != self.velocities.images.pole:

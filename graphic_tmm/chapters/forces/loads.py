@@ -166,7 +166,7 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
         return
     loads.on_lever.append(force)
     loads.couples_on_lever.append(couple)
-    by = draft.draw(offset, f"h_{{i{n}}}", couple.value, force.value, ground.draft.mu_l)
+    by = draft.draw(offset, f"h_{{i{n}}}", couple.value, force.value)
     across = draft.draw(square, f"(h_{{i{n}}})", force.point, force.line, sense=1)
     point = draft.draw(lay_off, f"T{n}", across, by, free=True)
     line = draft.draw(parallel, f"({force.letter}′)", point, force.line, sense=1)
@@ -185,7 +185,7 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     mass = draft.constant(f"m_{n}", link.mass, "kg")
     formula = inertia_force_along if is_signed(draft, segment) else inertia_force
     letter = f"P_{{i{n}}}"
-    value = draft.draw(formula, letter, mass, segment, plan.mu, unit="N")
+    value = draft.draw(formula, letter, mass, segment, unit="N")
     line = draft.draw(action, f"({letter})", point, end, plan.images.pole)
     return Force(letter, n, point, line, value, image)
 

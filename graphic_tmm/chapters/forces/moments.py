@@ -42,7 +42,7 @@ class Moments:
             name = force.letter.replace("{", "").replace("}", "").replace("_", "")
             height = draft.draw(arm, f"h_{{{name}}}", about, force.line)
             letter = f"M_{{{about.letter}}}({force.letter})"
-            known = draft.draw(moment, letter, force.value, height, mu_l, unit="N·m")
+            known = draft.draw(moment, letter, force.value, height, unit="N·m")
             self._known[about, force.line] = known
         return known
 

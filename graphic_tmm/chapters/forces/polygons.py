@@ -58,7 +58,7 @@ class Chain:
     def lay(self, letter: str, side: Mark, value: Mark) -> None:
         """Lay off a force along a line that begins at the end of the chain."""
         draft = self.draft
-        length = draft.draw(to_board, f"y_{{{_bare(letter)}}}", value, self.mu)
+        length = draft.draw(to_board, f"y_{{{_bare(letter)}}}", value)
         head = self.draft.draw(lay_off, str(self.count + 1), side, length)
         self.sides.append((letter, self.end, head))
         self.end = head

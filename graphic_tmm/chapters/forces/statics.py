@@ -76,7 +76,7 @@ def solve_group(
     draft.open(polygon)
     mu = draft.scale("μ_F", "N/mm")
     start = draft.take(Point, "1", 0j)
-    draft.lay_out(start, mu)
+    draft.lay_out(start)
     chain = Chain(draft, mu, start)
     if first.link in tangents and isinstance(first, PinLeg):
         chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
@@ -114,9 +114,7 @@ def _tangents(draft: Draft, closing: Closing, turning: dict[int, Mark | None]) -
         total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
             letter = _tangent_letter(leg)
-            found[leg.link] = draft.draw(
-                tangential, letter, total, leg.length, draft.mu_l, unit="N"
-            )
+            found[leg.link] = draft.draw(tangential, letter, total, leg.length, unit="N")
     return found
 
 
@@ -176,11 +174,9 @@ def _read(
         slides = isinstance(leg, GuideLeg) and not leg.inner
         guide = leg.line if slides and rough else None
         couple = turning[leg.link] if slides else None
-        found.append(_reaction(draft, chain.mu, (leg.body, leg.link), vector, guide, couple))
+        found.append(_reaction(draft, (leg.body, leg.link), vector, guide, couple))
     guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
-    between = _reaction(
-        draft, chain.mu, (first.link, second.link), (at.top, at.middle), guide, couple
-    )
+    between = _reaction(draft, (first.link, second.link), (at.top, at.middle), guide, couple)
     letters = [
         f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
         for leg in closing.legs
@@ -192,7 +188,6 @@ def _read(
 
 def _reaction(
     draft: Draft,
-    mu: Mark,
     links: Pair,
     vector: tuple[Mark, Mark],
     guide: Mark | None,
@@ -201,15 +196,15 @@ def _reaction(
     """Measure a reaction; ``guide``: to which its normal part is wanted; ``couple``: that it has to hold."""
     name = f"{links[0]}{links[1]}"
     length = draft.draw(measure, f"y_{{R{name}}}", *vector)
-    value = draft.draw(in_si, f"R_{{{name}}}", length, mu, unit="N")
+    value = draft.draw(in_si, f"R_{{{name}}}", length, unit="N")
     force, normal, place = value, None, None
     if guide is not None:
         across = draft.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
         normal = draft.draw(measure_along, f"y_{{N{name}}}", *vector, across)
         if couple is not None:
-            force = draft.draw(in_si, f"N_{{{name}}}", normal, mu, unit="N")
+            force = draft.draw(in_si, f"N_{{{name}}}", normal, unit="N")
     if couple is not None:
-        place = draft.draw(place_of, f"h_{{{name}}}", couple, force, draft.mu_l)
+        place = draft.draw(place_of, f"h_{{{name}}}", couple, force)
     return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, place)
 
 

@@ -58,7 +58,7 @@ def draw_contact(
     """Draw the working parts of the flanks and the arcs of engagement; measure the contact ratio."""
     (a, b) = line.ends
     engaged = (_engagement(draft, 0, line, wheels[0]), _engagement(draft, 1, line, wheels[1]))
-    pitch = draft.draw(to_board, "[p_{b}]", sizes.p_b, line.mu)
+    pitch = draft.draw(to_board, "[p_{b}]", sizes.p_b)
     onward = draft.draw(parallel, "(ab)", a, line.line, sense=1)
     backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1)
     second = draft.draw(lay_off, "a′", onward, pitch)
@@ -87,5 +87,5 @@ def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagem
         lows.append(spot)
     sense = 1 if k else -1
     length = draft.draw(measure_arc, f"c_{i}d_{i}", *crossings, wheel.circles.working, sense=sense)
-    real = draft.draw(in_si, f"c_{i}d_{i}·μ", length, line.mu, unit="m")
+    real = draft.draw(in_si, f"c_{i}d_{i}·μ", length, unit="m")
     return Engagement(lows[k], turned[0], turned[1], (crossings[0], crossings[1]), length, real)

@@ -63,13 +63,13 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     """
     draft.open(VIEW)
     mu = draft.scale("μ_l", "m/mm")
-    draft.lay_out(None, mu)
+    draft.lay_out()
     first = draft.take(Point, "O_{1}", 0j)
     centres = draft.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0))
-    distance = draft.draw(to_board, "[a_{w}]", sizes.a_w, mu)
+    distance = draft.draw(to_board, "[a_{w}]", sizes.a_w)
     second = draft.draw(lay_off, "O_{2}", centres, distance)
     own, other = sizes.wheels
-    circles = (_circles(draft, mu, own, first), _circles(draft, mu, other, second))
+    circles = (_circles(draft, own, first), _circles(draft, other, second))
     reach = next(m for m in draft.uses(circles[0].working) if m != first)
     pole = draft.draw(lay_off, "P", centres, reach)
     side = draft.take(Side, "σ", -1.0)
@@ -97,10 +97,10 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     )  # fmt: skip
 
 
-def _circles(draft: Draft, mu: Mark, wheel: WheelSizes, centre: Mark) -> Circles:
+def _circles(draft: Draft, wheel: WheelSizes, centre: Mark) -> Circles:
     """Strike the five circles of a wheel."""
     arcs = []
     for real in (wheel.r, wheel.r_b, wheel.r_w, wheel.r_f, wheel.r_a):
-        radius = draft.draw(to_board, f"[{real.letter}]", real, mu)
+        radius = draft.draw(to_board, f"[{real.letter}]", real)
         arcs.append(draft.draw(strike, f"({real.letter})", centre, radius))
     return Circles(centre, *arcs)

@@ -78,10 +78,9 @@ class Sliding:
 
 @dataclass(frozen=True)
 class _Ground:
-    """What the stations stand on: axes, scale, N1N2, the numbers of teeth."""
+    """What the stations stand on: the base, N1N2, the numbers of teeth."""
 
     base: Mark
-    mu: Mark
     length: Mark
     teeth: tuple[Mark, Mark]
 
@@ -90,11 +89,11 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
     """Draw the diagram; lengths along its base are those measured on the line of action."""
     draft.open(VIEW)
     mu = draft.scale("μ_{ϑ}", "1/mm")
-    draft.lay_out(None, mu)
+    draft.lay_out()
     origin = draft.take(Point, "N_{1}", 0j)
     base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0))
     end = draft.draw(lay_off, "N_{2}", base, line.length)
-    ground = _Ground(base, mu, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
+    ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
     ends = tuple(
         _stations(draft, ground, x, letter) for x, letter in zip(line.to_ends, "ab", strict=True)
     )
@@ -129,7 +128,7 @@ def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
     lines = draft.draw(square, f"({letter})", feet, ground.base, sense=1)
     points = []
     for k, mark in enumerate(sliding):
-        height = draft.draw(to_board, f"[ϑ_{{{k + 1}{letter}}}]", mark, ground.mu)
+        height = draft.draw(to_board, f"[ϑ_{{{k + 1}{letter}}}]", mark)
         points.append(draft.draw(lay_off, f"{letter}_{{{k + 1}}}", lines, height))
     return Stations(x, sliding, feet, (points[0], points[1]))
 
@@ -145,7 +144,7 @@ def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
     sliding = draft.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
     feet = draft.draw(lay_off, f"i_{{{i}}}", ground.base, x)
     lines = draft.draw(square, f"(i_{i})", feet, ground.base, sense=1)
-    height = draft.draw(to_board, f"[ϑ_{i}]", sliding, ground.mu)
+    height = draft.draw(to_board, f"[ϑ_{i}]", sliding)
     points = draft.draw(lay_off, f"i_{{{i}}}′", lines, height)
     curve = draft.draw(smooth_through, f"(ϑ_{i})", points, row=STATIONS)
     return Branch(near, x, sliding, feet, points, curve)

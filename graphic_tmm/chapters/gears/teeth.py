@@ -100,7 +100,7 @@ def draw_wheel(
     origin, feet, points = _involute(draft, k, line, rows)
     curve = draft.draw(smooth_through, f"(E_{i})", points, row=roll.count)
     at_pitch = draft.draw(curve_meets_arc, f"D_{{{i}}}", curve, circles.pitch)
-    thickness = draft.draw(to_board, f"[s_{i}]", wheel.s, line.mu)
+    thickness = draft.draw(to_board, f"[s_{i}]", wheel.s)
     half = draft.draw(half_of, f"[s_{i}]/2", thickness)
     middle = draft.draw(along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1)
     axis = draft.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
@@ -197,14 +197,14 @@ def _fillet(
     The rack's pitch line rolls on the pitch circle; where it touches, the normal of the contact passes.
     """
     circles, wheel, i = line.circles[k], sizes.wheels[k], k + 1
-    pitch = draft.draw(to_board, f"[p]_{i}", sizes.p, line.mu)
+    pitch = draft.draw(to_board, f"[p]_{i}", sizes.p)
     half = draft.draw(half_of, f"[p]_{i}/2", pitch)
     space = draft.draw(along_arc, f"W_{{{i}}}", middle, circles.pitch, half, sense=-1)
     n = draft.take(Number, f"j_{i}", rows.row(np.arange(rows.fillet)))
     parts = draft.take(Number, f"k_{{F{i}}}", float(rows.fillet - 1))
     phi = draft.draw(ray_of_rounding, f"φ_{i}", sizes.alpha, n, parts)
     reals = ((sizes.rack.offset, "e_{F}"), (wheel.depth, "d_{F}"), (sizes.rack.rounding, "ρ_{f}"))
-    offset, depth, rho = (draft.draw(to_board, f"[{name}]_{i}", m, line.mu) for m, name in reals)
+    offset, depth, rho = (draft.draw(to_board, f"[{name}]_{i}", m) for m, name in reals)
     rolled = draft.draw(rolled_of_ray, f"t_{i}", offset, depth, phi)
     reach = draft.draw(reach_of_ray, f"l_{i}", depth, phi, rho)
     touching = draft.draw(along_arc, f"T_{{{i}}}", space, circles.pitch, rolled, sense=1)

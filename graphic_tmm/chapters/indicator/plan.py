@@ -75,7 +75,7 @@ def draw_indicator(
     """
     draft.open(VIEW)
     mu = draft.scale("μ_p", "Pa/mm")
-    draft.lay_out(None, mu)
+    draft.lay_out()
     origin = draft.take(Point, "O", 0j)
     base = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = draft.draw(square, "(Oy)", origin, base, sense=1)
@@ -83,7 +83,7 @@ def draw_indicator(
     end = draft.draw(lay_off, "E", base, length)
     feet, stroke = _divide(draft, origin, base, end, travel, count)
     lines = draft.draw(square, "(i)", feet, base, sense=1)
-    ground = _Ground(mu, length, lines, feet, up, travel, stroke)
+    ground = _Ground(length, lines, feet, up, travel, stroke)
     sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
     force = sides[0].force
     if order.shaft is not None:
@@ -95,9 +95,8 @@ def draw_indicator(
 
 
 class _Ground(NamedTuple):
-    """What both sides stand on: μ_p, the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
+    """What both sides stand on: the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
 
-    mu: Mark
     length: Mark
     lines: Mark
     feet: Mark
@@ -136,14 +135,14 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
         raise StructureError(
             f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
         )
-    height = draft.draw(to_board, f"h_{sign}", pressure, on.mu)
+    height = draft.draw(to_board, f"h_{sign}", pressure)
     points = draft.draw(lay_off, sign, on.lines, height)
     curve = draft.draw(taut_curve, f"({sign}–{sign})", points, row=count)
     ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
-    read = draft.draw(in_si, f"p_{sign}", ordinate, on.mu, unit="Pa")
+    read = draft.draw(in_si, f"p_{sign}", ordinate, unit="Pa")
     area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
     height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
-    mean = draft.draw(in_si, f"p_{{{sign}m}}", height, on.mu, unit="Pa")
+    mean = draft.draw(in_si, f"p_{{{sign}m}}", height, unit="Pa")
     outer = draft.take(Number, f"D_{sign}", gas.bore, "m")
     inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
     face = draft.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")

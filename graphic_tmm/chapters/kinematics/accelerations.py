@@ -40,7 +40,7 @@ def draw_accelerations(
     draft.open(VIEW)
     pole = draft.take(Point, "π", 0j)
     mu = draft.scale("μ_a", "(m/s²)/mm")
-    draft.lay_out(pole, mu)
+    draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     _crank(draft, mechanism, structure, positions, velocities, plan)
@@ -69,14 +69,14 @@ def _crank(
     omega = velocities.speed
     assert omega is not None
     value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²")
-    length = draft.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value, plan.mu)
+    length = draft.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value)
     inward = draft.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1)
     if epsilon:
         end = draft.draw(lay_off, f"n{number}", inward, length)
         draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
         plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
         value = draft.draw(product, f"a_{{{pin}}}^{{t}}", plan.rates[number], arm, unit="m/s²")
-        length = draft.draw(to_board, f"t_{{{name}}}", value, plan.mu)
+        length = draft.draw(to_board, f"t_{{{name}}}", value)
         line = draft.draw(square, f"(t_{{{name}}})", end, body.axis, sense=1)
         image = draft.draw(lay_off, letter, line, length)
     else:
@@ -118,9 +118,7 @@ def _tangential_line(
     name = _leg_name(closing, leg)
     start = known_image(plan, closing, leg)
     reading = velocities.readings[leg.link]
-    length = draft.draw(
-        normal, f"n_{{{name}}}", reading, velocities.mu, leg.length, draft.mu_l, plan.mu
-    )
+    length = draft.draw(normal, f"n_{{{name}}}", reading, leg.length)
     inward = draft.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1)
     end = draft.draw(lay_off, f"n{leg.link}", inward, length, free=True)
     return draft.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1)
@@ -135,7 +133,7 @@ def _relative_line(
     turning = velocities.rates.get(closing.legs[1].link if leg.inner else leg.body)
     if turning is not None:
         name, slid = f"{start.letter}{letter}", velocities.readings[leg.link]
-        length = draft.draw(coriolis, f"k_{{{name}}}", turning, slid, velocities.mu, plan.mu)
+        length = draft.draw(coriolis, f"k_{{{name}}}", turning, slid)
         across = draft.draw(square, f"(k_{{{name}}})", start, leg.line, sense=1)
         start = draft.draw(lay_off, f"k{leg.link}", across, length, free=True)
     return draft.draw(parallel, f"({start.letter}{letter})", start, leg.line, sense=1)
@@ -146,9 +144,7 @@ def _read_tangential(
 ) -> None:
     start = draft.uses(line)[0]
     segment = draft.draw(measure_along, f"t_{{{_leg_name(closing, leg)}}}", start, point, line)
-    plan.rates[leg.link] = draft.draw(
-        rate, f"ε_{leg.link}", segment, plan.mu, leg.length, draft.mu_l, unit="1/s²"
-    )
+    plan.rates[leg.link] = draft.draw(rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²")
 
 
 def _leg_name(closing: Closing, leg: PinLeg) -> str:

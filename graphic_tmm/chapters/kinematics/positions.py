@@ -44,7 +44,7 @@ def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure)
     draft.mu_l = draft.scale("μ_l", "m/mm")
     frame, pivot = mechanism.frame, structure.pivot
     origin = draft.take(Point, pivot, 0j)
-    draft.lay_out(origin, draft.mu_l)
+    draft.lay_out(origin)
 
     def axis() -> Mark:
         return draft.draw(ray, "(x)", origin, draft.direction(0.0))

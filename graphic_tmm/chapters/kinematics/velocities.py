@@ -47,7 +47,7 @@ def draw_velocities(
     draft.open(VIEW)
     pole = draft.take(Point, "p", 0j)
     mu = draft.scale("μ_v", "(m/s)/mm")
-    draft.lay_out(pole, mu)
+    draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     turn = _Turn(draft, turned, 1 if mechanism.drive.speed > 0 else -1)
@@ -75,7 +75,7 @@ def _crank(
     plan.speed = omega
     arm = crank_arm(draft, positions, structure)
     velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s")
-    length = draft.draw(to_board, f"p{image_letter(pin)}", velocity, plan.mu)
+    length = draft.draw(to_board, f"p{image_letter(pin)}", velocity)
     if turn.turned:
         line = draft.draw(parallel, f"(p{image_letter(pin)})", pole, body.axis, sense=1)
     else:
@@ -118,6 +118,4 @@ def _read(
     if start == plan.images.pole:
         plan.measured.add(point)
     if isinstance(leg, PinLeg):
-        plan.rates[leg.link] = draft.draw(
-            rate, f"ω_{leg.link}", segment, plan.mu, leg.length, draft.mu_l, unit="1/s"
-        )
+        plan.rates[leg.link] = draft.draw(rate, f"ω_{leg.link}", segment, leg.length, unit="1/s")

@@ -82,15 +82,14 @@ class AxialView:
     arm: tuple[Mark, Mark]
 
 
-def draw_end_view(draft: Draft, train: Train, sizes: Dimensions, mu: Mark) -> EndView:
-    """Draw the pitch circles to the scale ``mu``."""
+def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
+    """Draw the pitch circles."""
     fixed = train.scheme.wheels[-1]
     names = {"1": "OA", "2": "BA", "3": "BC", fixed: "OC"}
     lengths = {
-        wheel: draft.draw(to_board, names[wheel], radius, mu)
-        for wheel, radius in sizes.radii.items()
+        wheel: draft.draw(to_board, names[wheel], radius) for wheel, radius in sizes.radii.items()
     }
-    lengths["H"] = draft.draw(to_board, "OB", sizes.axes, mu)
+    lengths["H"] = draft.draw(to_board, "OB", sizes.axes)
     origin = draft.take(Point, "O", 0j)
     axis = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = draft.draw(square, "(Oy)", origin, axis, sense=1)

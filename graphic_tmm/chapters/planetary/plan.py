@@ -57,11 +57,10 @@ def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Pl
     """
     train = choose(order)
     draft.open(VIEW)
-    mu = draft.scale("μ_l", "m/mm")
-    draft.mu_l = mu
-    draft.lay_out(None, mu)
+    mu = draft.mu_l = draft.scale("μ_l", "m/mm")
+    draft.lay_out()
     sizes = calculate_train(draft, order, train)
-    end = draw_end_view(draft, train, sizes, mu)
+    end = draw_end_view(draft, train, sizes)
     axial = draw_axial_view(draft, train, end)
     picture = draw_picture(draft, order, end, sizes)
     rates = draw_rates(draft, order, train, end, sizes, picture)

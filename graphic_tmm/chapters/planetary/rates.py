@@ -74,7 +74,7 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
     """Draw the picture from the velocity of the driving shaft: of A if wheel 1 drives, of B if the carrier."""
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
-    draft.lay_out(None, mu)
+    draft.lay_out()
     place = draft.ask(Length, "x_v", "mm")
     origin = draft.draw(lay_off, "O", end.axis, place)
     zero = draft.draw(square, "(0)", origin, end.axis, sense=1)
@@ -85,7 +85,7 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
     omega = draft.take(Number, f"ω_{order.driving}", order.speed, "1/s")
     arm = sizes.radii["1"] if known == "A" else sizes.axes
     speed = draft.draw(product, f"v_{known}", omega, arm, unit="m/s")
-    length = draft.draw(to_board, f"{known}{tip}", speed, mu)
+    length = draft.draw(to_board, f"{known}{tip}", speed)
     along = draft.draw(parallel, f"({known}{tip})", feet[known], levels[known], sense=1)
     tips = {known: draft.draw(lay_off, tip, along, length)}
     satellite = draft.draw(join, f"(C{tip})", c, tips[known])
@@ -96,7 +96,7 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
         "H": draft.draw(join, "(Ob)", origin, tips["B"]),
     }
     read = draft.draw(measure_along, f"{sought}{other}", feet[sought], tips[sought], end.axis)
-    found = draft.draw(in_si, f"v_{sought}", read, mu, unit="m/s")
+    found = draft.draw(in_si, f"v_{sought}", read, unit="m/s")
     readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
     ends = (tips["A"], tips["B"])
     return Picture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
@@ -127,7 +127,7 @@ def draw_rates(
         way = draft.draw(parallel, f"(P{body})", pole, drawn, sense=1)
         ends[body] = draft.draw(meet, body, line, way)
         segments[body] = draft.draw(measure_along, f"s_{body}", foot, ends[body], line)
-        values[body] = draft.draw(in_si, f"ω_{body}", segments[body], mu, unit="1/s")
+        values[body] = draft.draw(in_si, f"ω_{body}", segments[body], unit="1/s")
     driving, driven = ("1", "H") if order.driving == "1" else ("H", "1")
     ratio = draft.draw(
         ratio_of_segments, f"U′_{{{driving}{driven}}}", segments[driving], segments[driven]
