@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import abscissa
 from graphic_tmm.board.operations.graph_curves import (
@@ -200,7 +201,7 @@ def set_pole(draft: Draft, axes: Axes, distance: Mark) -> Pole:
     """Mark the pole at its distance H to the left of the origin."""
     draft.open(axes.view)
     left = draft.draw(square, "(OP)", axes.origin, axes.up, sense=1)
-    return Pole(draft.draw(lay_off, "P", left, distance), distance)
+    return Pole(draft.draw(lay_off, "P", left, distance, role=roles.POLE), distance)
 
 
 def by_chords(

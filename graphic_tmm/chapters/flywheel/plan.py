@@ -51,7 +51,8 @@ VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 class Flywheel:
     """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
 
-    ``works``: the points of the integrated side and of the straight one; ``segment``: cd (Length).
+    ``works``: the points of the integrated side and of the straight one; ``sides``: its curve and its line;
+    ``segment``: cd (Length).
     """
 
     order: FlywheelOrder
@@ -60,6 +61,7 @@ class Flywheel:
     charts: tuple[Chart, ...]
     energies: Energies
     works: tuple[Boundaries, Mark]
+    sides: tuple[Mark, Mark]
     segment: Mark
     inertia: Mark
     energy_mass: EnergyMass | None
@@ -119,7 +121,9 @@ def draw_flywheel(
     first = (indicator.chart,) if indicator is not None else ()
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
-    return Flywheel(order, base, indicator, found, energies, works, segment, inertia, second, rim)
+    return Flywheel(
+        order, base, indicator, found, energies, works, done.sides, segment, inertia, second, rim
+    )
 
 
 def _refuse(order: FlywheelOrder) -> None:
@@ -163,14 +167,15 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
 
 
 class _Works(NamedTuple):
-    """The works as drawn: their axes, the integrated side, the straight one, ΔT read off (Length).
+    """The works as drawn: their axes, points of the integrated side and of the straight one, ΔT read off (Length).
 
-    ``pole``: from where the rays to the ordinates of the moment have the slopes of ΔT.
+    ``sides``: the curve and the straight line. ``pole``: from where the rays to the ordinates of the moment have the slopes of ΔT.
     """
 
     axes: Axes
     points: Boundaries
     straight: Mark
+    sides: tuple[Mark, Mark]
     surplus: Mark
     pole: Mark
     chart: Chart
@@ -183,7 +188,7 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     axes = graphs.draw_axes(draft, VIEWS["work"], source.base, scaled.mu)
     pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
-    graphs.along_rays(draft, axes, found, pole.point, at, source)
+    curve_of_work = graphs.along_rays(draft, axes, found, pole.point, at, source)
     straight = draft.draw(join, "(A′)", axes.origin, found.end)
     lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
     other = draft.draw(meet, "A′", straight, lines)
@@ -193,7 +198,7 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     level = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
-    return _Works(axes, found, other, surplus, level, chart)
+    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, chart)
 
 
 def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
@@ -203,9 +208,9 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
     """
     draft.open(source.view)
     slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
-    constant = draft.draw(meet, "M_c", source.up, slope)
+    constant = draft.draw(meet, "M_c", source.up, slope, role=roles.MEAN)
     level = draft.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
-    return draft.draw(lay_off, "P′", level, pole.distance)
+    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE)
 
 
 def _energies(
@@ -243,5 +248,5 @@ def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     for op, name in ((highest, "c"), (lowest, "d")):
         top = draft.draw(op, f"{name}′", own, axes.origin, axes.end)
         level = draft.draw(parallel, f"({name})", top, axes.along, sense=1)
-        ends.append(draft.draw(meet, name, axes.up, level))
+        ends.append(draft.draw(meet, name, axes.up, level, role=roles.EXTREME))
     return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up)

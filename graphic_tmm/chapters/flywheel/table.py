@@ -17,10 +17,12 @@ def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
     """Return the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
     if project.flywheel is None:
         return ()
-    count, made = len(project.names), []
+    count, made, indicator = len(project.names), [], project.flywheel.indicator
+    sides = indicator.sides if indicator is not None else ()
+    pressures = {side.ordinate: side.pressure for side in sides}
     for chart in project.flywheel.charts:
         for mark in chart.ordinates:
-            letter = mark.name.replace("y_", "p_") if chart.symbol == "p" else mark.name
+            letter = pressures.get(mark, mark).name
             if chart.view == "work":
                 continue  # ΔT is laid off, and read, once more among the energies
             rows = _rows(reading, mark, chart.mu, count)

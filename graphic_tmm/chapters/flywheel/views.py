@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from graphic_tmm.board.operations.instruments import lay_off
+from graphic_tmm.board import roles
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
 from graphic_tmm.chapters.flywheel.ink_energy import (
@@ -98,8 +98,13 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
     words = CAPTIONS[language]
     sides = (words["A driving"], words["A resisting"])
     found, straight = sides if made.order.constant == "resisting" else reversed(sides)
-    works = {"(A–A)": found, "(A′)": straight}
-    curves = {key: symbols.symbol(key, language) for key in ("ΔT", "T_L", "T_F")}
+    works = dict(zip(made.sides, (found, straight), strict=True))
+    curves = {
+        mark: symbols.symbol(mark.name, language)
+        for chart in made.charts
+        if chart.view == VIEWS["energy"]
+        for mark in chart.ordinates
+    }
     views = []
     for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
         view = VIEWS[key]
@@ -109,7 +114,7 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
             symbol,
             "φ",
             {"energy": curves, "work": works}.get(key, {}),
-            {"cd": number(_value(drawn, made.segment), language)},
+            {made.segment: number(_value(drawn, made.segment), language)},
         )
         graph = draw_graph(
             project.construction,
@@ -133,8 +138,10 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
 def pole_texts(drawn: Work, view: str) -> list[str]:
     """Return the pole distances of a view as they are written: H_V = 20 mm."""
     language, found = drawn.scene.language, []
-    for step in drawn.project.construction.steps:
-        if step.it.view == view and step.op is lay_off and step.it.name == "P":
+    log = drawn.project.construction
+    for pole in log.roles(view, roles.POLE):
+        step = log.step(pole)
+        if step is not None:
             distance = step.uses[1]
             value = number(_value(drawn, distance), language)
             found.append(f"{distance.name} = {value} {unit('mm', language)}")

@@ -38,25 +38,32 @@ NAMES = {"cover": "k", "shaft": "v"}
 
 @dataclass(frozen=True)
 class Side:
-    """One side of the piston on the diagram: its points, curve, ordinates read, mean pressure, gas force."""
+    """One side of the piston on the diagram: its points, curve, ordinates read (Length), the pressures
+    they stand for, mean pressure, gas force.
+    """
 
     name: str
     points: Mark
     curve: Mark
     ordinate: Mark
+    pressure: Mark
     mean: Mark
     force: Mark
 
 
 @dataclass(frozen=True)
 class Indicator:
-    """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force."""
+    """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force.
+
+    ``divisions``: the points on the auxiliary ray by which the base is divided.
+    """
 
     order: IndicatorOrder
     chart: Chart
     origin: Mark
     end: Mark
     feet: Mark
+    divisions: Mark
     sides: tuple[Side, ...]
     force: Mark
 
@@ -81,7 +88,7 @@ def draw_indicator(
     up = draft.draw(square, "(Oy)", origin, base, sense=1)
     length = draft.take(Length, "L", order.base, "mm")
     end = draft.draw(lay_off, "E", base, length)
-    feet, stroke = _divide(draft, origin, base, end, travel, count)
+    feet, divisions, stroke = _divide(draft, origin, base, end, travel, count)
     lines = draft.draw(square, "(i)", feet, base, sense=1)
     ground = _Ground(length, lines, feet, up, travel, stroke)
     sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
@@ -91,7 +98,7 @@ def draw_indicator(
         force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
     chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
-    return Indicator(order, chart, origin, end, feet, tuple(sides), force)
+    return Indicator(order, chart, origin, end, feet, divisions, tuple(sides), force)
 
 
 class _Ground(NamedTuple):
@@ -107,10 +114,10 @@ class _Ground(NamedTuple):
 
 def _divide(
     draft: Draft, origin: Mark, base: Mark, end: Mark, travel: Mark, count: int
-) -> tuple[Mark, Mark]:
+) -> tuple[Mark, Mark, Mark]:
     """Divide the base in proportion to the travel by similar triangles on an auxiliary ray.
 
-    Returns the feet of the positions, and the stroke as it lies on the ray (Length).
+    Returns the feet of the positions, their points on the ray, the stroke as it lies there (Length).
     """
     way = draft.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
     marks = draft.draw(lay_off, "q", way, travel)
@@ -118,7 +125,7 @@ def _divide(
     closing = draft.draw(join, "(q_SE)", last, end)
     lines = draft.draw(parallel, "(q)", marks, closing, sense=1)
     stroke = draft.draw(measure, "s_{max}", origin, last)
-    return draft.draw(meet, "i", base, lines), stroke
+    return draft.draw(meet, "i", base, lines), marks, stroke
 
 
 def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
@@ -147,4 +154,4 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
     inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
     face = draft.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
     force = draft.draw(gas_force, f"P_{sign}", read, face, unit="N")
-    return Side(name, points, curve, ordinate, mean, force)
+    return Side(name, points, curve, ordinate, read, mean, force)
