@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.cost import REFINEMENT
+from graphic_tmm.board import roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Length, Point
@@ -61,10 +62,10 @@ def pinned(made: Made) -> dict[tuple[str, str, str], object]:
     for board, log, given in _boards(made):
         for mark in log.given:
             if mark in given and mark.unit.endswith(PER_MM):
-                found[board, mark.view, mark.letter] = given[mark]
+                found[board, *mark.key] = given[mark]
     if made.work is not None and made.work.project.forces is not None:
         times = made.work.project.forces.lever.times
-        found[MECHANISM, times.view, times.letter] = made.work.given[times]
+        found[MECHANISM, *times.key] = made.work.given[times]
     return found
 
 
@@ -145,7 +146,7 @@ def _farther(project: Project, given: Mapping[Mark, object], times: float) -> di
     return found | {
         mark: np.asarray(value) * times
         for mark, value in given.items()
-        if mark.letter in ("H", "H_S", "H_V", "H_a") and mark.kind is Length
+        if mark.role == roles.POLE_DISTANCE
     }
 
 

@@ -33,6 +33,11 @@ class Mark(NamedTuple):
     role: str = ""
 
     @property
+    def key(self) -> tuple[str, str]:
+        """View and letter: by these a mark is known again in another recording of the same plan."""
+        return self.view, self.letter
+
+    @property
     def name(self) -> str:
         """What the mark is called on sheets, in tables and protocols; "" if it is told by its value."""
         return self.letter.replace(TALLY, "")

@@ -3,6 +3,10 @@
 A chapter's own roles stand in the chapter.
 """
 
+NORMAL = "normal"
+"""The direction of a normal component (Line)."""
+INERTIA = "inertia"
+"""An inertia force or couple (Number), and the line that such a force acts along (Line)."""
 BASE = "base"
 """The length of a graph's base (Length)."""
 POLE = "pole"

@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Side
+from graphic_tmm.board.values import Line, Side
 from graphic_tmm.checking.cells import Cell, Key, cells_and_points, position_names
 from graphic_tmm.studio import Made
 
@@ -61,7 +62,7 @@ def wrong_end(made: Made) -> Iterator[Figures]:
     """A normal component points from its centre."""
 
     def change(step: Step) -> Step:
-        if step.op.name == "parallel" and step.it.letter.startswith("(n_"):
+        if step.it.role == roles.NORMAL:
             return step._replace(choice={"sense": -step.choice["sense"]})
         return step
 
@@ -102,7 +103,7 @@ def not_reversed(made: Made) -> Iterator[Figures]:
     """Inertia forces point along the accelerations."""
 
     def change(step: Step) -> Step:
-        if step.op.name == "action" and step.it.letter.startswith("(P_{i"):
+        if step.it.role == roles.INERTIA and step.it.kind is Line:
             return step._replace(uses=(step.uses[0], step.uses[2], step.uses[1]))
         return step
 
@@ -239,7 +240,7 @@ def half_way(made: Made) -> Iterator[Figures]:
     if made.work is None:
         return
     given = made.work.given
-    counted = [mark for mark in given if mark.kind is Angle and mark.letter == "Δφ"]
+    counted = [mark for mark in given if mark.role == roles.CRANK_ANGLE]
     found = altered(
         made, lambda step: step, {mark: np.asarray(given[mark]) + 180.0 for mark in counted}
     )

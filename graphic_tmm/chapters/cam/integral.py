@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Pole, erect_axes
 from graphic_tmm.board.operations.formulas import rescaled, scale_of_derivative
@@ -193,7 +193,9 @@ def _succession(
     """Integrate from the first axes to the second; return the points, the end and the pole."""
     (source, to), count = axes, row.base.intervals
     draft.open(source.view)
-    pole = graphs.set_pole(draft, source, draft.take(Length, "H", distance, "mm"))
+    pole = graphs.set_pole(
+        draft, source, draft.take(Length, "H", distance, "mm", roles.POLE_DISTANCE)
+    )
     levels = draft.draw(parallel, f"({middles.letter})", middles, source.along)
     cuts = draft.draw(meet, "h_y", source.up, levels, free=True)
     rays = draft.draw(join, "(P)", pole.point, cuts)

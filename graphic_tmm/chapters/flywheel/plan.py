@@ -154,7 +154,8 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         raise StructureError(
             "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
         )
-    found = [forces.lever.moments[k] for k in forces.loads.outer if k in forces.lever.moments]
+    moments = forces.lever.moments
+    found = [one.value for load in forces.loads.outer for one in moments if one.load == load]
     if not found:
         raise StructureError(
             "flywheel: no load does work: give gravity or a [[load]] besides inertia"

@@ -27,6 +27,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.forces.driving import Driver
 from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.polygons import bare
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import Positions
@@ -43,11 +44,18 @@ class Carried(NamedTuple):
     value: Mark
 
 
+class Turning(NamedTuple):
+    """The moment of a load on the lever (N·mm), and the size of that load (N or N·m)."""
+
+    load: Mark
+    value: Mark
+
+
 class Lever(NamedTuple):
     """The lever as drawn: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
-    ``balance``: N at the crank pin, or N·m; ``couples``: the converted moments (N·mm) by letter;
-    ``moments``: of all loads (N·mm); ``segment``: of the crank pin, as read (Length).
+    ``balance``: N at the crank pin, or N·m; ``moments``: of all loads; ``segment``: of the crank pin, as read
+    (Length).
     """
 
     pole: Mark
@@ -55,8 +63,7 @@ class Lever(NamedTuple):
     mu: Mark
     images: dict[int, tuple[Mark, ...]]
     forces: tuple[Carried, ...]
-    couples: dict[str, Mark]
-    moments: dict[str, Mark]
+    moments: tuple[Turning, ...]
     balance: Mark
     pin: Mark
     segment: Mark
@@ -71,8 +78,7 @@ class _Plan:
         self.times = draft.ask(Number, "k")
         self.known: dict[Mark, Mark] = {velocities.images.pole: self.pole}
         self.forces: list[Carried] = []
-        self.moments: dict[str, Mark] = {}
-        self.converted: dict[str, Mark] = {}
+        self.moments: list[Turning] = []
 
     def image(self, of: Mark) -> Mark:
         if of not in self.known:
@@ -82,32 +88,24 @@ class _Plan:
             )
         return self.known[of]
 
-    def carry_force(self, letter: str, image: Mark, line: Mark, value: Mark) -> None:
-        """Carry a force to its image; one at the pole has no arm."""
+    def carry_force(self, letter: str, image: Mark, line: Mark, value: Mark, load: Mark) -> None:
+        """Carry a force to its image; one at the pole has no arm. ``load``: the size of what it stands for."""
         point = self.image(image)
         if point != self.pole:
             along = self.draft.draw(parallel, f"({letter})", point, line, sense=1)
-            self.turn(letter, point, along, value)
+            self.turn(letter, point, along, value, load)
 
-    def turn(self, letter: str, point: Mark, along: Mark, value: Mark) -> None:
+    def turn(self, letter: str, point: Mark, along: Mark, value: Mark, load: Mark) -> None:
         """Measure the arm of a force on the lever and calculate its moment, N·mm."""
         draft = self.draft
-        bare = letter.replace("_", "").replace("{", "").replace("}", "")
-        height = draft.draw(arm, f"h_{{{bare}}}", self.pole, along)
+        height = draft.draw(arm, f"h_{{{bare(letter)}}}", self.pole, along)
         found = draft.draw(on_lever, f"M({letter})", value, height, unit="N·mm")
         self.forces.append(Carried(letter, point, along, value))
-        self.note(letter, found)
-
-    def note(self, letter: str, moment: Mark) -> None:
-        """Keep a moment; loads of one letter (friction of two pairs at a pin) are told apart by primes."""
-        while letter in self.moments:
-            letter += "′"
-        self.moments[letter] = moment
+        self.moments.append(Turning(load, found))
 
     def carry_couple(self, couple: Couple, base: _Base, kind: str) -> None:
         """Convert a couple to the plan, or set a pair of forces at the ends of its link's segment."""
-        draft = self.draft
-        bare = couple.letter.replace("_", "").replace("{", "").replace("}", "")
+        draft, load = self.draft, couple.value
         if kind == "moment":
             formula = converted if base.sense > 0 else converted_reversed
             found = draft.draw(
@@ -119,15 +117,15 @@ class _Plan:
                 base.length,
                 unit="N·mm",
             )
-            self.converted[couple.letter] = found
-            self.note(couple.letter, found)
+            self.moments.append(Turning(load, found))
             return
-        force = draft.draw(tangential, f"F_{{{bare}}}", couple.value, base.length, unit="N")
-        across = draft.draw(square, f"(F_{{{bare}}})", base.at, base.line, sense=1)
-        self.carry_force(f"F_{{{bare}}}", base.end, across, force)
+        letter = f"F_{{{bare(couple.letter)}}}"
+        force = draft.draw(tangential, letter, couple.value, base.length, unit="N")
+        across = draft.draw(square, f"({letter})", base.at, base.line, sense=1)
+        self.carry_force(letter, base.end, across, force, load)
         if base.start != self.velocities.images.pole:
-            back = draft.draw(reversed_, f"−F_{{{bare}}}", force, unit="N")
-            self.carry_force(f"−F_{{{bare}}}", base.start, across, back)
+            back = draft.draw(reversed_, f"−{letter}", force, unit="N")
+            self.carry_force(f"−{letter}", base.start, across, back, load)
 
 
 class _Base(NamedTuple):
@@ -164,11 +162,11 @@ def draw_lever(
     mu = draft.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
     draft.lay_out(plan.pole, mu)
     forces, turned = loads
-    pin_image = velocities.images.by_letter[driver.body.link.number][driver.pin.letter]
+    pin_image = velocities.images.at(driver.body, driver.pin)
     pin = plan.image(pin_image)
     for force in forces:
         assert force.image is not None
-        plan.carry_force(force.letter, force.image, force.line, force.value)
+        plan.carry_force(force.letter, force.image, force.line, force.value, force.value)
     for couple in turned:
         base = _base(draft, positions, velocities, driver, couple.link, sense)
         if base is not None:
@@ -183,13 +181,13 @@ def draw_lever(
         )
         for number in positions.bodies
     }
-    found = (images, tuple(plan.forces), plan.converted, plan.moments)
+    found = (images, tuple(plan.forces), tuple(plan.moments))
     return Lever(plan.pole, plan.times, mu, *found, balance, pin, segment)
 
 
 def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
     total: Mark | None = None
-    for found in plan.moments.values():
+    for found in (one.value for one in plan.moments):
         total = found if total is None else draft.draw(added, "ΣM", total, found, unit="N·mm")
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
@@ -211,7 +209,7 @@ def _base(
         return None
     crank = driver.body.link.number
     if rate == velocities.rates[crank]:
-        image = velocities.images.by_letter[crank][driver.pin.letter]
+        image = velocities.images.at(driver.body, driver.pin)
         segment = draft.uses(image)[1]
         pole = velocities.images.pole
         return _Base(segment, driver.arm, pole, image, driver.pin, driver.body.axis, 1)

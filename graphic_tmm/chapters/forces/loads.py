@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
 from graphic_tmm.board.operations.statics import (
@@ -74,11 +75,11 @@ class Loads:
     couples_on_lever: list[Couple] = field(default_factory=list)
 
     @property
-    def outer(self) -> tuple[str, ...]:
-        """The letters of the loads that are not inertia's."""
-        letters = [force.letter for force in self.on_lever]
-        letters += [couple.letter for couple in self.couples_on_lever]
-        return tuple(k for k in letters if not k.startswith(("P_{i", "M_{i")))
+    def outer(self) -> tuple[Mark, ...]:
+        """The sizes of the loads that are not inertia's."""
+        sizes = [force.value for force in self.on_lever]
+        sizes += [couple.value for couple in self.couples_on_lever]
+        return tuple(size for size in sizes if size.role != roles.INERTIA)
 
     def add(self, load: Force | Couple) -> None:
         """Enter a load that both methods take alike."""
@@ -157,7 +158,9 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
     if link.inertia and n in plan.rates:
         inertia = ground.draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
         letter = f"M_{{i{n}}}"
-        value = draft.draw(inertia_couple, letter, inertia, plan.rates[n], unit="N·m")
+        value = draft.draw(
+            inertia_couple, letter, inertia, plan.rates[n], unit="N·m", role=roles.INERTIA
+        )
         couple = Couple(letter, n, value)
     if not (single and force is not None and couple is not None):
         for load in (force, couple):
@@ -185,8 +188,8 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     mass = draft.constant(f"m_{n}", link.mass, "kg")
     formula = inertia_force_along if is_signed(draft, segment) else inertia_force
     letter = f"P_{{i{n}}}"
-    value = draft.draw(formula, letter, mass, segment, unit="N")
-    line = draft.draw(action, f"({letter})", point, end, plan.images.pole)
+    value = draft.draw(formula, letter, mass, segment, unit="N", role=roles.INERTIA)
+    line = draft.draw(action, f"({letter})", point, end, plan.images.pole, role=roles.INERTIA)
     return Force(letter, n, point, line, value, image)
 
 

@@ -10,6 +10,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.statics import arm, moment
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.polygons import bare
 
 
 class Moments:
@@ -39,8 +40,7 @@ class Moments:
         if known is None:
             draft, mu_l = self.draft, self.draft.mu_l
             assert mu_l is not None
-            name = force.letter.replace("{", "").replace("}", "").replace("_", "")
-            height = draft.draw(arm, f"h_{{{name}}}", about, force.line)
+            height = draft.draw(arm, f"h_{{{bare(force.letter)}}}", about, force.line)
             letter = f"M_{{{about.letter}}}({force.letter})"
             known = draft.draw(moment, letter, force.value, height, unit="N·m")
             self._known[about, force.line] = known

@@ -93,7 +93,7 @@ def draw_forces(
     crank, frame = driver.body.link.number, ground.mechanism.frame.number
     friction = order.friction
     count = friction.passes if friction is not None else 0
-    found = joints(ground.positions.closings, (crank, frame, driver.pivot.letter))
+    found = joints(ground.positions.closings, (crank, frame, driver.body.letter_of(driver.pivot)))
     rub = Rub(draft, ground.velocities, friction, ground.pin_speed, crank) if friction else None
     rubbing = Rubbing()
     passes: list[_Pass] = []

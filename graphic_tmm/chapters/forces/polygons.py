@@ -58,7 +58,7 @@ class Chain:
     def lay(self, letter: str, side: Mark, value: Mark) -> None:
         """Lay off a force along a line that begins at the end of the chain."""
         draft = self.draft
-        length = draft.draw(to_board, f"y_{{{_bare(letter)}}}", value)
+        length = draft.draw(to_board, f"y_{{{bare(letter)}}}", value)
         head = self.draft.draw(lay_off, str(self.count + 1), side, length)
         self.sides.append((letter, self.end, head))
         self.end = head
@@ -69,5 +69,6 @@ class Chain:
         return len(self.sides) + 1
 
 
-def _bare(letter: str) -> str:
+def bare(letter: str) -> str:
+    """Return a letter as it stands in the index of another: F_{12} -> F12."""
     return letter.replace("_", "").replace("{", "").replace("}", "")

@@ -6,6 +6,7 @@ from the plan of positions, so that a vector of zero length needs no direction o
 
 from __future__ import annotations
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import (
     coriolis,
@@ -119,7 +120,7 @@ def _tangential_line(
     start = known_image(plan, closing, leg)
     reading = velocities.readings[leg.link]
     length = draft.draw(normal, f"n_{{{name}}}", reading, leg.length)
-    inward = draft.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1)
+    inward = draft.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1, role=roles.NORMAL)
     end = draft.draw(lay_off, f"n{leg.link}", inward, length, free=True)
     return draft.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1)
 

@@ -38,6 +38,10 @@ class Body:
     own: dict[str, complex] = field(default_factory=dict)
     _axis: Mark | None = None
 
+    def letter_of(self, point: Mark) -> str:
+        """The letter under which the scene names one of its points."""
+        return next(letter for letter, mark in self.marks.items() if mark == point)
+
     @property
     def drawn(self) -> bool:
         """Whether the axis has been drawn."""

@@ -35,8 +35,9 @@ class Motion:
 def known_image(plan: Motion, closing: Closing, leg: PinLeg | GuideLeg) -> Mark:
     """Return the image that a leg starts from: of its pivot, or of the point of the body under Q."""
     if isinstance(leg, PinLeg):
-        return plan.images.of(leg.body, leg.pivot, image_letter(leg.letter))
-    return plan.images.of(leg.body, closing.point, image_letter(closing.letter, leg.body))
+        return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
+    shown = image_letter(closing.letter, leg.body)
+    return plan.images.of(leg.body, closing.point, closing.letter, shown)
 
 
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.formulas import advance
@@ -47,7 +48,8 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     turned = np.zeros((1, size))
     turned[0, : row.count] = sense * 360.0 * np.arange(row.count) / row.count
     draft.open(VIEW)
-    phi = draft.draw(advance, "φ_{n}", zero, draft.take(Angle, "Δφ", turned, "°"), unit="°")
+    by = draft.take(Angle, "Δφ", turned, "°", roles.CRANK_ANGLE)
+    phi = draft.draw(advance, "φ_{n}", zero, by, unit="°")
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
         there[0, row.count + place] = 1.0
