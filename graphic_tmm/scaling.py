@@ -15,7 +15,6 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.chapters.forces.plan import VIEW
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales
 
@@ -176,7 +175,9 @@ def _longest(
 def polygon_scales(project: Project) -> list[Mark]:
     """Return the marks of μ of every polygon of forces."""
     views = project.construction.views if project.forces is not None else ()
-    return [view.scale for view in views if view.scale is not None and view.name.startswith(VIEW)]
+    return [
+        view.scale for view in views if view.scale is not None and view.role == roles.FORCE_POLYGON
+    ]
 
 
 def force_scales(
@@ -192,9 +193,8 @@ def force_scales(
         return {}
     log, scales = project.construction, polygon_scales(project)
     ones = {**given, **_free(project), **dict.fromkeys(scales, 1.0)}
-    marks = [
-        step.it for step in log.steps if step.it.view.startswith(VIEW) and step.it.kind is Point
-    ]
+    views = {mu.view for mu in scales}
+    marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
     reading = execute(log, ones, marks).without(doubts.lost)
     found = {}
     for mu in scales:

@@ -154,12 +154,12 @@ def _pin(
     board: str, given: dict[Mark, object], log: Construction, scales: Pinned
 ) -> dict[Mark, object]:
     """Enter the pinned scales; polygons of earlier passes of friction take the scale of the last."""
+    last = {view.name: view.last for view in log.views}
     for mark in log.given:
-        view = mark.view
-        if (board, view, mark.letter) not in scales and view.startswith("forces "):
-            view = " ".join(view.split(" ")[:2])
-        if (board, view, mark.letter) in scales:
-            given[mark] = scales[board, view, mark.letter]
+        view, letter = mark.key
+        for key in ((board, last.get(view, view), letter), (board, view, letter)):
+            if key in scales:
+                given[mark] = scales[key]
     return given
 
 

@@ -51,11 +51,18 @@ class Draft:
         """Begin (or go on with) the view of that name."""
         self.board.open(view)
 
-    def lay_out(self, pole: Mark | None = None, scale: Mark | None = None) -> None:
+    def lay_out(
+        self,
+        pole: Mark | None = None,
+        scale: Mark | None = None,
+        *,
+        role: str = "",
+        last: str = "",
+    ) -> None:
         """Tell the pole of the view that is open, and its scale factor if it was not taken in it."""
         if scale is not None:
             self._scales[self.view] = scale
-        self.board.lay_out(pole, self.scale_of(self.view))
+        self.board.lay_out(pole, self.scale_of(self.view), role, last)
 
     def say(self, note: str) -> None:
         """Write a remark that stands before the next step."""

@@ -54,11 +54,16 @@ class Step(NamedTuple):
 
 
 class View(NamedTuple):
-    """A plan's own corner of the board: its name, its pole (if it has one) and its scale factor."""
+    """A plan's own corner of the board: its name, its pole (if it has one), its scale factor, its role.
+
+    ``last``: of a view that is drawn again, pass after pass, the one that it comes to; else its own name.
+    """
 
     name: str
     pole: Mark | None
     scale: Mark | None
+    role: str = ""
+    last: str = ""
 
 
 class Figure(NamedTuple):
@@ -115,9 +120,11 @@ class Board:
         """The view that is open."""
         return self._view
 
-    def lay_out(self, pole: Mark | None, scale: Mark | None) -> None:
-        """Tell the pole and the scale factor of the view that is open."""
-        self._views.append(View(self._view, pole, scale))
+    def lay_out(
+        self, pole: Mark | None, scale: Mark | None, role: str = "", last: str = ""
+    ) -> None:
+        """Tell the pole and the scale factor of the view that is open (see `View`)."""
+        self._views.append(View(self._view, pole, scale, role, last or self._view))
 
     def take(self, kind: Kind, letter: str, unit: str = "", role: str = "") -> Mark:
         """Return a mark given before work begins."""

@@ -1,8 +1,14 @@
-"""What marks are for, in the field's terms: by these code finds them in a log, never by their letters.
+"""What marks and views are for, in the field's terms: by these code finds them in a log, never by their letters and names.
 
 A chapter's own roles stand in the chapter.
 """
 
+VELOCITY, ACCELERATION = "velocity", "acceleration"
+"""The poles of both plans of vectors (Point): what a segment from there stands for."""
+FORCE_POLYGON = "force polygon"
+"""A view in which forces are laid off one after another."""
+SUM = "sum"
+"""A sum that goes on over several steps: all but the last are on the way to it (Number)."""
 NORMAL = "normal"
 """The direction of a normal component (Line)."""
 INERTIA = "inertia"

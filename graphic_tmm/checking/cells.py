@@ -92,7 +92,7 @@ def points(made: Made) -> dict[Key, complex]:
         for k, place in enumerate(places):
             z = complex(row[k if row.size > 1 else 0])
             if cmath.isfinite(z):
-                found[plan, step.it.letter, project.names[place]] = z
+                found[(*step.it.key, project.names[place])] = z
     return found
 
 

@@ -29,7 +29,7 @@ def steps_of(work: Work | None) -> dict[tuple[str, str], Step]:
         if mark.view in POINTED and mark.kind is Length:
             found.setdefault((mark.view, segment_name(mark.letter)), step)
         if mark.view in POINTED and mark.kind is Point:
-            found.setdefault((mark.view, mark.letter), step)
+            found.setdefault(mark.key, step)
     for plan, sign in (("velocities", "omega"), ("accelerations", "epsilon")):
         shared = getattr(work.project, plan)
         for link, mark in (shared.rates if shared is not None else {}).items():

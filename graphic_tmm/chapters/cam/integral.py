@@ -77,12 +77,12 @@ def draw_integral(
     draft.open(views["A"])
     first, corners, middles, accelerations = _accelerations(draft, row, views["A"])
     speeds = erect_axes(draft, views["V"], row.base, row.base.mu)
-    points, last, pole_A = _succession(draft, row, (first, speeds), middles, poles[0])
+    points, last, pole_A = _succession(draft, row, (first, speeds), middles, poles[0], "v")
     draft.open(views["V"])
     velocity = draft.draw(measure_along, "V", speeds.feet, points, speeds.up)
     ways = erect_axes(draft, views["S"], row.base, row.base.mu)
     middles = _on_curves(draft, row, speeds, points, last)
-    spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1])
+    spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1], "d")
     draft.open(views["S"])
     displacement = draft.draw(measure_along, "S", ways.feet, spots, ways.up)
     for ends in phase.stretches:
@@ -188,7 +188,7 @@ def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> 
 
 
 def _succession(
-    draft: Draft, row: _Row, axes: tuple[Axes, Axes], middles: Mark, distance: float
+    draft: Draft, row: _Row, axes: tuple[Axes, Axes], middles: Mark, distance: float, letter: str
 ) -> tuple[Mark, Mark, Pole]:
     """Integrate from the first axes to the second; return the points, the end and the pole."""
     (source, to), count = axes, row.base.intervals
@@ -200,7 +200,6 @@ def _succession(
     cuts = draft.draw(meet, "h_y", source.up, levels, free=True)
     rays = draft.draw(join, "(P)", pole.point, cuts)
     draft.open(to.view)
-    letter = to.view.split()[-1][0]
     points = draft.draw(succession, letter, to.origin, rays, to.feet, to.end, row=count)
     last = draft.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=count)
     return points, last, pole

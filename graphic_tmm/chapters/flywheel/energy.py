@@ -5,6 +5,7 @@ from __future__ import annotations
 from operator import attrgetter
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added, rotation, translation
 from graphic_tmm.board.record import Mark
@@ -39,7 +40,11 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         )
     total: Mark | None = None
     for part in parts.values():
-        total = part if total is None else draft.draw(added, "T_{L}", total, part, unit="J")
+        total = (
+            part
+            if total is None
+            else draft.draw(added, "T_{L}", total, part, unit="J", role=roles.SUM)
+        )
     assert total is not None
     return Energies(parts, total)
 

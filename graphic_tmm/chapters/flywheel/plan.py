@@ -162,7 +162,7 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         )
     total = found[0]
     for more in found[1:]:
-        total = draft.draw(added, "ΣM", total, more, unit="N·mm")
+        total = draft.draw(added, "ΣM", total, more, unit="N·mm", role=roles.SUM)
     formula = moment_of_drive if constant == "resisting" else moment_of_resistance
     return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 

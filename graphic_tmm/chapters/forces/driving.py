@@ -9,10 +9,10 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, square
 from graphic_tmm.board.operations.statics import balancing, reversed_
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces.loads import Force
 from graphic_tmm.chapters.forces.moments import Acting, Moments
-from graphic_tmm.chapters.forces.polygons import Chain, Polygon, Reaction
+from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.kinematics.bodies import Body
 
 
@@ -42,18 +42,17 @@ def solve_driver(
     driver: Driver,
     acting: Acting,
     moments: Moments,
-    views: tuple[str, str],
+    views: Views,
     frame: int,
     kind: str,
     tried: str = "",
 ) -> Driven:
-    """Balance the driving link; ``views``: of its figure and of its polygon; ``kind``: "force" or "moment".
+    """Balance the driving link; ``kind``: "force" or "moment".
 
     ``tried``: the number of a pass that others follow.
     """
     number = driver.body.link.number
-    figure, polygon = views
-    draft.open(figure)
+    draft.open(views.figure)
     draft.say(f"I({number})")
     forces = acting.forces.get(number, [])
     couples = acting.couples.get(number, [])
@@ -70,11 +69,8 @@ def solve_driver(
         sides.append((letter, line, balance))
     else:
         balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m")
-    draft.open(polygon)
-    mu = draft.scale("μ_F", "N/mm")
-    start = draft.take(Point, "1", 0j)
-    draft.lay_out(start)
-    chain = Chain(draft, mu, start)
+    chain = views.begin(draft)
+    start = chain.end
     for letter, line, value in sides:
         chain.add(letter, line, value)
     end = chain.end
@@ -83,5 +79,8 @@ def solve_driver(
     value = draft.draw(in_si, name, length, unit="N")
     reaction = Reaction(name, (frame, number), end, start, length, value, value)
     return Driven(
-        balance, force, reaction, Polygon(polygon, mu, (*chain.sides, (name, end, start)))
+        balance,
+        force,
+        reaction,
+        Polygon(views.polygon, chain.mu, (*chain.sides, (name, end, start))),
     )

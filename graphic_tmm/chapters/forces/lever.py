@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.instruments import measure, parallel, square
@@ -188,7 +189,11 @@ def draw_lever(
 def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
     total: Mark | None = None
     for found in (one.value for one in plan.moments):
-        total = found if total is None else draft.draw(added, "ΣM", total, found, unit="N·mm")
+        total = (
+            found
+            if total is None
+            else draft.draw(added, "ΣM", total, found, unit="N·mm", role=roles.SUM)
+        )
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
     force = draft.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.statics import arm, moment
@@ -33,7 +34,7 @@ class Moments:
 
     def _added(self, first: Mark, second: Mark, letter: str) -> Mark:
         draft = self.draft
-        return draft.draw(added, letter, first, second, unit="N·m")
+        return draft.draw(added, letter, first, second, unit="N·m", role=roles.SUM)
 
     def _of(self, about: Mark, force: Force) -> Mark:
         known = self._known.get((about, force.line))

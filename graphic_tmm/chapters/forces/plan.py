@@ -16,7 +16,7 @@ from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.loads import Couple, Force, Ground, Loads, draw_loads
 from graphic_tmm.chapters.forces.moments import Acting, Moments
-from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
+from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.chapters.indicator.cylinder import Cylinder
@@ -31,7 +31,7 @@ class Forces:
 
     ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %.
     ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
-    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by letter.
+    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by pin.
     """
 
     order: ForcesOrder
@@ -44,7 +44,7 @@ class Forces:
     difference: Mark
     open: Mark | None = None
     efficiency: Mark | None = None
-    circles: dict[str, Mark] | None = None
+    circles: dict[Mark, Mark] | None = None
 
     @staticmethod
     def owns(view: str) -> bool:
@@ -112,7 +112,10 @@ def draw_forces(
     lever = _lever(ground, driver, order, carried, arm)
     draft.open("lever")
     difference = draft.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
-    circles = rub.circles if rub is not None else None
+    circles = None
+    if rub is not None:
+        pins = ground.positions
+        circles = {pins.point(name): radius for name, radius in rub.circles.items()}
     return Forces(
         order,
         loads,
@@ -154,17 +157,21 @@ def _solve(
             closing,
             acting,
             moments,
-            (f"group {name}", f"{VIEW} {name}{suffix}"),
+            _views(name, suffix),
             rubbing.slopes,
             rough=order.friction is not None,
         )
         hand_on(draft, solved, acting, frame, figures.__getitem__)
         groups.append(solved)
-    views = (f"group {crank}", f"{VIEW} {crank}{suffix}")
+    views = _views(str(crank), suffix)
     driven = solve_driver(
         draft, driver, acting, moments, views, frame, order.balance, suffix.strip()
     )
     return _Pass(tuple(groups), driven, acting, rubbing)
+
+
+def _views(name: str, suffix: str) -> Views:
+    return Views(f"group {name}", f"{VIEW} {name}{suffix}", f"{VIEW} {name}")
 
 
 def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str], Reaction]:

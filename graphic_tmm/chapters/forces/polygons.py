@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, parallel, square
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Point
 
 Pair = tuple[int, int]
 
@@ -27,6 +29,25 @@ class Reaction(NamedTuple):
     value: Mark
     normal: Mark | None = None
     place: Mark | None = None
+
+
+class Views(NamedTuple):
+    """Where what is detached is drawn: its figure, where moments are taken, and its polygon.
+
+    ``last``: its polygon in the last pass of friction.
+    """
+
+    figure: str
+    polygon: str
+    last: str
+
+    def begin(self, draft: Draft) -> Chain:
+        """Open the polygon: take its scale and its first vertex."""
+        draft.open(self.polygon)
+        mu = draft.scale("μ_F", "N/mm")
+        start = draft.take(Point, "1", 0j)
+        draft.lay_out(start, role=roles.FORCE_POLYGON, last=self.last)
+        return Chain(draft, mu, start)
 
 
 class Polygon(NamedTuple):

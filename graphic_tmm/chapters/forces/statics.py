@@ -15,10 +15,9 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
 from graphic_tmm.board.operations.statics import action, at_friction_angle, place_of, tangential
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.moments import Acting, Moments
-from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction
+from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction, Views
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 
 
@@ -52,20 +51,19 @@ def solve_group(
     closing: Closing,
     acting: Acting,
     moments: Moments,
-    views: tuple[str, str],
+    views: Views,
     slopes: dict[Pair, Slope],
     *,
     rough: bool,
 ) -> Solved:
-    """Solve a group; ``views``: of its figure, where moments are taken, and of its polygon.
+    """Solve a group.
 
     ``slopes``: friction along guides by pair (link, body); of the inner guide by (link 3, link 2).
     ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
     first, second = closing.legs
     inner = closing.group.inner.kind == "P"
-    (figure, polygon) = views
-    draft.open(figure)
+    draft.open(views.figure)
     draft.say(f"II({closing.group.name})")
     turning: dict[int, Mark | None] = {}
     for leg in closing.legs:
@@ -73,11 +71,8 @@ def solve_group(
         links = (first.link, second.link) if both else (leg.link,)
         turning[leg.link] = _moments_of(closing, acting, moments, links, f"ΣM_{leg.link}")
     tangents = _tangents(draft, closing, turning)
-    draft.open(polygon)
-    mu = draft.scale("μ_F", "N/mm")
-    start = draft.take(Point, "1", 0j)
-    draft.lay_out(start)
-    chain = Chain(draft, mu, start)
+    chain = views.begin(draft)
+    start = chain.end
     if first.link in tangents and isinstance(first, PinLeg):
         chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
     loads = chain.end

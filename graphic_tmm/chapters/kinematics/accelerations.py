@@ -39,7 +39,7 @@ def draw_accelerations(
 ) -> Motion:
     """Draw the plan of accelerations of the whole mechanism."""
     draft.open(VIEW)
-    pole = draft.take(Point, "π", 0j)
+    pole = draft.take(Point, "π", 0j, role=roles.ACCELERATION)
     mu = draft.scale("μ_a", "(m/s²)/mm")
     draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]

@@ -6,6 +6,7 @@ along OA. Relative segments are measured along their lines, with a sign: the sen
 
 from __future__ import annotations
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import product, rate, to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
@@ -45,7 +46,7 @@ def draw_velocities(
 ) -> Motion:
     """Draw the plan of velocities of the whole mechanism."""
     draft.open(VIEW)
-    pole = draft.take(Point, "p", 0j)
+    pole = draft.take(Point, "p", 0j, role=roles.VELOCITY)
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]

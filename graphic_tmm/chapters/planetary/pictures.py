@@ -130,8 +130,9 @@ def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
     last = names[-2]
     fixed, rim = scheme.wheels[-1], "2" if scheme.rows == 1 else "3"
     discs = {}
-    for wheel, row, level in (("1", "I", end.levels.A), (fixed, last, end.levels.C)):
-        near = draft.draw(meet, f"{level.letter[1]}_{{{row}}}", lines[row], level)
+    for wheel, row, k in (("1", "I", 0), (fixed, last, 2)):
+        letter = f"{end.points[k].letter}_{{{row}}}"
+        near = draft.draw(meet, letter, lines[row], end.levels[k])
         far = draft.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel])
         discs[wheel] = Disc(near, far, feet[row])
     axes = {name: draft.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B) for name in names}

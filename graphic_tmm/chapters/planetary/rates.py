@@ -78,7 +78,8 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
     place = draft.ask(Length, "x_v", "mm")
     origin = draft.draw(lay_off, "O", end.axis, place)
     zero = draft.draw(square, "(0)", origin, end.axis, sense=1)
-    a, b, c = (draft.draw(meet, level.letter[1], zero, level) for level in end.levels)
+    pairs = zip(end.points, end.levels, strict=True)
+    a, b, c = (draft.draw(meet, point.letter, zero, level) for point, level in pairs)
     feet, levels = {"A": a, "B": b}, {"A": end.levels.A, "B": end.levels.B}
     known, sought = ("A", "B") if order.driving == "1" else ("B", "A")
     tip, other = known.lower(), sought.lower()
