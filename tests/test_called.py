@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from graphic_tmm.work import record
+from support.command import invoke, printed, rows, warned
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make, sheets
-from graphic_tmm.work import record
 
 MECHANISM = """title = "T"
 language = "en"
@@ -75,14 +72,6 @@ def written(
     return path
 
 
-def invoke(*arguments: object) -> Result:
-    return CliRunner().invoke(main, [str(a) for a in arguments])
-
-
-def told(result: Result) -> list[str]:
-    return [line.partition("warning: ")[2] for line in result.stderr.splitlines()]
-
-
 SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k for k in PLANS]
 """Of the long ones one of the parts in the everyday run."""
 
@@ -95,12 +84,12 @@ def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     path = written(tmp_path, *NEEDS.get(section, ()), section)
     done = invoke("table", path, "-f", "csv")
     assert done.exit_code == 0, done.output
-    plans = {row["plan"] for row in csv.DictReader(io.StringIO(done.stdout))}
+    plans = {row["plan"] for row in rows(done.stdout)}
     assert PLANS[section] <= plans
-    assert not [line for line in told(done) if line.startswith(section)]
+    assert not [line for line in warned(done) if line.startswith(section)]
     done = invoke("draw", path, "-o", tmp_path / "out")
     assert done.exit_code == 0
-    lines = [line for line in told(done) if line.startswith(f"{section}: no sheet shows it")]
+    lines = [line for line in warned(done) if line.startswith(f"{section}: no sheet shows it")]
     assert len(lines) == 1
     assert "[[sheet]]" in lines[0]
     place = re.search(r'add "([^"]+)"', lines[0])
@@ -109,7 +98,7 @@ def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     path = written(tmp_path, *NEEDS.get(section, ()), section, sheet=sheet)
     done = invoke("draw", path, "-o", tmp_path / "out")
     assert done.exit_code == 0, done.output
-    assert not [line for line in told(done) if line.startswith(f"{section}: ")]
+    assert not [line for line in warned(done) if line.startswith(f"{section}: ")]
 
 
 @pytest.mark.slow
@@ -156,7 +145,7 @@ def test_a_section_that_nothing_reads_is_told_in_one_line(
     for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
         done = invoke(*command)
         assert done.exit_code == 0
-        lines = [line for line in told(done) if line.startswith(f"{key}: ")]
+        lines = [line for line in warned(done) if line.startswith(f"{key}: ")]
         assert len(lines) == 1, command
         assert remedy in lines[0]
 
@@ -222,9 +211,9 @@ def test_positions_named_for_accelerations_reach_the_table(tmp_path: Path) -> No
     head = MECHANISM + "accelerations = [1, 3]\n"
     path = written(tmp_path, head=head)
     done = invoke("draw", path, "-o", tmp_path / "out")
-    assert [line.partition(":")[0] for line in told(done)] == ["drive.accelerations"]
-    rows = csv.DictReader(io.StringIO(invoke("table", path, "-f", "csv").stdout))
-    assert {row["position"] for row in rows if row["plan"] == "accelerations"} == {"1", "3"}
+    assert [line.partition(":")[0] for line in warned(done)] == ["drive.accelerations"]
+    found = rows(printed("table", path, "-f", "csv"))
+    assert {row["position"] for row in found if row["plan"] == "accelerations"} == {"1", "3"}
 
 
 @pytest.mark.parametrize("place", ["velocity table", "acceleration table", "results", "equations"])
@@ -243,11 +232,11 @@ def test_the_constant_moment_of_a_flywheel_is_told_when_it_is_left_out(tmp_path:
     sheet = '[[sheet]]\nplace = ["positions", "flywheel"]\n'
     path = written(tmp_path, "forces", "load", bare, sheet=sheet)
     for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
-        (line,) = told(invoke(*command))
+        (line,) = warned(invoke(*command))
         assert line.startswith("flywheel.constant: it is left out, so the resisting moment")
         assert 'constant = "driving"' in line
     path = written(tmp_path, "forces", "load", "flywheel", sheet=sheet)
-    assert told(invoke("table", path)) == []
+    assert warned(invoke("table", path)) == []
 
 
 def test_the_packaged_scenes_leave_nothing_unsaid(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ ALL = (
 POSIX = pytest.mark.skipif(os.name != "posix", reason="signals are of POSIX")
 
 
-def run(*arguments: str) -> Result:
+def invoke(*arguments: str) -> Result:
     return CliRunner().invoke(main, list(arguments))
 
 
@@ -56,7 +56,7 @@ def test_a_fault_of_the_program_is_told_in_one_line_and_is_never_1(
 ) -> None:
     monkeypatch.setattr(reading, "read", failing(error))
     monkeypatch.delenv("GRAPHIC_TMM_TRACEBACK", raising=False)
-    done = run(*arguments)
+    done = invoke(*arguments)
     assert (done.exit_code, done.stdout) == (70, "")
     assert done.stderr.count("\n") == 1
     assert done.stderr.rstrip("\n").isprintable()
@@ -73,10 +73,10 @@ def test_a_fault_of_the_program_is_told_in_one_line_and_is_never_1(
 def test_where_the_program_is_at_fault_is_shown_on_request(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reading, "read", failing(ValueError("of numpy")))
     monkeypatch.setenv("GRAPHIC_TMM_TRACEBACK", "1")
-    done = run("table", "cam")
+    done = invoke("table", "cam")
     assert done.exit_code == 70
     assert "Traceback" in done.stderr
-    assert "options.py" in done.stderr
+    assert "scenes.py" in done.stderr
 
 
 @pytest.mark.parametrize("arguments", ALL, ids=" ".join)
@@ -84,7 +84,7 @@ def test_ctrl_c_ends_with_130_and_says_nothing(
     arguments: tuple[str, ...], home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(reading, "read", failing(KeyboardInterrupt()))
-    done = run(*arguments)
+    done = invoke(*arguments)
     assert (done.exit_code, done.stdout, done.stderr.strip()) == (130, "", "")
     assert list(home.iterdir()) == []
 
@@ -140,17 +140,17 @@ def test_a_reader_who_is_gone_ends_it_quietly(arguments: tuple[str, ...]) -> Non
 @pytest.mark.slow
 def test_only_a_check_that_found_something_ends_with_1(tmp_path: Path) -> None:
     csv = tmp_path / "r.csv"
-    told = json.loads(run("table", "crank-rocker", "--exact", "-f", "json").stdout)
+    told = json.loads(invoke("table", "crank-rocker", "--exact", "-f", "json").stdout)
     (due,) = (c for c in told["columns"] if (c["plan"], c["segment"]) == ("velocities", "pb"))
     place = max(range(len(due["mm"])), key=lambda k: due["mm"][k])
     for factor, status in ((1, 0), (10, 1)):
         row = f"velocities,{told['positions'][place]['number']},pb,{factor * due['mm'][place]}"
         csv.write_text(f"plan,position,segment,mm\n{row}\n", encoding="utf-8")
-        assert run("check", "crank-rocker", str(csv), "--trials", "20").exit_code == status
-    assert run("nonsense").exit_code == 2
-    assert run("draw", "--nonsense").exit_code == 2
-    assert run("draw", "cam", "--seed", "x").exit_code == 2
-    assert run("--version").exit_code == 0
+        assert invoke("check", "crank-rocker", str(csv), "--trials", "20").exit_code == status
+    assert invoke("nonsense").exit_code == 2
+    assert invoke("draw", "--nonsense").exit_code == 2
+    assert invoke("draw", "cam", "--seed", "x").exit_code == 2
+    assert invoke("--version").exit_code == 0
 
 
 @pytest.mark.slow
@@ -190,7 +190,7 @@ def test_a_warning_does_nothing_to_the_terminal(tmp_path: Path) -> None:
     text = (ROOT / "sheets" / "engine" / "scene.toml").read_text(encoding="utf-8")
     assert 'l  = "0.64 m"' in text
     (folder / "scene.toml").write_text(text.replace('l  = "0.64 m"', 'l  = "0.25 m"'), "utf-8")
-    done = run("table", str(folder), "-f", "csv")
+    done = invoke("table", str(folder), "-f", "csv")
     assert done.exit_code == 0
     assert "warning: positions 3, 4, 5" in done.stderr
     assert all(line.isprintable() for line in done.stderr.split("\n"))

@@ -86,14 +86,14 @@ def scene(folder: Path, format: str = "A4", language: str = "ru", **texts: str) 
     return path
 
 
-def run(*arguments: object) -> Result:
+def invoke(*arguments: object) -> Result:
     return CliRunner().invoke(main, [str(a) for a in arguments])
 
 
 def draw(folder: Path, path: Path, forms: str = "svg") -> dict[str, bytes]:
     """Draw; return the files in the output folder by suffix. Nothing else may appear in the folder."""
     before = {p for p in folder.rglob("*")}
-    result = run("draw", path, "-o", folder / "out", "-f", forms)
+    result = invoke("draw", path, "-o", folder / "out", "-f", forms)
     assert (result.exit_code, result.exception) == (0, None), result.output
     after = {p for p in folder.rglob("*") if p not in before and p != folder / "out"}
     assert {p.parent for p in after} == {folder / "out"}
@@ -103,7 +103,7 @@ def draw(folder: Path, path: Path, forms: str = "svg") -> dict[str, bytes]:
 def refused(folder: Path, path: Path, *words: str) -> str:
     """Draw what cannot be drawn: status 2, one line that says why, no file or folder more."""
     before = sorted(folder.rglob("*"))
-    result = run("draw", path, "-o", folder / "out", "-f", "svg,pdf,dxf")
+    result = invoke("draw", path, "-o", folder / "out", "-f", "svg,pdf,dxf")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert sorted(folder.rglob("*")) == before
     assert isinstance(result.exception, SystemExit)
@@ -269,7 +269,7 @@ def test_what_cannot_be_drawn_is_refused_once_with_its_key(
 
 def test_a_text_of_many_strange_characters_is_told_in_a_few_lines(tmp_path: Path) -> None:
     path = scene(tmp_path, title="".join(map(chr, range(0x4E00, 0x4E00 + 200))))
-    result = run("draw", path, "-o", tmp_path / "out")
+    result = invoke("draw", path, "-o", tmp_path / "out")
     assert result.exit_code == 2
     assert "200 different characters cannot be lettered" in result.stderr
     assert result.stderr.count("\n") <= 6
@@ -300,7 +300,7 @@ def test_letters_and_guides_hold_no_markup(old: str, letter: str, tmp_path: Path
     path = scene(tmp_path)
     text = path.read_text(encoding="utf-8").replace(old, f'"{letter}"{old[1:]}', 1)
     path.write_text(text, encoding="utf-8")
-    result = run("draw", path, "-o", tmp_path / "out")
+    result = invoke("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     where = "frame" if old[0] == "x" else "link 1, points"
     meant = letter.replace("\\\\", "\\")
@@ -354,7 +354,7 @@ def test_a_way_with_dots_names_the_folder_it_leads_to(
     scene(tmp_path / "a")
     monkeypatch.chdir(tmp_path / "a")
     before = sorted(tmp_path.rglob("*"))
-    assert run("draw", way, "-o", "out").exit_code == 0
+    assert invoke("draw", way, "-o", "out").exit_code == 0
     new = [p.relative_to(tmp_path) for p in sorted(tmp_path.rglob("*")) if p not in before]
     assert [str(p) for p in new] == ["a/out", "a/out/a.svg"]
 
@@ -364,14 +364,14 @@ def test_a_link_in_the_output_folder_is_replaced_and_not_followed(tmp_path: Path
     (tmp_path / "out").mkdir()
     away.write_text("mine", encoding="utf-8")
     (tmp_path / "out" / f"{tmp_path.name}.svg").symlink_to(away)
-    assert run("draw", path, "-o", tmp_path / "out").exit_code == 0
+    assert invoke("draw", path, "-o", tmp_path / "out").exit_code == 0
     assert away.read_text(encoding="utf-8") == "mine"
     assert not (tmp_path / "out" / f"{tmp_path.name}.svg").is_symlink()
 
 
 def test_a_name_too_long_for_its_files_is_refused_and_nothing_left(tmp_path: Path) -> None:
     path = scene(tmp_path).rename(tmp_path / f"{'x' * 252}.ab")
-    result = run("draw", path, "-o", tmp_path / "out")
+    result = invoke("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert "name too long" in result.stderr
     assert not (tmp_path / "out").exists()
@@ -394,7 +394,7 @@ def test_a_message_does_nothing_to_the_terminal(
     path = scene(tmp_path)
     written = path.read_text(encoding="utf-8")
     path.write_text(written.replace(old, new.format(quoted(text)), 1), encoding="utf-8")
-    result = run("draw", path, "-o", tmp_path / "out")
+    result = invoke("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert all(line.isprintable() for line in result.stderr.split("\n"))
     assert len(max(result.stderr.splitlines(), key=len)) < len(str(path)) + 400

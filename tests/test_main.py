@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import re
 import tomllib
@@ -12,6 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner, Result
+from support.command import document, invoke, printed, rows
 
 from graphic_tmm.__main__ import main
 
@@ -19,14 +19,8 @@ ROOT = Path(__file__).parent.parent
 ENGINE = (ROOT / "sheets" / "engine" / "scene.toml").read_text(encoding="utf-8")
 
 
-def run(*arguments: str) -> Result:
+def invoke(*arguments: str) -> Result:
     return CliRunner().invoke(main, [str(a) for a in arguments])
-
-
-def made(*arguments: str) -> dict:
-    result = run("table", *arguments, "--format", "json")
-    assert result.exit_code == 0, result.output
-    return json.loads(result.stdout)
 
 
 def column(document: dict, plan: str, segment: str) -> dict:
@@ -44,33 +38,33 @@ def scene(folder: Path, *edits: tuple[str, str], source: str = ENGINE) -> Path:
 
 
 def test_csv_has_a_line_for_every_figure() -> None:
-    rows = list(csv.DictReader(run("table", "engine", "--format", "csv").stdout.splitlines()))
-    assert {row["segment"] for row in rows} >= {"pa", "pb", "ab", "ps2", "omega2", "epsilon2"}
-    first = next(r for r in rows if (r["segment"], r["position"]) == ("pb", "2"))
+    found = rows(printed("table", "engine", "--format", "csv"))
+    assert {row["segment"] for row in found} >= {"pa", "pb", "ab", "ps2", "omega2", "epsilon2"}
+    first = next(r for r in found if (r["segment"], r["position"]) == ("pb", "2"))
     assert (first["mm"], first["unit"]) == ("42.5", "m/s")
 
 
 def test_the_text_table_speaks_the_language_of_the_scene() -> None:
-    text = run("table", "engine").stdout
+    text = invoke("table", "engine").stdout
     assert "План скоростей" in text
     assert "42,5" in text
 
 
 @pytest.mark.slow
 def test_steps_number_the_protocol_and_put_numbers_in() -> None:
-    text = run("steps", "engine", "--plan", "velocities", "--position", "2").stdout
+    text = invoke("steps", "engine", "--plan", "velocities", "--position", "2").stdout
     assert "План скоростей, положение 2" in text
     assert "v_A = ω_1·l_OA = 50·0,3 = 15 м/с" in text
     assert "ω_2 = ab·μ_v/(AB·μ_l) = (−53,5)·0,25/(128·0,005) = −20,9 1/с" in text
     numbers = [int(n) for n in re.findall(r"^ *(\d+)\. ", text, re.MULTILINE)]
     assert numbers == list(range(1, len(numbers) + 1))
-    english = run("steps", "engine", "-p", "velocities", "-n", "2", "-l", "en").stdout
+    english = invoke("steps", "engine", "-p", "velocities", "-n", "2", "-l", "en").stdout
     assert "Where (pb) and (ab) meet, mark b." in english
 
 
 @pytest.mark.slow
 def test_steps_tell_synthesis_and_extremes_of_the_windrower() -> None:
-    text = run("steps").stdout
+    text = invoke("steps").stdout
     assert "θ = 180°·(K_v − 1)/(K_v + 1) = 180°·(1,45 − 1)/(1,45 + 1) = 33,06°" in text
     assert "крайнее левое положение точки D" in text
     assert "План ускорений, положение 2" in text
@@ -86,7 +80,7 @@ def test_steps_tell_synthesis_and_extremes_of_the_windrower() -> None:
     ],
 )
 def test_a_wrong_call_is_told_with_its_remedy(arguments: tuple[str, ...], words: list[str]) -> None:
-    result = run(*arguments)
+    result = invoke(*arguments)
     assert result.exit_code == 2
     assert all(word in result.stderr for word in words), result.stderr
     assert "Traceback" not in result.output
@@ -122,7 +116,7 @@ BAD = {
 def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = BAD[what]
     path, out = scene(tmp_path, *edits), tmp_path / "out"
-    result = run("draw", str(path), "-o", str(out))
+    result = invoke("draw", str(path), "-o", str(out))
     assert result.exit_code == 2, result.output
     assert all(word in result.stderr for word in words), result.stderr
     assert str(path) in result.stderr
@@ -133,12 +127,12 @@ def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> 
 @pytest.mark.slow
 def test_lengths_that_assemble_in_part_are_drawn_in_part(tmp_path: Path) -> None:
     path = scene(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'))
-    result = run("draw", str(path), "-o", str(tmp_path / "out"))
+    result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 0
     assert "positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
     assert "123.56° to 236.44°" in result.stderr  # sin φ = 0.25/0.3
     assert len(list((tmp_path / "out").glob("*.svg"))) == 1
-    found = column(made(str(path)), "velocities", "pb")
+    found = column(document(str(path)), "velocities", "pb")
     assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is None] == [3, 4, 5, 9, 10, 11]
 
 
@@ -147,19 +141,19 @@ def test_text_of_a_scene_is_data(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> & [red]../../x[/red] 'quoted'"
     title = ENGINE.replace('title    = "Двигатель одноцилиндровый"', f'title = "{nasty}"')
     path = scene(tmp_path, source=title)
-    result = run("draw", str(path), "-o", str(tmp_path / "out"))
+    result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 0, result.output
     text = next((tmp_path / "out").glob("*.svg")).read_text(encoding="utf-8")
     assert "<script" not in text
     assert "&lt;script&gt;" in text
-    assert "[red]" in run("table", str(path)).stdout
+    assert "[red]" in invoke("table", str(path)).stdout
 
 
 def test_scenes_and_schema() -> None:
-    listed = run("scenes").stdout
+    listed = invoke("scenes").stdout
     assert "windrower " in listed
     assert "Двигатель" in listed
-    assert json.loads(run("schema").stdout)["properties"]["drive"]
+    assert json.loads(invoke("schema").stdout)["properties"]["drive"]
 
 
 # every command, on names, folders and files
@@ -184,7 +178,7 @@ def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path:
     for number, scene_name in enumerate((name, folder, folder / "scene.toml")):
         out = tmp_path / str(number)
         options = [str(out) if o == "OUT" else o for o in COMMANDS[what]]
-        result = run(what.split()[0], str(scene_name), *options)
+        result = invoke(what.split()[0], str(scene_name), *options)
         assert (result.exit_code, result.stderr) == (0, "")
         files = {p.name: p.read_bytes() for p in out.iterdir()} if out.exists() else {}
         said.append((result.stdout.replace(str(out), ""), files))
@@ -196,7 +190,7 @@ def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path:
 @pytest.mark.parametrize("what", ["table", "steps", "draw"])
 def test_the_windrower_is_the_scene_left_out(what: str, tmp_path: Path) -> None:
     options = ("-o", str(tmp_path)) if what == "draw" else ()
-    assert run(what, *options).stdout == run(what, "windrower", *options).stdout
+    assert invoke(what, *options).stdout == invoke(what, "windrower", *options).stdout
 
 
 # bad input
@@ -227,7 +221,7 @@ MORE_BAD = {
 def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = MORE_BAD[what]
     path, out = scene(tmp_path, *edits), tmp_path / "out"
-    result = run("draw", str(path), "-o", str(out))
+    result = invoke("draw", str(path), "-o", str(out))
     assert result.exit_code == 2, result.output
     assert all(word in result.stderr for word in words), result.stderr
     assert result.stdout == ""
@@ -241,7 +235,7 @@ def test_every_command_tells_a_bad_scene_alike(command: str, what: str, tmp_path
     edits, words = BAD[what]
     path = scene(tmp_path, *edits)
     options = ("-o", str(tmp_path / "out")) if command == "draw" else ()
-    result = run(command, str(path), *options)
+    result = invoke(command, str(path), *options)
     assert (result.exit_code, result.stdout) == (2, "")
     assert result.stderr.startswith("graphic-tmm: ")
     assert all(word in result.stderr for word in words), result.stderr
@@ -250,7 +244,7 @@ def test_every_command_tells_a_bad_scene_alike(command: str, what: str, tmp_path
 def test_a_parallelogram_is_refused_with_its_change_points(tmp_path: Path) -> None:
     path = tmp_path / "scene.toml"
     path.write_text(PARALLELOGRAM, encoding="utf-8")
-    result = run("draw", str(path), "-o", str(tmp_path / "out"))
+    result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 2, result.output
     assert "change point" in result.stderr
     assert "flips_at" in result.stderr
@@ -288,7 +282,7 @@ zero = "0 deg"
 def test_a_name_that_is_no_scene(name: str, tmp_path: Path, monkeypatch: Any) -> None:
     monkeypatch.chdir(tmp_path)
     for command in ("table", "steps", "draw"):
-        result = run(command, name)
+        result = invoke(command, name)
         assert (result.exit_code, result.stdout) == (2, ""), result.output
         assert result.stderr.startswith("graphic-tmm: ")
     assert list(tmp_path.iterdir()) == []
@@ -309,7 +303,7 @@ def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: 
     ]
     path = scene(tmp_path, *edits)
     meant = tomllib.loads(path.read_text(encoding="utf-8"))["title"]
-    result = run("draw", str(path), "-o", str(tmp_path / "out"))
+    result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 0, result.output
     root = ElementTree.parse(tmp_path / "out" / f"{tmp_path.name}.svg").getroot()
     assert {e.tag.rpartition("}")[2] for e in root.iter()} <= {
@@ -331,9 +325,9 @@ def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: 
     assert root.find("{http://www.w3.org/2000/svg}title").text == meant
     words = "".join(root.itertext())
     assert words.count(meant) >= 2
-    text = " ".join(run("table", str(path)).stdout.split())
+    text = " ".join(invoke("table", str(path)).stdout.split())
     assert meant in text
-    english = run("steps", str(path), "-l", "en")
+    english = invoke("steps", str(path), "-l", "en")
     assert english.exit_code == 0
 
 

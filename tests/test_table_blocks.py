@@ -17,7 +17,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 from rich.table import Table
-from support.gallery import SHEETS
+from support.command import printed
+from support.scenes import source
 from test_called import written
 
 from graphic_tmm.__main__ import main
@@ -31,15 +32,9 @@ from graphic_tmm.studio import make, scene_columns, table
 SCENES = ("windrower", "engine", "crank-press", "cam", "gear-pair", "planetary")
 
 
-def invoke(*arguments: object) -> str:
-    done = CliRunner().invoke(main, [str(a) for a in arguments])
-    assert done.exit_code == 0, done.output
-    return done.stdout
-
-
 @cache
 def text(name: str, width: int) -> str:
-    return invoke("table", name, "--width", width)
+    return printed("table", name, "--width", width)
 
 
 def rows_of(printed: str) -> list[list[str]]:
@@ -124,10 +119,9 @@ def csv_rows(printed: str, delimiter: str = ",") -> list[dict[str, str]]:
 def test_csv_tells_lengths_to_the_ruler_and_quantities_to_what_that_stands_for(
     name: str, ruler: float, tmp_path: Path
 ) -> None:
-    source = (SHEETS / name / "scene.toml").read_text("utf-8")
-    source = re.sub(r"(?ms)^\[hand\].*?(?=^\[|\Z)", "", source)
+    text = re.sub(r"(?ms)^\[hand\].*?(?=^\[|\Z)", "", source(name))
     path = tmp_path / "scene.toml"
-    path.write_text(f'{source}\n[hand]\nruler = "{ruler} mm"\n', "utf-8")
+    path.write_text(f'{text}\n[hand]\nruler = "{ruler} mm"\n', "utf-8")
     made = make(read(path))
     printed = table(made, "csv")
     assert isinstance(printed, str)
@@ -202,8 +196,8 @@ def test_a_division_has_so_many_decimals(division: float, due: int) -> None:
 
 @pytest.mark.slow
 def test_a_decimal_comma_comes_with_semicolons_and_a_mark_on_request() -> None:
-    points = invoke("table", "windrower", "-f", "csv")
-    commas = invoke("table", "windrower", "-f", "csv", "--decimal", "comma", "--bom")
+    points = printed("table", "windrower", "-f", "csv")
+    commas = printed("table", "windrower", "-f", "csv", "--decimal", "comma", "--bom")
     assert commas.startswith("\ufeff")
     assert not points.startswith("\ufeff")
     plain, other = csv_rows(points), csv_rows(commas.removeprefix("\ufeff"), ";")
@@ -211,13 +205,13 @@ def test_a_decimal_comma_comes_with_semicolons_and_a_mark_on_request() -> None:
     for one, two in zip(plain, other, strict=True):
         figures = {k: one[k].replace(".", ",") for k in ("angle_deg", "mm", "value")}
         assert one | figures == two
-    assert invoke("table", "windrower", "-f", "text", "--bom")[0] != "\ufeff"
+    assert printed("table", "windrower", "-f", "text", "--bom")[0] != "\ufeff"
 
 
 @pytest.mark.slow
 def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -> None:
     path = tmp_path / "own.csv"
-    path.write_text(invoke("table", "engine", "-f", "csv", "--decimal", "comma", "--bom"), "utf-8")
+    path.write_text(printed("table", "engine", "-f", "csv", "--decimal", "comma", "--bom"), "utf-8")
     assert text_of(path).startswith("plan;position")
     done = CliRunner().invoke(main, ["check", "engine", str(path), "-f", "json"])
     assert done.exit_code in (0, 1), done.output
@@ -230,13 +224,13 @@ def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["gear-pair", "planetary", "cam"])
 def test_a_part_has_columns_in_the_shape_of_all_others(name: str) -> None:
-    document = json.loads(invoke("table", name, "-f", "json"))
+    document = json.loads(printed("table", name, "-f", "json"))
     shape = ["plan", "segment", "unit", "positions", "mm", "value"]
     assert document["columns"]
     for column in document["columns"]:
         assert list(column) == shape
         assert len(column["positions"]) == len(column["mm"]) == len(column["value"])
-    rows = csv_rows(invoke("table", name, "-f", "csv"))
+    rows = csv_rows(printed("table", name, "-f", "csv"))
     due = [(c["plan"], c["segment"]) for c in document["columns"]]
     assert list(dict.fromkeys((r["plan"], r["segment"]) for r in rows)) == list(dict.fromkeys(due))
 
@@ -244,7 +238,7 @@ def test_a_part_has_columns_in_the_shape_of_all_others(name: str) -> None:
 @pytest.mark.slow
 def test_what_is_measured_on_a_gear_pair_is_what_its_formulas_give() -> None:
     """An own calculation: line of action and ends of the contact of the pair of the windrower's project."""
-    document = json.loads(invoke("table", "gear-pair", "-f", "json", "--exact"))
+    document = json.loads(printed("table", "gear-pair", "-f", "json", "--exact"))
     found = {c["segment"]: c["value"][0] for c in document["columns"] if c["plan"] == "gear"}
     m, z1, z2, x1, x2, a = 8.0, 15, 25, 0.83, 0.445, math.radians(20)
     inv = math.tan(a) - a + 2 * (x1 + x2) * math.tan(a) / (z1 + z2)
@@ -266,7 +260,7 @@ def test_what_is_measured_on_a_gear_pair_is_what_its_formulas_give() -> None:
 @pytest.mark.slow
 def test_a_part_beside_a_mechanism_keeps_positions_of_its_own(tmp_path: Path) -> None:
     document = json.loads(
-        invoke("table", written(tmp_path, "diagrams", "cam", "gears"), "-f", "json")
+        printed("table", written(tmp_path, "diagrams", "cam", "gears"), "-f", "json")
     )
     counts = {c["plan"]: len(c["positions"]) for c in document["columns"]}
     assert counts["diagrams"] == len(document["positions"]) == 8

@@ -17,7 +17,7 @@ from graphic_tmm.accuracy.minutes import read_minutes
 from graphic_tmm.errors import SceneError
 
 
-def run(*arguments: str | Path) -> Result:
+def invoke(*arguments: str | Path) -> Result:
     return CliRunner().invoke(main, [str(a) for a in arguments])
 
 
@@ -25,7 +25,7 @@ def run(*arguments: str | Path) -> Result:
 def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"
     file.write_text("".join(f"{name} = 0\n" for name in MINUTES if name != "N1") + "N1 = 2.0\n")
-    found = run(
+    found = invoke(
         "accuracy", "cam", "--trials", "10", "-f", "json", "-o", tmp_path / "out", "--minutes", file
     )
     assert found.exit_code == 0, found.output
@@ -46,7 +46,7 @@ def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_accuracy_without_time_speaks_of_no_seconds() -> None:
-    found = run("accuracy", "cam", "--trials", "10", "--no-time")
+    found = invoke("accuracy", "cam", "--trials", "10", "--no-time")
     assert found.exit_code == 0, found.output
     assert "r₀ min кулачка" in found.stdout
     assert "квартили" not in found.stdout
@@ -77,20 +77,20 @@ def test_a_table_of_minutes_is_refused_with_its_key(
     with pytest.raises(SceneError) as refused:
         read_minutes(str(file))
     assert all(word in str(refused.value) for word in [*words, str(file)])
-    found = run("accuracy", "cam", "--minutes", file)
+    found = invoke("accuracy", "cam", "--minutes", file)
     assert found.exit_code == 2
     assert "Traceback" not in found.output
 
 
 def test_a_table_of_minutes_that_is_not_there_is_told(tmp_path: Path) -> None:
-    found = run("accuracy", "cam", "--minutes", tmp_path / "none.toml")
+    found = invoke("accuracy", "cam", "--minutes", tmp_path / "none.toml")
     assert found.exit_code == 2
     assert "none.toml" in found.stderr
 
 
 @pytest.mark.slow
 def test_a_table_within_a_budget_says_which_setting_was_taken() -> None:
-    found = run("table", "slider-diagrams", "--budget", "3%", "-f", "json")
+    found = invoke("table", "slider-diagrams", "--budget", "3%", "-f", "json")
     assert found.exit_code == 0, found.output
     told = json.loads(found.stdout)
     taken = re.search(r"допуск 3 %: (\d+) положений", found.stderr)
@@ -101,7 +101,7 @@ def test_a_table_within_a_budget_says_which_setting_was_taken() -> None:
 
 @pytest.mark.slow
 def test_a_sheet_within_a_budget_is_drawn(tmp_path: Path) -> None:
-    found = run("draw", "cam", "--budget", "0,5 %", "-o", tmp_path / "out")
+    found = invoke("draw", "cam", "--budget", "0,5 %", "-o", tmp_path / "out")
     assert found.exit_code == 0, found.output
     assert "6 частей" in found.stderr
     assert (tmp_path / "out" / "cam.svg").exists()
@@ -109,7 +109,7 @@ def test_a_sheet_within_a_budget_is_drawn(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("budget", ["0", "-1%", "two", "", "nan"])
 def test_a_budget_is_a_percentage(budget: str, tmp_path: Path) -> None:
-    found = run("draw", "cam", f"--budget={budget}", "-o", tmp_path / "out")
+    found = invoke("draw", "cam", f"--budget={budget}", "-o", tmp_path / "out")
     assert found.exit_code == 2
     assert "--budget 2%" in found.stderr
     assert not (tmp_path / "out").exists()
@@ -117,14 +117,14 @@ def test_a_budget_is_a_percentage(budget: str, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_budget_that_nothing_keeps_draws_nothing(tmp_path: Path) -> None:
-    found = run("draw", "cam", "--budget", "0.0001%", "-o", tmp_path / "out")
+    found = invoke("draw", "cam", "--budget", "0.0001%", "-o", tmp_path / "out")
     assert found.exit_code == 2
     assert "ни одна" in found.stderr
     assert not (tmp_path / "out").exists()
 
 
 def test_a_study_of_nothing_is_refused() -> None:
-    found = run("accuracy", "lettering")
+    found = invoke("accuracy", "lettering")
     assert found.exit_code == 2
     assert "lettering" in found.stderr
 

@@ -16,7 +16,10 @@ from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
-from graphic_tmm.paper.lettering.letters import escape, missing
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+    missing,
+)
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write.svg import Under, clean, number, path_data, svg
 

@@ -17,15 +17,15 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.checking.alterations import Figures
-from graphic_tmm.checking.bench import Yardstick, yardstick
-from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, READING
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
-from graphic_tmm.checking.judge import judge
-from graphic_tmm.checking.mistakes import likely
+from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.mistakes.alterations import Figures
+from graphic_tmm.checking.mistakes.catalogue import CATALOGUE, EVERYWHERE, READING
+from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
-from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import Made, drawings, make
 from support.gallery import SHEETS

@@ -7,14 +7,14 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work
 from support.gallery import PLANS, SHEETS
 
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.chapters.kinematics.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.readers.columns import segment_name
+from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
 
 
 def _lettered(log: Construction, plan: str, letter: str) -> Mark | None:

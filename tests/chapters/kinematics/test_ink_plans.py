@@ -8,15 +8,23 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from graphic_tmm.work import Work
 from support.gallery import NAMES, PLANS, SHEETS
 
-from graphic_tmm.chapters.kinematics.ink_plans import BEYOND, Place, draw_plan, markup, vectors
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    BEYOND,
+    Place,
+    draw_plan,
+    vectors,
+)
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
 
 
 @cache
