@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
@@ -164,8 +165,8 @@ def test_what_was_read_can_be_read_off_the_sheet() -> None:
     assert float(reading[made.mu][0, 0]) == 0.005
 
 
-@pytest.mark.parametrize("language", ["ru", "en"])
-@pytest.mark.parametrize("name", ORDERS)
+@each("language", ["ru", "en"])
+@each("name", ORDERS)
 def test_tables_are_those_of_the_log(name: str, language: str) -> None:
     made, log, reading, _ = inked(name)
     conditions = condition_table(log, reading, made, language)

@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
+from support.command import invoke
+from support.gallery import ROOT
+from support.scenes import source
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.scene import read as reading
 
-ROOT = Path(__file__).parent.parent
 ALL = (
     ("draw", "cam"),
     ("table", "cam"),
@@ -28,10 +28,6 @@ ALL = (
     ("accuracy", "cam", "--trials", "10", "--no-time"),
 )
 POSIX = pytest.mark.skipif(os.name != "posix", reason="signals are of POSIX")
-
-
-def invoke(*arguments: str) -> Result:
-    return CliRunner().invoke(main, list(arguments))
 
 
 def failing(error: BaseException) -> Callable[..., Any]:
@@ -187,7 +183,7 @@ def test_without_asserts_the_program_says_the_same(tmp_path: Path) -> None:
 def test_a_warning_does_nothing_to_the_terminal(tmp_path: Path) -> None:
     folder = tmp_path / "a\x1b]0;x\x07\nb"
     folder.mkdir()
-    text = (ROOT / "sheets" / "engine" / "scene.toml").read_text(encoding="utf-8")
+    text = source("engine")
     assert 'l  = "0.64 m"' in text
     (folder / "scene.toml").write_text(text.replace('l  = "0.64 m"', 'l  = "0.25 m"'), "utf-8")
     done = invoke("table", str(folder), "-f", "csv")

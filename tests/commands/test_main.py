@@ -10,31 +10,9 @@ from typing import Any
 from xml.etree import ElementTree
 
 import pytest
-from click.testing import CliRunner, Result
-from support.command import document, invoke, printed, rows
-
-from graphic_tmm.__main__ import main
-
-ROOT = Path(__file__).parent.parent
-ENGINE = (ROOT / "sheets" / "engine" / "scene.toml").read_text(encoding="utf-8")
-
-
-def invoke(*arguments: str) -> Result:
-    return CliRunner().invoke(main, [str(a) for a in arguments])
-
-
-def column(document: dict, plan: str, segment: str) -> dict:
-    return next(c for c in document["columns"] if (c["plan"], c["segment"]) == (plan, segment))
-
-
-def scene(folder: Path, *edits: tuple[str, str], source: str = ENGINE) -> Path:
-    text = source
-    for old, new in edits:
-        assert old in text
-        text = text.replace(old, new)
-    path = folder / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    return path
+from support.command import column, invoke, printed, rows, tabled
+from support.gallery import ROOT
+from support.scenes import edited, source, written
 
 
 def test_csv_has_a_line_for_every_figure() -> None:
@@ -115,7 +93,7 @@ BAD = {
 @pytest.mark.parametrize("what", BAD)
 def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = BAD[what]
-    path, out = scene(tmp_path, *edits), tmp_path / "out"
+    path, out = edited(tmp_path, *edits), tmp_path / "out"
     result = invoke("draw", str(path), "-o", str(out))
     assert result.exit_code == 2, result.output
     assert all(word in result.stderr for word in words), result.stderr
@@ -126,21 +104,20 @@ def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> 
 
 @pytest.mark.slow
 def test_lengths_that_assemble_in_part_are_drawn_in_part(tmp_path: Path) -> None:
-    path = scene(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'))
+    path = edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'))
     result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 0
     assert "positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
     assert "123.56° to 236.44°" in result.stderr  # sin φ = 0.25/0.3
     assert len(list((tmp_path / "out").glob("*.svg"))) == 1
-    found = column(document(str(path)), "velocities", "pb")
+    found = column(tabled(str(path)), "velocities", "pb")
     assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is None] == [3, 4, 5, 9, 10, 11]
 
 
 @pytest.mark.slow
 def test_text_of_a_scene_is_data(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> & [red]../../x[/red] 'quoted'"
-    title = ENGINE.replace('title    = "Двигатель одноцилиндровый"', f'title = "{nasty}"')
-    path = scene(tmp_path, source=title)
+    path = edited(tmp_path, ('title    = "Двигатель одноцилиндровый"', f'title = "{nasty}"'))
     result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 0, result.output
     text = next((tmp_path / "out").glob("*.svg")).read_text(encoding="utf-8")
@@ -196,6 +173,7 @@ def test_the_windrower_is_the_scene_left_out(what: str, tmp_path: Path) -> None:
 # bad input
 
 
+ENGINE = source("engine")
 DRIVE = ENGINE[ENGINE.index("[drive]") : ENGINE.index("[plans]")]
 MORE_BAD = {
     "no drive at all": ([(DRIVE, "")], ["drive: it is missing", "[drive]"]),
@@ -220,7 +198,7 @@ MORE_BAD = {
 @pytest.mark.parametrize("what", MORE_BAD)
 def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = MORE_BAD[what]
-    path, out = scene(tmp_path, *edits), tmp_path / "out"
+    path, out = edited(tmp_path, *edits), tmp_path / "out"
     result = invoke("draw", str(path), "-o", str(out))
     assert result.exit_code == 2, result.output
     assert all(word in result.stderr for word in words), result.stderr
@@ -233,7 +211,7 @@ def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path
 @pytest.mark.parametrize("command", ["table", "steps", "draw"])
 def test_every_command_tells_a_bad_scene_alike(command: str, what: str, tmp_path: Path) -> None:
     edits, words = BAD[what]
-    path = scene(tmp_path, *edits)
+    path = edited(tmp_path, *edits)
     options = ("-o", str(tmp_path / "out")) if command == "draw" else ()
     result = invoke(command, str(path), *options)
     assert (result.exit_code, result.stdout) == (2, "")
@@ -242,8 +220,7 @@ def test_every_command_tells_a_bad_scene_alike(command: str, what: str, tmp_path
 
 
 def test_a_parallelogram_is_refused_with_its_change_points(tmp_path: Path) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(PARALLELOGRAM, encoding="utf-8")
+    path = written(tmp_path, PARALLELOGRAM)
     result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 2, result.output
     assert "change point" in result.stderr
@@ -301,7 +278,7 @@ def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: 
         ('"шатун"', f'"{NASTY}"'),
         ('"Динамическое исследование двигателя"', f'"{NASTY}"'),
     ]
-    path = scene(tmp_path, *edits)
+    path = edited(tmp_path, *edits)
     meant = tomllib.loads(path.read_text(encoding="utf-8"))["title"]
     result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
     assert result.exit_code == 0, result.output

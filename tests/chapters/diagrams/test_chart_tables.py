@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support import gallery
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
@@ -109,7 +110,7 @@ def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
 
 
 def test_without_an_order_there_is_no_column_and_no_step() -> None:
-    work = fitted(read(SHEETS / "shaper"))
+    work = gallery.drawn("shaper")
     if work.scene.diagrams is None:
         assert not found(work)
         assert not any(

@@ -7,8 +7,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from support.gallery import SHEETS
-from test_hostile_text import BLOCK, scene
+from support.scenes import source, written
+from support.words import BLOCK, worded
 
 from graphic_tmm.paper.lettering.letters import (
     escape,
@@ -35,10 +35,9 @@ VERDICTS = {
 def test_a_verdict_is_lettered_as_it_is_meant(what: str, tmp_path: Path) -> None:
     """A sign of mark-up is a character like others until the file is written: there it is escaped once."""
     name, (old, new), signs = VERDICTS[what]
-    text = (SHEETS / name / "scene.toml").read_text("utf-8")
+    text = source(name)
     assert old in text
-    path = tmp_path / "scene.toml"
-    path.write_text(text.replace(old, new), "utf-8")
+    path = written(tmp_path, text.replace(old, new))
     papers = sheets(read(path))[1]
     labels = [label.text for paper in papers for view in paper.drawings for label in view.labels]
     assert not [text for text in labels if re.search("&[a-z]+;", text)]
@@ -62,7 +61,7 @@ NARROW = {"letter": "<", "scale": "<&>", "mass": "<&>"}
 def test_every_text_of_a_scene_reaches_every_file_as_it_is(key: str, tmp_path: Path) -> None:
     signs = NARROW.get(key, SIGNS)
     texts = {"title": "T", "name": "n", "designation": "d"} | {key: signs}
-    papers = sheets(read(scene(tmp_path, "A1", "ru", **texts)))[1]
+    papers = sheets(read(worded(tmp_path, "A1", "ru", **texts)))[1]
     labels = [label.text for paper in papers for view in paper.drawings for label in view.labels]
     read_back = [e.text for e in ElementTree.fromstring(svg(papers[0])).iter() if e.text]
     if key not in ("title", "name"):

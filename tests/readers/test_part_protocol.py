@@ -7,52 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from support.command import invoke
+from support.parts import PARTS, part_of
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.parts import Part, draw_parts
+from graphic_tmm.parts import Part
 from graphic_tmm.readers.protocol import part_protocol
-from graphic_tmm.scene.read import read
-
-HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'
-PARTS = {
-    "an offset roller": (
-        "cam",
-        'stroke = "20 mm"\nrise = 90\nfall = 100\nupper_dwell = 30\noffset = "8 mm"\n',
-    ),
-    "a rocker": (
-        "cam",
-        'stroke = "20 deg"\nrise = 110\nfall = 80\nlaw = "3-4-5"\nfollower = "rocker"\nlever = "80 mm"\n'
-        'centres = "110 mm"\n',
-    ),
-    "a flat face": (
-        "cam",
-        'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\n'
-        'least_curvature = "8 mm"\n',
-    ),
-    "a law by its diagram": (
-        "cam",
-        'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\n'
-        "law_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]\n",
-    ),
-    "a pair of gears": (
-        "gears",
-        'z1 = 14\nz2 = 31\nm = "6 mm"\nx1 = 0.4\nx2 = -0.1\nstations = ["20 mm"]\n',
-    ),
-    "a train": (
-        "planetary",
-        'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n',
-    ),
-}
-
-
-def drawn(folder: Path, what: str) -> Part:
-    kind, text = PARTS[what]
-    path = folder / "scene.toml"
-    path.write_text(HEAD.format(kind=kind) + text, encoding="utf-8")
-    (part,) = draw_parts(read(path))
-    return part
 
 
 def lines(part: Part, language: str, position: str | None = None) -> list[str]:
@@ -63,7 +23,7 @@ def lines(part: Part, language: str, position: str | None = None) -> list[str]:
 @pytest.mark.parametrize("language", ["ru", "en"])
 @pytest.mark.parametrize("what", PARTS)
 def test_every_line_has_its_value(what: str, language: str, tmp_path: Path) -> None:
-    found = lines(drawn(tmp_path, what), language)
+    found = lines(part_of(tmp_path, what), language)
     assert len(found) > 60
     for line in found:
         assert "—" not in line, line
@@ -75,7 +35,7 @@ def test_every_line_has_its_value(what: str, language: str, tmp_path: Path) -> N
 
 @pytest.mark.parametrize("what", PARTS)
 def test_every_step_is_told_once_and_in_its_order(what: str, tmp_path: Path) -> None:
-    part = drawn(tmp_path, what)
+    part = part_of(tmp_path, what)
     due: list[int] = []
     for view in dict.fromkeys(step.it.view for step in part.construction.steps):
         due += range(1, 1 + sum(s.it.view == view for s in part.construction.steps))
@@ -87,7 +47,7 @@ def test_every_step_is_told_once_and_in_its_order(what: str, tmp_path: Path) -> 
 
 
 def test_rise_and_return_are_told_in_the_middle_of_each(tmp_path: Path) -> None:
-    part = drawn(tmp_path, "an offset roller")
+    part = part_of(tmp_path, "an offset roller")
     found = lines(part, "ru")
     assert found[0].endswith(", положение 6")  # of twelve parts of the rise
     told = {line.strip() for line in found if line.startswith("      [положение")}
@@ -104,11 +64,11 @@ def test_rise_and_return_are_told_in_the_middle_of_each(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_position_of_a_cam_can_be_asked_for(tmp_path: Path) -> None:
-    drawn(tmp_path, "an offset roller")
+    part_of(tmp_path, "an offset roller")
     path = tmp_path / "scene.toml"
-    done = CliRunner().invoke(main, ["steps", str(path), "-n", "20"])
+    done = invoke("steps", path, "-n", "20")
     assert done.exit_code == 0
     assert done.stdout.splitlines()[0].endswith("положение 20")
-    done = CliRunner().invoke(main, ["steps", str(path), "-n", "99"])
+    done = invoke("steps", path, "-n", "99")
     assert done.exit_code == 2
     assert "--position: there is no 99; there are 0, 1" in done.stderr

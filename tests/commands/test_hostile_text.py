@@ -11,9 +11,10 @@ from xml.etree import ElementTree
 
 import pytest
 import shapely
-from click.testing import CliRunner, Result
+from support.command import invoke
+from support.each import each
+from support.words import BLOCK, quoted, worded
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
@@ -25,36 +26,6 @@ NAMESPACES = (
     "{http://www.w3.org/XML/1998/namespace}",
 )
 """Of layers, and of the language: attributes that do nothing."""
-SCENE = """title = {title}
-language = "{language}"
-[frame]
-O = [0, 0]
-x = {{ through = [0, 0], angle = "0 deg" }}
-[[link]]
-number = 1
-name = {name}
-points = {{ O = [0, 0], A = ["0.3 m", 0] }}
-[[link]]
-number = 2
-points = {{ A = [0, 0], B = ["0.64 m", 0] }}
-[[link]]
-number = 3
-points = {{ B = [0, 0] }}
-slides = {{ on = "frame", along = "x", side = "right" }}
-[drive]
-link = 1
-speed = {speed}
-positions = 4
-[[sheet]]
-format = "{format}"
-place = ["positions", "structure"]
-[title_block]
-{block}
-"""
-BLOCK = (
-    *("designation", "name", "organisation", "drawn_by", "checked_by", "standards_by"),
-    *("approved_by", "material", "letter", "mass", "scale"),
-)
 SEEN = {
     "markup of a page": "<script>alert(1)</script><a href='x'>&amp; ]]> --></a>",
     "an entity": '<!DOCTYPE s [<!ENTITY e SYSTEM "file:///etc/passwd">]>&e;',
@@ -67,27 +38,6 @@ SEEN = {
     "forms": "%s {0} {name} ${HOME} %n [red]r[/red]",
 }
 """Texts that are drawn as they stand."""
-
-
-def quoted(text: str) -> str:
-    """Return a text as TOML writes it."""
-    body = text.replace("\\", "\\\\").replace('"', '\\"')
-    return '"' + re.sub("[\x00-\x1f\x7f]", lambda m: f"\\u{ord(m[0]):04X}", body) + '"'
-
-
-def scene(folder: Path, format: str = "A4", language: str = "ru", **texts: str) -> Path:
-    block = "\n".join(f"{k} = {quoted(texts[k])}" for k in BLOCK if k in texts and k != "name")
-    known = {"title": "T", "name": "n", "speed": "50 1/s"} | texts
-    words = {key: quoted(known[key]) for key in ("title", "name", "speed")}
-    path = folder / "scene.toml"
-    path.write_text(
-        SCENE.format(format=format, language=language, block=block, **words), encoding="utf-8"
-    )
-    return path
-
-
-def invoke(*arguments: object) -> Result:
-    return CliRunner().invoke(main, [str(a) for a in arguments])
 
 
 def draw(folder: Path, path: Path, forms: str = "svg") -> dict[str, bytes]:
@@ -125,7 +75,7 @@ def test_a_page_holds_text_and_ink_and_nothing_that_acts(
 ) -> None:
     text = SEEN[what]
     texts = dict.fromkeys(("title", "name", *BLOCK), text)
-    out = draw(tmp_path, scene(tmp_path, "A1", language, **texts))["svg"].decode("utf-8")
+    out = draw(tmp_path, worded(tmp_path, "A1", language, **texts))["svg"].decode("utf-8")
     assert not re.search(r"<[!?]", out)
     root = ElementTree.fromstring(out)
     assert {e.tag for e in root.iter()} == {NS + tag for tag in TAGS}
@@ -147,7 +97,7 @@ def test_a_pdf_acts_on_nothing_and_points_nowhere(what: str, tmp_path: Path) -> 
     pdfplumber = pytest.importorskip("pdfplumber")
     pytest.importorskip("typst")
     texts = dict.fromkeys(("title", "name", *BLOCK), SEEN[what])
-    data = draw(tmp_path, scene(tmp_path, "A1", **texts), "pdf")["pdf"]
+    data = draw(tmp_path, worded(tmp_path, "A1", **texts), "pdf")["pdf"]
     with pdfplumber.open(io.BytesIO(data)) as file:
         assert not [*file.annots, *file.hyperlinks]
         assert acting(file.doc) == set()
@@ -205,7 +155,7 @@ def test_what_acts_in_a_pdf_would_be_found() -> None:
 def test_a_dxf_holds_ink_only(what: str, tmp_path: Path) -> None:
     ezdxf = pytest.importorskip("ezdxf")
     texts = dict.fromkeys(("title", "name", *BLOCK), SEEN[what])
-    text = draw(tmp_path, scene(tmp_path, "A1", **texts), "dxf")["dxf"].decode("utf-8")
+    text = draw(tmp_path, worded(tmp_path, "A1", **texts), "dxf")["dxf"].decode("utf-8")
     assert not [line for line in text.splitlines() if SEEN[what] in line]
     document = ezdxf.read(io.StringIO(text))
     assert not document.audit().errors
@@ -218,14 +168,14 @@ def test_a_dxf_holds_ink_only(what: str, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
-@pytest.mark.parametrize("language", ["ru", "en"])
-@pytest.mark.parametrize("word", ["Ж", "слово ", "<&> ", "}_{^\\", "Щ "])
+@each("language", ["ru", "en"])
+@each("word", ["Ж", "слово ", "<&> ", "}_{^\\", "Щ "])
 def test_what_is_too_long_for_its_place_is_cut(
     word: str, language: str, format: str, tmp_path: Path
 ) -> None:
     long = (word * 200)[:199] + "!"
     texts = dict.fromkeys((*BLOCK, "title"), long) | {"name": "n"}
-    (sheet, *_) = sheets(read(scene(tmp_path, format, language, **texts)))[1]
+    (sheet, *_) = sheets(read(worded(tmp_path, format, language, **texts)))[1]
     frame = sheet.drawings[0]
     lines = shapely.STRtree([shape(stroke) for stroke in frame.strokes])
     paper = shapely.box(0, 0, sheet.width, sheet.height)
@@ -257,18 +207,18 @@ KEYS = {
 }
 
 
-@pytest.mark.parametrize("key", KEYS)
-@pytest.mark.parametrize("what", REFUSED)
+@each("key", KEYS)
+@each("what", REFUSED)
 def test_what_cannot_be_drawn_is_refused_once_with_its_key(
     what: str, key: str, tmp_path: Path
 ) -> None:
     text, says = REFUSED[what]
-    said = refused(tmp_path, scene(tmp_path, **{key: text}), f": {KEYS[key]}: ", says)
+    said = refused(tmp_path, worded(tmp_path, **{key: text}), f": {KEYS[key]}: ", says)
     assert len(said) < len(str(tmp_path)) + 200
 
 
 def test_a_text_of_many_strange_characters_is_told_in_a_few_lines(tmp_path: Path) -> None:
-    path = scene(tmp_path, title="".join(map(chr, range(0x4E00, 0x4E00 + 200))))
+    path = worded(tmp_path, title="".join(map(chr, range(0x4E00, 0x4E00 + 200))))
     result = invoke("draw", path, "-o", tmp_path / "out")
     assert result.exit_code == 2
     assert "200 different characters cannot be lettered" in result.stderr
@@ -288,7 +238,7 @@ WRONG = {
 
 @pytest.mark.parametrize("text", WRONG, ids=lambda text: text[:12])
 def test_a_quantity_is_never_more_than_a_number_and_a_unit(text: str, tmp_path: Path) -> None:
-    said = refused(tmp_path, scene(tmp_path, speed=text), ": drive.speed: ", WRONG[text])
+    said = refused(tmp_path, worded(tmp_path, speed=text), ": drive.speed: ", WRONG[text])
     assert len(said) < len(str(tmp_path)) + 400
 
 
@@ -297,7 +247,7 @@ def test_a_quantity_is_never_more_than_a_number_and_a_unit(text: str, tmp_path: 
 )
 @pytest.mark.parametrize("old", ["A = [", "x = {"])
 def test_letters_and_guides_hold_no_markup(old: str, letter: str, tmp_path: Path) -> None:
-    path = scene(tmp_path)
+    path = worded(tmp_path)
     text = path.read_text(encoding="utf-8").replace(old, f'"{letter}"{old[1:]}', 1)
     path.write_text(text, encoding="utf-8")
     result = invoke("draw", path, "-o", tmp_path / "out")
@@ -336,14 +286,14 @@ def test_files_bear_the_name_of_the_scene_and_stay_in_their_folder(
 ) -> None:
     home = tmp_path / "a" / "b" / (name if stands == "folder" else "c")
     home.mkdir(parents=True)
-    path = scene(home)
+    path = worded(home)
     if stands == "file":
         path = path.rename(home / f"{name}.toml")
     files = draw(tmp_path, path, "svg,pdf,dxf")
     made = {p.name for p in (tmp_path / "out").iterdir()}
     assert made == {f"{name}.{form}" for form in ("svg", "pdf", "dxf")}
     (tmp_path / "plain").mkdir()
-    assert files == draw(tmp_path / "plain", scene(tmp_path / "plain"), "svg,pdf,dxf")
+    assert files == draw(tmp_path / "plain", worded(tmp_path / "plain"), "svg,pdf,dxf")
 
 
 @pytest.mark.parametrize("way", ["b/../scene.toml", "../a/b/..", "./.", "b/../../a"])
@@ -351,7 +301,7 @@ def test_a_way_with_dots_names_the_folder_it_leads_to(
     way: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "a" / "b").mkdir(parents=True)
-    scene(tmp_path / "a")
+    worded(tmp_path / "a")
     monkeypatch.chdir(tmp_path / "a")
     before = sorted(tmp_path.rglob("*"))
     assert invoke("draw", way, "-o", "out").exit_code == 0
@@ -360,7 +310,7 @@ def test_a_way_with_dots_names_the_folder_it_leads_to(
 
 
 def test_a_link_in_the_output_folder_is_replaced_and_not_followed(tmp_path: Path) -> None:
-    path, away = scene(tmp_path), tmp_path / "away"
+    path, away = worded(tmp_path), tmp_path / "away"
     (tmp_path / "out").mkdir()
     away.write_text("mine", encoding="utf-8")
     (tmp_path / "out" / f"{tmp_path.name}.svg").symlink_to(away)
@@ -370,16 +320,16 @@ def test_a_link_in_the_output_folder_is_replaced_and_not_followed(tmp_path: Path
 
 
 def test_a_name_too_long_for_its_files_is_refused_and_nothing_left(tmp_path: Path) -> None:
-    path = scene(tmp_path).rename(tmp_path / f"{'x' * 252}.ab")
+    path = worded(tmp_path).rename(tmp_path / f"{'x' * 252}.ab")
     result = invoke("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert "name too long" in result.stderr
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("text", [REFUSED[what][0] for what in REFUSED], ids=list(REFUSED))
-@pytest.mark.parametrize(
-    ("old", "new"),
+@each("text", [REFUSED[what][0] for what in REFUSED])
+@each(
+    "old, new",
     [
         ("title =", "{} = 1\ntitle ="),
         ('along = "x"', "along = {}"),
@@ -391,7 +341,7 @@ def test_a_name_too_long_for_its_files_is_refused_and_nothing_left(tmp_path: Pat
 def test_a_message_does_nothing_to_the_terminal(
     old: str, new: str, text: str, tmp_path: Path
 ) -> None:
-    path = scene(tmp_path)
+    path = worded(tmp_path)
     written = path.read_text(encoding="utf-8")
     path.write_text(written.replace(old, new.format(quoted(text)), 1), encoding="utf-8")
     result = invoke("draw", path, "-o", tmp_path / "out")

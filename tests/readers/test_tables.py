@@ -13,15 +13,14 @@ from typing import Any
 
 import pytest
 from rich.console import Console
-from support.gallery import NAMES, SHEETS
-from test_main import column, made, run, scene
+from support.command import column, invoke, tabled
+from support.gallery import NAMES, drawn
+from support.scenes import edited
 
 from graphic_tmm.readers.columns import Column, columns, segment_name
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.work import Work
+from graphic_tmm.studio import table, table_columns
 
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
@@ -39,12 +38,7 @@ COLUMN = Column("velocities", "pb", "pb", "m/s", (1.0, -0.0, None), (0.25, -0.0,
 
 
 @cache
-def drawn(name: str) -> Work:
-    return fitted(read(SHEETS / name))
-
-
-@cache
-def document(name: str) -> dict[str, Any]:
+def printed_of(name: str) -> dict[str, Any]:
     text = table(drawn(name), "json")
     assert isinstance(text, str)
     return json.loads(text)
@@ -70,7 +64,7 @@ def test_a_segment_is_named_by_its_letters(letter: str, due: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_document_has_its_shape(name: str) -> None:
-    made = document(name)
+    made = printed_of(name)
     assert list(made) == ["scene", "scales", "positions", "columns", "results"]
     assert made["scene"] == name
     assert {"W", "formula"} <= set(made["results"])
@@ -108,7 +102,7 @@ def test_the_document_has_its_shape(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_value_is_its_segment_times_mu(name: str) -> None:
-    made = document(name)
+    made = printed_of(name)
     for one in (c for c in made["columns"] if c["plan"] not in GRAPHS):
         if one["segment"].startswith(("omega", "epsilon")):
             assert one["mm"] == [None] * len(one["mm"])
@@ -124,7 +118,7 @@ def test_a_value_is_its_segment_times_mu(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_accelerations_are_null_where_they_have_no_plan_and_nothing_else_is(name: str) -> None:
-    made, places = document(name), drawn(name).project.accelerated
+    made, places = printed_of(name), drawn(name).project.accelerated
     for one in made["columns"]:
         if one["plan"] in GRAPHS:
             continue  # test_chart_tables.py
@@ -134,7 +128,7 @@ def test_accelerations_are_null_where_they_have_no_plan_and_nothing_else_is(name
 
 
 def test_every_turning_link_has_its_rates_with_their_sign() -> None:
-    made = {one["segment"]: one for one in document("engine")["columns"]}
+    made = {one["segment"]: one for one in printed_of("engine")["columns"]}
     assert made["omega1"]["value"] == [50.0] * 12
     omega = made["omega2"]["value"]
     assert omega[0] < 0 < omega[6]  # the rod turns against the crank at the dead centre 1
@@ -144,7 +138,7 @@ def test_every_turning_link_has_its_rates_with_their_sign() -> None:
 
 @pytest.mark.slow
 def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
-    exact = table(fitted(read(SHEETS / "windrower"), exact=True), "json")
+    exact = table(drawn("windrower", exact=True), "json")
     assert isinstance(exact, str)
     rows = [one for one in json.loads(exact)["columns"] if one["plan"] == "velocities"]
     found = {one["segment"]: one["mm"] for one in rows}
@@ -184,7 +178,7 @@ def test_twelve_digits_are_kept() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_csv_holds_what_json_holds(name: str) -> None:
-    exact = fitted(read(SHEETS / name), exact=True)
+    exact = drawn(name, exact=True)
     text, whole = table(exact, "csv"), table(exact, "json")
     assert isinstance(text, str)
     assert isinstance(whole, str)
@@ -256,7 +250,7 @@ def test_text_and_figures_of_a_scene_agree() -> None:
 
 
 def test_the_exact_table_of_the_engine_is_the_reference() -> None:
-    document = made("engine", "--exact")
+    document = tabled("engine", "--exact")
     assert [p["number"] for p in document["positions"]] == [str(k) for k in range(1, 13)]
     assert [p["angle_deg"] for p in document["positions"]] == [30.0 * k for k in range(12)]
     for segment, due in (("pb", X), ("ps2", S), ("ab", H)):
@@ -274,7 +268,7 @@ def test_the_exact_table_of_the_engine_is_the_reference() -> None:
 
 @pytest.mark.slow
 def test_the_default_table_differs_by_the_rulers_rounding_only() -> None:
-    exact, read = made("engine", "--exact"), made("engine")
+    exact, read = tabled("engine", "--exact"), tabled("engine")
     for segment in ("pa", "pb", "ps2", "ab"):
         pairs = zip(
             column(exact, "velocities", segment)["mm"],
@@ -291,14 +285,14 @@ def test_the_default_table_differs_by_the_rulers_rounding_only() -> None:
 
 
 def test_null_where_a_position_has_no_acceleration_plan() -> None:
-    found = column(made("engine"), "accelerations", "nab")
+    found = column(tabled("engine"), "accelerations", "nab")
     assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is not None] == [2, 5]
     assert found["unit"] == "m/s²"
 
 
 @pytest.mark.slow
 def test_the_document_is_as_written_down() -> None:
-    document = made("engine")
+    document = tabled("engine")
     assert list(document) == ["scene", "scales", "positions", "columns", "results"]
     assert document["scene"] == "engine"
     assert list(document["scales"])[:3] == ["mu_l", "mu_v", "mu_a"]
@@ -319,14 +313,14 @@ def test_an_angle_is_the_direction_of_the_crank_whatever_its_zero(tmp_path: Path
         ('"counterclockwise"', '"clockwise"'),
         ('zero          = "0 deg"', 'zero = "180 deg"'),
     ]
-    document = made(str(scene(tmp_path, *clockwise)))
+    document = tabled(str(edited(tmp_path, *clockwise)))
     assert [p["angle_deg"] for p in document["positions"]][:5] == [180.0, 150.0, 120.0, 90.0, 60.0]
     assert column(document, "velocities", "omega1")["value"][0] == -50
 
 
 def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path) -> None:
-    path = scene(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'), ("[2, 5]", "[2, 5]"))
-    result = run("table", str(path), "--format", "json", "--exact")
+    path = edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'), ("[2, 5]", "[2, 5]"))
+    result = invoke("table", str(path), "--format", "json", "--exact")
     assert result.exit_code == 0
     assert "warning: positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
     document = json.loads(result.stdout)  # the warning is not in it
@@ -344,7 +338,7 @@ def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path)
 
 @pytest.mark.slow
 def test_the_windrower_stands_as_its_task_says() -> None:
-    document = made()
+    document = tabled()
     assert document["scene"] == "windrower"
     assert [p["number"] for p in document["positions"]][-1] == "7*"
     assert document["results"]["formula"] == "I(1) → II(2-3) → II(4-5)"

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.each import each
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
@@ -81,9 +82,9 @@ def bound(name: str, count: int, order: int) -> float:
     return float(h**2 / 24 * second * 1.5 + h**4 * fourth / 60)
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("start", STARTS)
-@pytest.mark.parametrize("name", POINTS)
+@each("method", METHODS)
+@each("start", STARTS)
+@each("name", POINTS)
 def test_velocities_agree_with_the_plans(name: str, start: str, method: str) -> None:
     made = drawn(name, start=start, method=method)
     off = np.abs(values(made, "V") - planned(made)).max()
@@ -94,9 +95,9 @@ def test_velocities_agree_with_the_plans(name: str, start: str, method: str) -> 
         assert off > 1e-9
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("start", STARTS)
-@pytest.mark.parametrize("name", POINTS)
+@each("method", METHODS)
+@each("start", STARTS)
+@each("name", POINTS)
 def test_accelerations_agree_with_the_exact_motion_and_the_plans(
     name: str, start: str, method: str
 ) -> None:

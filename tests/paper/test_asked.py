@@ -9,11 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from support import asked
+from support.command import invoke
+from support.gallery import CASES
 from support.mechanisms import sample
+from support.scenes import written
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.board.values import Point
 from graphic_tmm.errors import SheetError
 from graphic_tmm.mechanism.records import Row
@@ -25,7 +26,6 @@ from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import Made, make, sheets
 from graphic_tmm.work import Work
 
-CASES = Path(__file__).parent / "cases" / "sheets"
 FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)
 LEAST = {"A4": 60.0, "A1": 100.0}
@@ -34,8 +34,7 @@ ROUNDING = 1e-6
 
 
 def drawn(text: str, folder: Path) -> tuple[Made, tuple[Sheet, ...]]:
-    path = folder / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = written(folder, text)
     return sheets(read(path))
 
 
@@ -199,7 +198,7 @@ MOST = {
 """Sheets that a case takes at most: so many as its plans of 40 mm, figures and blocks of tables need."""
 
 
-ALL = sorted(path.stem for path in CASES.glob("*.toml"))
+ALL = sorted(path.stem for path in (CASES / "sheets").glob("*.toml"))
 LONG = ("fails-a4-forces", "fails-a4-table", "hydraulic")
 
 
@@ -207,7 +206,7 @@ LONG = ("fails-a4-forces", "fails-a4-table", "hydraulic")
     "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in ALL]
 )
 def test_scenes_that_were_refused_are_drawn(name: str) -> None:
-    made, paper = sheets(read(CASES / f"{name}.toml"))
+    made, paper = sheets(read(CASES / "sheets" / f"{name}.toml"))
     in_frames(made, paper)
     sensible(made, paper)
     assert len(paper) <= MOST.get(name, len(paper))
@@ -282,9 +281,8 @@ def test_a_fixed_scale_that_no_sheet_holds_is_told_with_a_value_that_fits(
 @pytest.mark.parametrize("command", ["table", "steps"])
 def test_no_command_reads_a_plan_that_is_too_small(command: str, tmp_path: Path) -> None:
     text = asked.mechanism("slider", 8, [("A4", ("positions",))], scales="[scales]\nmu_l = 3")
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    result = CliRunner().invoke(main, [command, str(path)])
+    path = written(tmp_path, text)
+    result = invoke(command, path)
     assert result.exit_code == 2
     assert "scales.mu_l" in result.stderr
 
@@ -302,8 +300,7 @@ def test_lengths_that_a_scene_writes_are_kept(tmp_path: Path) -> None:
 
 
 def read_of(text: str, folder: Path) -> Work:
-    path = folder / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = written(folder, text)
     work = make(read(path)).work
     assert work is not None
     return work

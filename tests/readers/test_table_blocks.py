@@ -12,16 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 from rich.table import Table
-from support.command import printed
-from support.scenes import source
-from test_called import written
+from support.command import invoke, printed
+from support.scenes import calling, source, written
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.checking.readings.decoding import text_of
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.text import rich_tables
@@ -120,8 +117,7 @@ def test_csv_tells_lengths_to_the_ruler_and_quantities_to_what_that_stands_for(
     name: str, ruler: float, tmp_path: Path
 ) -> None:
     text = re.sub(r"(?ms)^\[hand\].*?(?=^\[|\Z)", "", source(name))
-    path = tmp_path / "scene.toml"
-    path.write_text(f'{text}\n[hand]\nruler = "{ruler} mm"\n', "utf-8")
+    path = written(tmp_path, f'{text}\n[hand]\nruler = "{ruler} mm"\n')
     made = make(read(path))
     printed = table(made, "csv")
     assert isinstance(printed, str)
@@ -213,7 +209,7 @@ def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -
     path = tmp_path / "own.csv"
     path.write_text(printed("table", "engine", "-f", "csv", "--decimal", "comma", "--bom"), "utf-8")
     assert text_of(path).startswith("plan;position")
-    done = CliRunner().invoke(main, ["check", "engine", str(path), "-f", "json"])
+    done = invoke("check", "engine", path, "-f", "json")
     assert done.exit_code in (0, 1), done.output
     assert len(json.loads(done.stdout)["readings"]) > 100
 
@@ -260,7 +256,7 @@ def test_what_is_measured_on_a_gear_pair_is_what_its_formulas_give() -> None:
 @pytest.mark.slow
 def test_a_part_beside_a_mechanism_keeps_positions_of_its_own(tmp_path: Path) -> None:
     document = json.loads(
-        printed("table", written(tmp_path, "diagrams", "cam", "gears"), "-f", "json")
+        printed("table", calling(tmp_path, "diagrams", "cam", "gears"), "-f", "json")
     )
     counts = {c["plan"]: len(c["positions"]) for c in document["columns"]}
     assert counts["diagrams"] == len(document["positions"]) == 8

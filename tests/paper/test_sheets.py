@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 import shapely
-from support.gallery import FOLDERS
+from support.gallery import FOLDERS, paper
 
 from graphic_tmm.files import write
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheet_files, sheets
+from graphic_tmm.studio import sheet_files
 
 
 @pytest.mark.slow
@@ -33,7 +33,7 @@ def test_a_scene_redraws_to_the_committed_sheets(
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
-    for sheet in sheets(read(folder))[1]:
+    for sheet in paper(folder.name)[1]:
         count = crossed = 0
         for drawing in sheet.drawings:
             heavy = [shape(s) for s in drawing.strokes if s.pen in ("main", "rod", "medium")]
@@ -48,7 +48,7 @@ def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_no_letter_stands_on_another_and_no_view_on_another(folder: Path) -> None:
-    for sheet in sheets(read(folder))[1]:
+    for sheet in paper(folder.name)[1]:
         labels = [box(label) for drawing in sheet.drawings for label in drawing.labels]
         tree = shapely.STRtree(labels)
         pairs = tree.query(labels, predicate="intersects")

@@ -8,49 +8,13 @@ from pathlib import Path
 import pytest
 from graphic_tmm.work import record
 from support.command import invoke, printed, rows, warned
+from support.gallery import FOLDERS
+from support.scenes import MECHANISM, SECTIONS, calling
 
 from graphic_tmm.scene.read import read
+from graphic_tmm.scene.remarks import unplaced
 from graphic_tmm.studio import make, sheets
 
-MECHANISM = """title = "T"
-language = "en"
-[frame]
-O = [0, 0]
-x = { through = [0, 0], angle = "0 deg" }
-[[link]]
-number = 1
-points = { O = [0, 0], A = ["0.1 m", 0] }
-[[link]]
-number = 2
-points = { A = [0, 0], B = ["0.35 m", 0], S2 = ["0.12 m", 0] }
-mass = "2 kg"
-J = "0.02 kg*m^2"
-centre = "S2"
-[[link]]
-number = 3
-points = { B = [0, 0] }
-mass = "3 kg"
-centre = "B"
-slides = { on = "frame", along = "x", side = "right" }
-[drive]
-link = 1
-speed = "40 1/s"
-positions = 8
-"""
-SECTIONS = {
-    "effects": "[effects]\ngravity = true\ninertia = true\n",
-    "load": '[[load]]\nlink = 3\npoint = "B"\nforce = "120 N"\n',
-    "forces": "[forces]\npositions = [1, 2]\n",
-    "diagrams": '[diagrams]\npoint = "B"\n',
-    "flywheel": '[flywheel]\ndelta = 0.05\nconstant = "driving"\n',
-    "indicator": '[indicator]\npoint = "B"\nbore = "0.1 m"\ncover = [1e5, 1e5, 9e4, 8e4, 7e4, 6e4, 5e4, 4e4]\n',
-    "engine": '[engine]\npoint = "B"\n',
-    "cam": '[cam]\nstroke = "20 mm"\nrise = 90\nfall = 100\n',
-    "gears": '[gears]\nz1 = 21\nz2 = 34\nm = "5 mm"\n',
-    "planetary": '[planetary]\nmodule = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\n',
-    "friction": "[friction]\nf = 0.1\n",
-}
-ONLY_POSITIONS = '[[sheet]]\nplace = ["positions"]\n'
 PLANS = {
     "diagrams": {"diagrams"},
     "forces": {"forces"},
@@ -63,15 +27,6 @@ PLANS = {
 NEEDS = {"forces": ("load",), "flywheel": ("forces", "load"), "engine": ("indicator",)}
 
 
-def written(
-    folder: Path, *sections: str, sheet: str = ONLY_POSITIONS, head: str = MECHANISM
-) -> Path:
-    path = folder / "scene.toml"
-    text = head + "".join(SECTIONS.get(name, name) for name in sections) + sheet
-    path.write_text(text, encoding="utf-8")
-    return path
-
-
 SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k for k in PLANS]
 """Of the long ones one of the parts in the everyday run."""
 
@@ -81,7 +36,7 @@ SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k
 def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     section: str, tmp_path: Path
 ) -> None:
-    path = written(tmp_path, *NEEDS.get(section, ()), section)
+    path = calling(tmp_path, *NEEDS.get(section, ()), section)
     done = invoke("table", path, "-f", "csv")
     assert done.exit_code == 0, done.output
     plans = {row["plan"] for row in rows(done.stdout)}
@@ -95,7 +50,7 @@ def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     place = re.search(r'add "([^"]+)"', lines[0])
     assert place
     sheet = f'[[sheet]]\nplace = ["positions", "{place[1]}"]\n'  # the remedy helps
-    path = written(tmp_path, *NEEDS.get(section, ()), section, sheet=sheet)
+    path = calling(tmp_path, *NEEDS.get(section, ()), section, sheet=sheet)
     done = invoke("draw", path, "-o", tmp_path / "out")
     assert done.exit_code == 0, done.output
     assert not [line for line in warned(done) if line.startswith(f"{section}: ")]
@@ -106,14 +61,14 @@ def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
 def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
     section: str, tmp_path: Path
 ) -> None:
-    bare = sheets(read(written(tmp_path, sheet="")))[1]
-    scene = read(written(tmp_path, *NEEDS.get(section, ()), section, sheet=""))
+    bare = sheets(read(calling(tmp_path, sheet="")))[1]
+    scene = read(calling(tmp_path, *NEEDS.get(section, ()), section, sheet=""))
     more = sheets(scene)[1]
     views = [{v.name for sheet in found for v in sheet.drawings} for found in (bare, more)]
     assert views[0] < views[1], section
     assert scene.called == scene.shown
     unnamed = read(
-        written(tmp_path, *NEEDS.get(section, ()), section, sheet='[[sheet]]\nformat = "A1"\n')
+        calling(tmp_path, *NEEDS.get(section, ()), section, sheet='[[sheet]]\nformat = "A1"\n')
     )
     assert unnamed.sheets == scene.sheets
 
@@ -122,7 +77,7 @@ def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
 @pytest.mark.parametrize("section", ["cam", "gears", "planetary"])
 def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> None:
     head = 'title = "T"\nlanguage = "ru"\n'
-    made, paper = sheets(read(written(tmp_path, section, sheet="", head=head)))
+    made, paper = sheets(read(calling(tmp_path, section, sheet="", head=head)))
     assert made.work is None
     assert paper
 
@@ -141,7 +96,7 @@ def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> Non
 def test_a_section_that_nothing_reads_is_told_in_one_line(
     sections: tuple[str, ...], key: str, remedy: str, tmp_path: Path
 ) -> None:
-    path = written(tmp_path, *sections)
+    path = calling(tmp_path, *sections)
     for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
         done = invoke(*command)
         assert done.exit_code == 0
@@ -167,7 +122,7 @@ def test_a_section_that_nothing_reads_is_told_in_one_line(
 def test_a_section_that_no_sheet_shows_is_checked_all_the_same(
     section: str, says: str, tmp_path: Path
 ) -> None:
-    path = written(tmp_path, section)
+    path = calling(tmp_path, section)
     done = invoke("draw", path, "-o", tmp_path / "out")
     other = invoke("table", path)
     assert done.exit_code == other.exit_code
@@ -178,9 +133,9 @@ def test_a_section_that_no_sheet_shows_is_checked_all_the_same(
 
 
 def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> None:
-    views = {s.it.view for s in record(read(written(tmp_path))).construction.steps}
+    views = {s.it.view for s in record(read(calling(tmp_path))).construction.steps}
     assert views <= {"extremes", "positions"}
-    scene = read(written(tmp_path, "forces", "load"))
+    scene = read(calling(tmp_path, "forces", "load"))
     whole = {s.it.view for s in record(scene).construction.steps}
     shown = {s.it.view for s in record(scene, scene.shown).construction.steps}
     assert "loads" in whole
@@ -188,7 +143,7 @@ def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> Non
 
 
 def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
-    scene = read(written(tmp_path, "forces", "load", "gears"))
+    scene = read(calling(tmp_path, "forces", "load", "gears"))
     made = make(scene, wanted=scene.shown)
     assert made.work is not None
     assert made.work.project.forces is None
@@ -199,7 +154,7 @@ def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
 
 def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None:
     sheet = '[[sheet]]\nplace = ["positions", "velocities"]\n'
-    scene = read(written(tmp_path, "forces", "load", "effects", sheet=sheet))
+    scene = read(calling(tmp_path, "forces", "load", "effects", sheet=sheet))
     drawn, tabled = make(scene, wanted=scene.shown), make(scene)
     assert drawn.work is not None
     assert tabled.work is not None
@@ -209,7 +164,7 @@ def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None
 
 def test_positions_named_for_accelerations_reach_the_table(tmp_path: Path) -> None:
     head = MECHANISM + "accelerations = [1, 3]\n"
-    path = written(tmp_path, head=head)
+    path = calling(tmp_path, head=head)
     done = invoke("draw", path, "-o", tmp_path / "out")
     assert [line.partition(":")[0] for line in warned(done)] == ["drive.accelerations"]
     found = rows(printed("table", path, "-f", "csv"))
@@ -220,7 +175,7 @@ def test_positions_named_for_accelerations_reach_the_table(tmp_path: Path) -> No
 def test_a_table_of_a_plan_needs_no_plan_beside_it(place: str, tmp_path: Path) -> None:
     sheet = f'[[sheet]]\nplace = ["positions", "{place}"]\n'
     head = MECHANISM + "accelerations = [1, 3]\n"
-    (paper,) = sheets(read(written(tmp_path, head=head, sheet=sheet)))[1]
+    (paper,) = sheets(read(calling(tmp_path, head=head, sheet=sheet)))[1]
     assert (
         len([v for v in paper.drawings if v.labels]) > 2
     )  # the frame, the positions, and what was asked for
@@ -230,20 +185,16 @@ def test_a_table_of_a_plan_needs_no_plan_beside_it(place: str, tmp_path: Path) -
 def test_the_constant_moment_of_a_flywheel_is_told_when_it_is_left_out(tmp_path: Path) -> None:
     bare = SECTIONS["flywheel"].replace('constant = "driving"\n', "")
     sheet = '[[sheet]]\nplace = ["positions", "flywheel"]\n'
-    path = written(tmp_path, "forces", "load", bare, sheet=sheet)
+    path = calling(tmp_path, "forces", "load", bare, sheet=sheet)
     for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
         (line,) = warned(invoke(*command))
         assert line.startswith("flywheel.constant: it is left out, so the resisting moment")
         assert 'constant = "driving"' in line
-    path = written(tmp_path, "forces", "load", "flywheel", sheet=sheet)
+    path = calling(tmp_path, "forces", "load", "flywheel", sheet=sheet)
     assert warned(invoke("table", path)) == []
 
 
-def test_the_packaged_scenes_leave_nothing_unsaid(tmp_path: Path) -> None:
-    from support.gallery import SHEETS
-
-    from graphic_tmm.scene.remarks import unplaced
-
-    for path in sorted(SHEETS.glob("*/scene.toml")):
-        scene = read(path)
-        assert (path, scene.remarks, unplaced(scene)) == (path, (), ())
+def test_the_packaged_scenes_leave_nothing_unsaid() -> None:
+    for folder in FOLDERS:
+        scene = read(folder)
+        assert (folder.name, scene.remarks, unplaced(scene)) == (folder.name, (), ())

@@ -13,12 +13,12 @@ from typing import NamedTuple
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from support.gallery import SHEETS
+from support.each import each
+from support.gallery import SHEETS, made
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
-from test_called import written
-from test_part_protocol import PARTS
-from test_part_protocol import drawn as part_of
+from support.parts import PARTS, part_of
+from support.scenes import calling, written
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
@@ -65,15 +65,10 @@ class Told(NamedTuple):
 
 
 @cache
-def drawn(name: str) -> Made:
-    return make(read(SHEETS / name))
-
-
-@cache
 def scene(name: str, language: str) -> Told:
-    made = drawn(name)
-    lines = list(told(made.work, PLANS, None, language)) if made.work is not None else []
-    return Told(made, (*lines, *part_protocol(made.parts, PLANS, language)))
+    found = made(name)
+    lines = list(told(found.work, PLANS, None, language)) if found.work is not None else []
+    return Told(found, (*lines, *part_protocol(found.parts, PLANS, language)))
 
 
 def logs(made: Made) -> Iterator[tuple[Construction, Reading]]:
@@ -106,7 +101,7 @@ def russian_faults(name: str) -> Iterator[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PACKAGED)
-@pytest.mark.parametrize("language", ["ru", "en"])
+@each("language", ["ru", "en"])
 def test_no_line_of_a_protocol_holds_what_only_machines_need(name: str, language: str) -> None:
     for line in scene(name, language).lines:
         assert not MACHINE.search(line), line
@@ -166,7 +161,7 @@ def catalogue(language: str) -> set[str]:
 
 
 @pytest.mark.parametrize("name", PACKAGED)
-@pytest.mark.parametrize("language", ["ru", "en"])
+@each("language", ["ru", "en"])
 def test_a_table_calls_its_rows_as_the_protocol_does(name: str, language: str) -> None:
     made, lines = scene(name, language)
     text = "\n".join(lines)
@@ -241,7 +236,7 @@ SCENES = {
 
 @pytest.mark.parametrize("what", SCENES)
 def test_other_machines_are_told_in_names_of_the_field(what: str, tmp_path: Path) -> None:
-    made = make(read(written(tmp_path, *SCENES[what])))
+    made = make(read(calling(tmp_path, *SCENES[what])))
     for log, _ in logs(made):
         assert not {n: list(russian_faults(n)) for n in names(log, "ru") if any(russian_faults(n))}
         assert not {n for n in names(log, "en") if any(faults(n))}
@@ -319,8 +314,7 @@ positions = [1]
 
 
 def test_loads_of_one_link_are_told_apart_and_directions_by_their_value(tmp_path: Path) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(TWO_LOADS, encoding="utf-8")
+    path = written(tmp_path, TWO_LOADS)
     made = make(read(path))
     assert made.work is not None
     lines = "\n".join(told(made.work, PLANS, "1", "ru"))

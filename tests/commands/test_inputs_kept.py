@@ -7,10 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
+from support.command import invoke
 from support.gallery import SHEETS
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import Kind, call, read, write
 
@@ -112,7 +111,7 @@ def test_an_input_is_kept(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         else:
             stands(place)
     before = {p.name: p.is_dir() or p.read_bytes() for p in tmp_path.iterdir()}
-    done = CliRunner().invoke(main, list(arguments))
+    done = invoke(*arguments)
     assert done.exit_code == 2, done.output
     assert "this file was read; it is not written over: name another" in done.stderr
     assert {p.name: p.is_dir() or p.read_bytes() for p in tmp_path.iterdir()} == before

@@ -9,16 +9,12 @@ import sys
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from support.command import invoke
+from support.each import each
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.accuracy.cost import MINUTES
 from graphic_tmm.accuracy.minutes import read_minutes
 from graphic_tmm.errors import SceneError
-
-
-def invoke(*arguments: str | Path) -> Result:
-    return CliRunner().invoke(main, [str(a) for a in arguments])
 
 
 @pytest.mark.slow
@@ -52,8 +48,8 @@ def test_accuracy_without_time_speaks_of_no_seconds() -> None:
     assert "квартили" not in found.stdout
 
 
-@pytest.mark.parametrize(
-    ("text", "words"),
+@each(
+    "text, words",
     [
         ("R9 = 1.0", ["R9", "no such elementary operation", "R1"]),
         ("R1 = -1", ["R1", "a number 0 to 1000000"]),
