@@ -1,4 +1,4 @@
-"""What marks and views are for, in the field's terms: by these code finds them in a log, never by their letters and names.
+"""What marks and views are for, in the field's terms: by these, never by their letters, code finds them.
 
 A chapter's own roles stand in the chapter.
 """

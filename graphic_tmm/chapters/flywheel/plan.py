@@ -182,9 +182,10 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
 
 
 class _Works(NamedTuple):
-    """The works as drawn: their axes, points of the integrated side and of the straight one, ΔT read off (Length).
+    """The works as drawn: their axes, points of the integrated side and of the straight one.
 
-    ``sides``: the curve and the straight line. ``pole``: from where the rays to the ordinates of the moment have the slopes of ΔT.
+    ``sides``: the curve and the straight line. ``surplus``: ΔT read off (Length). ``pole``: from where the rays
+    to the ordinates of the moment have the slopes of ΔT.
     """
 
     axes: Axes

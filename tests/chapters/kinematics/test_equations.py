@@ -84,7 +84,9 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
         if mark.kind.__name__ == "Length":
             lengths.setdefault(quantity(mark.name), mark)
     for equation in found(name, plan):
-        point = _lettered(log, plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower())
+        point = _lettered(
+            log, plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower()
+        )
         assert point is not None
         for side in equation.sides:
             known = [term for term in side if term.known]
