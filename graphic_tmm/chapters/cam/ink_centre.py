@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_numbers import (
     LEAST,
@@ -56,7 +55,6 @@ class CentreNames(NamedTuple):
 
 
 def draw_centre_ink(
-    construction: Construction,
     reading: Reading,
     cam: Cam,
     names: CentreNames,

@@ -8,7 +8,6 @@ import math
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_numbers import (
@@ -35,7 +34,6 @@ ANGLE = 18.0
 
 
 def draw_rocker_ink(
-    construction: Construction,
     reading: Reading,
     cam: Cam,
     names: CentreNames,
