@@ -72,7 +72,8 @@ def formula(
     Raises
     ------
     TypeError
-        If the text cannot be read, or its names are not those of the arguments.
+        If the text cannot be read, its names are not those of the arguments, or nothing says why it may not
+        hold.
     """
 
     def enter(function: Callable[..., Any]) -> Operation:
@@ -90,6 +91,8 @@ def formula(
             raise TypeError(f"{function.__name__}: {error}") from error
         _check_names(function.__name__, tree, condition, set(arguments))
         made = Formula(function.__name__, arguments, text, holds, tree, condition, has_body)
+        if holds and not has_body and fails is None:
+            raise TypeError(f"{made.name}: where it does not hold it has to say why")
         run = function if has_body else _written(function, made)
         told = {} if fails is None else {"fails": fails}
         found = operation(formula=True, **told)(run)  # type: ignore[arg-type]

@@ -115,7 +115,7 @@ class Rounded:
 
     def sign(self) -> int:
         """Which side of zero it is on, for sure."""
-        if self.value and abs(self.value) <= self.off:
+        if self.off and abs(self.value) <= self.off:
             raise Undecided
         return int(mp.sign(self.value))
 
