@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.gallery import SHEETS
-from support.trials import honest, made
+from support.gallery import SHEETS, exact
+from support.trials import honest
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
@@ -35,7 +35,7 @@ def test_honest_drawings_are_fine() -> None:
 
 @pytest.mark.slow
 def test_scatter_goes_to_zero_with_the_hand() -> None:
-    due = cells(made("engine"))
+    due = cells(exact("engine"))
     key = ("velocities", "ab", "2")
     wide = []
     for share in (1.0, 0.1, 0.01):
@@ -43,7 +43,7 @@ def test_scatter_goes_to_zero_with_the_hand() -> None:
             ruler=None, digits=None, prick=0.15 * share, compass=0.15 * share,
             swing=0.6 * share, reading=0.75 * share, trials=200,
         )  # fmt: skip
-        found = scatter(made("engine"), Reader(hand), {key: {True}}, Limits())
+        found = scatter(exact("engine"), Reader(hand), {key: {True}}, Limits())
         wide.append(float(np.sqrt(np.mean(found[key, True].sorted ** 2))))
     assert wide[1] == pytest.approx(0.1 * wide[0], rel=0.05)
     assert wide[2] == pytest.approx(0.01 * wide[0], rel=0.05)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from support.gallery import SHEETS
-from support.trials import blamed, made, readings
+from support.gallery import SHEETS, exact
+from support.trials import blamed, readings
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells, cells_and_points, points
@@ -22,10 +22,10 @@ SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-cra
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("pointed", [False, True])
 def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
-    due = cells_and_points(made(name)) if pointed else cells(made(name))
+    due = cells_and_points(exact(name)) if pointed else cells(exact(name))
     rows = readings(due, due)
-    by = yardstick(made(name), rows, HANDS["student"]._replace(trials=2), Limits())
-    own = Comparison(made(name), rows, by)
+    by = yardstick(exact(name), rows, HANDS["student"]._replace(trials=2), Limits())
+    own = Comparison(exact(name), rows, by)
     drawn = [t for t in rows if t.plan == "velocities" and (t.pointed or t.mm is not None)]
     assert all(own.errors(taken) for taken in drawn)
     assert max(abs(error) for taken in rows for _, error, _ in own.errors(taken)) < 1e-9
@@ -41,7 +41,7 @@ def test_a_ray_turned_by_four_degrees_is_blamed() -> None:
 
 def test_a_ray_that_slipped_is_blamed() -> None:
     """Point b stands on the line pb, off the line ab: that line was drawn wrong."""
-    spots = points(made("engine"))
+    spots = points(exact("engine"))
     a, b = spots["velocities", "a", "3"], spots["velocities", "b", "3"]
     wrong = b * (1.0 - 7.0 / abs(b))
     rows = [
@@ -58,7 +58,7 @@ def test_a_ray_that_slipped_is_blamed() -> None:
 def test_what_follows_from_a_slip_is_not_punished() -> None:
     """ab is read 6 mm too long; the normal component calculated from it is right for that reading."""
     name = "engine"
-    due = cells(made(name))
+    due = cells(exact(name))
     ab, pb = due["velocities", "ab", "2"].mm, due["velocities", "pb", "2"].mm
     nab = due["accelerations", "nab", "2"].mm
     assert ab is not None

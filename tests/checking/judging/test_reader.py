@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.gallery import SHEETS
+from support import gallery
+from support.gallery import CASES, SHEETS
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking import known
@@ -28,7 +29,6 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made, make
 
-CASES = Path(__file__).resolve().parents[2] / "cases" / "check"
 HEAD = "plan,position,segment,mm,value,unit,x,y\n"
 TRIALS = 120
 CLUMSY = 5.0
@@ -36,7 +36,7 @@ CLUMSY = 5.0
 
 @cache
 def scene(name: str) -> Scene:
-    return read(CASES / f"{name}.toml")
+    return read(CASES / "check" / f"{name}.toml")
 
 
 @cache
@@ -137,7 +137,7 @@ def test_both_figures_of_a_row_are_judged_and_agree(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_both_figures_agree_on_plans_that_no_step_measures_too(tmp_path: Path) -> None:
     """μ of the diagram of S is its own; 30 % more than the length says is no reading of it."""
-    made = make(read(SHEETS / "slider-diagrams"), exact=True)
+    made = gallery.exact("slider-diagrams")
     key, cell = max(
         ((k, c) for k, c in cells(made).items() if k[:2] == ("diagrams", "S") and c.mm is not None),
         key=lambda one: abs(one[1].mm or 0.0),
@@ -207,7 +207,7 @@ def test_an_absurd_figure_is_wrong_however_the_hand_scatters() -> None:
 
 def test_a_flywheel_a_hundredth_of_what_is_due_is_wrong_by_a_clumsy_hand() -> None:
     """J is a difference of areas: a hand five times as clumsy is off by more than J itself."""
-    made = make(read(SHEETS / "engine"), exact=True)
+    made = gallery.exact("engine")
     due = cells(made)["results", "J_fly", ""]
     assert due.value is not None
     right = Taken("results", "", "J_fly", value=due.value, unit=due.unit)

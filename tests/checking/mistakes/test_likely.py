@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import pytest
-from support.trials import Planted, made, planted, plants, readings, usual
+from support.gallery import exact
+from support.trials import Planted, planted, plants, readings, usual
 
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.judge import judge
@@ -56,15 +57,15 @@ def test_an_inertia_force_that_is_not_reversed_is_named_first() -> None:
 
 @pytest.mark.slow
 def test_honest_wrong_readings_are_not_explained_by_force() -> None:
-    due = cells(made("engine"))
+    due = cells(exact("engine"))
     rows = [t for t in readings(due, due) if t.plan == "velocities" and t.mm is not None]
     off = [
         t._replace(mm=(t.mm or 0.0) + 17.3 + 3.1 * k) if k % 9 == 0 else t
         for k, t in enumerate(rows)
     ]
     by = usual("engine", "student")
-    judged = judge(made("engine"), off, by)
-    told = likely(made("engine"), judged, by.spread, "en")
+    judged = judge(exact("engine"), off, by)
+    told = likely(exact("engine"), judged, by.spread, "en")
     count = sum(one.verdict == WRONG for one in judged)
     assert count > 3
     assert all(len(one.lines) < count for one in told if one.name != "another segment")

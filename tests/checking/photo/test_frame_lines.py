@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import functools
 import io
-from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 from support import photographs
+from support.gallery import SHEETS
 from support.photographs import CORNERS, FRAME, PAPER, Camera
 
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
@@ -156,7 +156,7 @@ def test_any_quadrilateral_on_any_picture_gives_numbers() -> None:
 @pytest.mark.slow
 def test_the_frame_of_a_sheet_drawn_by_the_package() -> None:
     resvg = pytest.importorskip("resvg_py")
-    text = (Path(__file__).parents[3] / "sheets/engine/engine.svg").read_text("utf-8")
+    text = (SHEETS / "engine/engine.svg").read_text("utf-8")
     made = resvg.svg_to_bytes(svg_string=text, dpi=25.4 * photographs.DOTS, skip_system_fonts=True)
     painted = Image.open(io.BytesIO(bytes(made))).convert("RGBA")
     white = Image.new("RGBA", painted.size, "white")

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.checking.photo.perspective import bilinear, homography, ordered, through, vertices
 from graphic_tmm.errors import SheetError
@@ -21,7 +22,7 @@ def pairs(points: np.ndarray) -> np.ndarray:
     return np.stack([points.real, points.imag], axis=-1)
 
 
-@pytest.mark.parametrize("order", list(itertools.permutations(range(4))))
+@each("order", list(itertools.permutations(range(4))))
 def test_corners_come_in_any_order(order: tuple[int, ...]) -> None:
     assert (ordered(pairs(SEEN)[list(order)]) == SEEN).all()
 
@@ -32,7 +33,7 @@ def test_a_sheet_turned_less_than_an_eighth_keeps_its_corners(turn: float) -> No
     assert (ordered(pairs(square)[::-1]) == square).all()
 
 
-@pytest.mark.parametrize(
+@each(
     "corners",
     [
         [(0, 0), (100, 0), (200, 0), (100, 100)],

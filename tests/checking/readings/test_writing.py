@@ -6,14 +6,14 @@ import csv
 import io
 
 import pytest
-from support.gallery import NAMES, SHEETS
+from support import gallery
+from support.gallery import NAMES
 
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import result_columns, template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make, table, table_columns
+from graphic_tmm.studio import table, table_columns
 
 COLUMNS = (
     Column("velocities", "pb", "pb", "m/s", (0.0, 1.0, None), (0.0, 0.25, None)),
@@ -79,7 +79,7 @@ def test_writing_quotes_what_would_be_taken_for_something_else():
 @pytest.mark.parametrize("name", NAMES)
 def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
     """Filled in with the program's own figures, row by row by the csv module, every figure comes back, once."""
-    made = make(read(SHEETS / name))
+    made = gallery.made(name)
     work = made.work
     columns = table_columns(work) if work is not None else []
     results = {k: v for part in made.parts for k, v in part.results().items()}
@@ -106,7 +106,7 @@ def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
 
 
 def test_the_table_of_a_scene_is_a_file_of_readings(tmp_path):
-    made = make(read(SHEETS / "engine"))
+    made = gallery.made("engine")
     text = table(made, "csv")
     assert isinstance(text, str)
     back = read_readings(saved(tmp_path, text))

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.gallery import ROOT
 from support.reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed, report
 
 from graphic_tmm.checking.records import WRONG
@@ -93,13 +94,11 @@ for form in FORMS:
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_the_run() -> None:
     here = os.path.dirname(os.path.abspath(__file__))
-    tests = os.path.dirname(os.path.dirname(here))
-    root = os.path.dirname(tests)
-    script = SCRIPT.format(here=here, tests=tests, root=root)
+    script = SCRIPT.format(here=here, tests=str(ROOT / "tests"), root=str(ROOT))
     runs = [
         subprocess.run(
             [sys.executable, "-c", script],
-            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": root},
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)},
             capture_output=True,
             check=True,
         ).stdout
