@@ -10,7 +10,7 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
@@ -31,13 +31,12 @@ class Asked(Generic[T]):
 
     def of(self, scene: Scene) -> T | None:
         """Return what the scene asks for; None if it has no such section."""
-        found: T | None = getattr(scene, self.section)
+        found: T | None = scene.tasks.get(self.section)
         return found
 
     def put(self, scene: Scene, task: T | None) -> Scene:
         """Return the scene asking for ``task`` instead; None: not asking."""
-        changed: dict[str, Any] = {self.section: task}
-        return replace(scene, **changed)
+        return scene.asking(**{self.section: task})
 
 
 class Holder(Protocol):

@@ -211,7 +211,11 @@ def fixed(name: str, scene: Scene) -> bool:
     """Whether the scene itself says how large something is."""
     if name in PLANS:
         return any(getattr(scene.scales, key) for key in PLANS[name])
-    return name == "forces" and scene.forces is not None and scene.forces.mu is not None
+    return (
+        name == "forces"
+        and scene.tasks.get("forces") is not None
+        and scene.tasks["forces"].mu is not None
+    )
 
 
 def fitted_parts(

@@ -26,7 +26,8 @@ from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.planetary.plan import Planetary, draw_overall, draw_planetary
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scaling import free_scales
-from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES, Scene
+from graphic_tmm.scene.places import FREE_PLACES, alone
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.work import hand_of
 
 Results = dict[str, tuple[float, str]]
@@ -113,7 +114,7 @@ def draw_parts(
     wanted = scene.called if wanted is None else wanted
     found = []
     try:
-        for kind in PART_PLACES:
+        for kind in alone():
             if kind in scene.called:
                 recorded = _RECORD[kind](scene)
                 found += [_part(kind, scene, recorded, hand)] if kind in wanted else []
@@ -129,17 +130,19 @@ def resized(part: Part, sizes: Mapping[str, float]) -> Part:
     """
     scene, share = part.scene, sizes.get(part.kind, 1.0)
     if isinstance(part.made, Cam):
-        assert scene.cam is not None
-        order = replace(scene.cam, base=scene.cam.base * sizes.get("cam graphs", 1.0))
+        assert scene.tasks.get("cam") is not None
+        order = replace(
+            scene.tasks["cam"], base=scene.tasks["cam"].base * sizes.get("cam graphs", 1.0)
+        )
         if share < 1.0:
             mu = float(part.reading[part.made.profile.mu][0, 0])
             order = replace(order, mu_l=standard_length(mu / share, 1.0))
-        return _part("cam", scene, _cam(replace(scene, cam=order)), part.hand)
+        return _part("cam", scene, _cam(scene.asking(cam=order)), part.hand)
     if isinstance(part.made, Gear) and share < 1.0:
-        assert scene.gears is not None
+        assert scene.tasks.get("gears") is not None
         mu = float(part.reading[part.made.line.mu][0, 0])
-        order_ = replace(scene.gears, mu=standard_length(mu / share, 1.0))
-        return _part("gears", scene, _gears(replace(scene, gears=order_)), part.hand)
+        order_ = replace(scene.tasks["gears"], mu=standard_length(mu / share, 1.0))
+        return _part("gears", scene, _gears(scene.asking(gears=order_)), part.hand)
     if isinstance(part.made, Planetary) and share < 1.0:
         return _part("planetary", scene, _planetary(scene, share), part.hand)
     return part
@@ -170,26 +173,26 @@ class _Recorded(NamedTuple):
 
 
 def _gears(scene: Scene) -> _Recorded:
-    assert scene.gears is not None
+    assert scene.tasks.get("gears") is not None
     draft = Draft()
-    made = draw_gear(draft, scene.gears)
+    made = draw_gear(draft, scene.tasks["gears"])
     return _Recorded(made, draft, {}, lambda: gear_scales(draft, made))
 
 
 def _planetary(scene: Scene, size: float = 1.0) -> _Recorded:
-    assert scene.planetary is not None
+    assert scene.tasks.get("planetary") is not None
     draft = Draft()
-    made = draw_planetary(draft, scene.planetary, size)
+    made = draw_planetary(draft, scene.tasks["planetary"], size)
     extra = {}
-    if len(scene.behind) == 2:
-        extra["overall_ratio"] = draw_overall(draft, made, *scene.behind)
+    if made.order.behind:
+        extra["overall_ratio"] = draw_overall(draft, made, *made.order.behind)
     return _Recorded(made, draft, extra, dict)
 
 
 def _cam(scene: Scene) -> _Recorded:
-    assert scene.cam is not None
+    assert scene.tasks.get("cam") is not None
     draft = Draft()
-    made = draw_cam(draft, scene.cam)
+    made = draw_cam(draft, scene.tasks["cam"])
     return _Recorded(
         made, draft, {}, lambda: free_scales(made.charts, draft.board.construction(), draft.given)
     )

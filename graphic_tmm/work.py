@@ -15,6 +15,8 @@ from graphic_tmm.board.hand import EXACT, HANDS, Hand
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.chapters.engine.task import PLACES as ENGINE_PLACES
+from graphic_tmm.chapters.forces.task import PLACES as FORCE_PLACES
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.project import Project, draw_project
@@ -30,7 +32,8 @@ from graphic_tmm.scaling import (
     force_scales,
     polygon_scales,
 )
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene, with_plans
+from graphic_tmm.scene.places import with_plans
+from graphic_tmm.scene.records import Scene
 
 NARROW = {"A4": 140.0}
 """Room for the plan of positions on a format that has less than the usual one, mm."""
@@ -158,10 +161,10 @@ def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
             turned=scene.turned,
             trajectories=scene.trajectories,
             plans=[p for p in ("positions", "velocities", "accelerations") if p in wanted],
-            diagrams=scene.diagrams if "diagrams" in wanted else None,
-            flywheel=scene.flywheel if "flywheel" in wanted else None,
-            engine=scene.engine if wanted & set(ENGINE_PLACES) else None,
-            forces=scene.forces if wanted & _needing_forces(scene) else None,
+            diagrams=scene.tasks.get("diagrams") if "diagrams" in wanted else None,
+            flywheel=scene.tasks.get("flywheel") if "flywheel" in wanted else None,
+            engine=scene.tasks.get("engine") if wanted & set(ENGINE_PLACES) else None,
+            forces=scene.tasks.get("forces") if wanted & _needing_forces(scene) else None,
         )
     except StructureError as error:
         raise StructureError(f"{scene.source}: {error}") from error
@@ -169,7 +172,7 @@ def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
 
 def _needing_forces(scene: Scene) -> set[str]:
     """Return the places of a sheet that show forces, or a flywheel that is found by loads."""
-    by_loads = scene.flywheel is not None and scene.flywheel.indicator is None
+    by_loads = scene.tasks.get("flywheel") is not None and scene.tasks["flywheel"].indicator is None
     return {*FORCE_PLACES, "flywheel"} if by_loads else set(FORCE_PLACES)
 
 

@@ -24,27 +24,28 @@ def enlarge(scene: Scene, made: Made, times: float) -> Scene:
             mu_l=mu.get("positions"), mu_v=mu.get("velocities"), mu_a=mu.get("accelerations")
         )
         found = replace(found, scales=scales)
-        if scene.diagrams is not None:
-            found = replace(found, diagrams=_diagrams(scene.diagrams, mu, times))
-        if scene.flywheel is not None:
-            found = replace(found, flywheel=_flywheel(scene.flywheel, mu, times))
-        if scene.forces is not None and scene.forces.mu is not None:
-            found = replace(found, forces=replace(scene.forces, mu=scene.forces.mu / times))
-        if scene.engine is not None:
-            indicator = _indicator(scene.engine.indicator, times)
-            engine = replace(scene.engine, indicator=indicator, base=scene.engine.base * times)
-            found = replace(found, engine=engine)
+        if scene.tasks.get("diagrams") is not None:
+            found = found.asking(diagrams=_diagrams(scene.tasks["diagrams"], mu, times))
+        if scene.tasks.get("flywheel") is not None:
+            found = found.asking(flywheel=_flywheel(scene.tasks["flywheel"], mu, times))
+        forces, engine = scene.tasks.get("forces"), scene.tasks.get("engine")
+        if forces is not None and forces.mu is not None:
+            found = found.asking(forces=replace(forces, mu=forces.mu / times))
+        if engine is not None:
+            indicator = _indicator(engine.indicator, times)
+            engine = replace(engine, indicator=indicator, base=engine.base * times)
+            found = found.asking(engine=engine)
     for part in made.parts:
         own = part.scales()
-        if part.kind == "gears" and scene.gears is not None:
-            found = replace(found, gears=replace(scene.gears, mu=own["gear"].value / times))
-        if part.kind == "cam" and scene.cam is not None:
-            found = replace(found, cam=_cam(scene, times))
+        if part.kind == "gears" and scene.tasks.get("gears") is not None:
+            found = found.asking(gears=replace(scene.tasks["gears"], mu=own["gear"].value / times))
+        if part.kind == "cam" and scene.tasks.get("cam") is not None:
+            found = found.asking(cam=_cam(scene, times))
     return found
 
 
 def _cam(scene: Scene, times: float) -> CamOrder:
-    cam = scene.cam
+    cam: CamOrder = scene.tasks["cam"]
     assert cam is not None
 
     def finer(mu: float | None) -> float | None:
@@ -92,7 +93,7 @@ def _diagrams(order: KinematicOrder, mu: dict[str, float], times: float) -> Kine
 
 def farther(scene: Scene, made: Made, times: float) -> Scene:
     """Return a scene whose diagrams, as ``made``, have their poles so many times farther."""
-    order = scene.diagrams
+    order = scene.tasks["diagrams"]
     if order is None or made.work is None:
         return scene
     drawn: dict[str, ScaleOrder] = {}
@@ -103,4 +104,4 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
         else:
             drawn[symbol] = ScaleOrder(made.work.scales[VIEWS[symbol]].value * change)
     other = (drawn.get("S", order.S), drawn.get("V", order.V), drawn.get("a", order.a))
-    return replace(scene, diagrams=replace(order, S=other[0], V=other[1], a=other[2]))
+    return scene.asking(diagrams=replace(order, S=other[0], V=other[1], a=other[2]))

@@ -34,7 +34,6 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.bounds import DELTA
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
@@ -43,6 +42,7 @@ from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
+from graphic_tmm.scene.declare import bound_of
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 
@@ -125,7 +125,7 @@ def draw_flywheel(
 
 
 def _refuse(order: FlywheelOrder) -> None:
-    DELTA.refuse("flywheel", "delta", order.delta)
+    bound_of(FlywheelOrder, "delta").refuse("flywheel", "delta", order.delta)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.bounds import PLANETARY
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
 from graphic_tmm.chapters.planetary.formulas import overall_ratio
 from graphic_tmm.chapters.planetary.pictures import (
@@ -22,6 +21,7 @@ from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, d
 from graphic_tmm.chapters.planetary.scales import Drawn, choose_scales
 from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
+from graphic_tmm.scene.declare import bound_of
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,6 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
     board, letters = draft.board, []
     board.open(VIEW)
     for letter, z in (("z_a", driving), ("z_b", driven)):
-        PLANETARY["behind"].refuse("planetary", "behind", z)
+        bound_of(PlanetaryOrder, "behind").refuse("planetary", "behind", z)
         letters.append(draft.take(Number, letter, float(z)))
     return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

@@ -50,7 +50,7 @@ def _overall(part: Part) -> list[str]:
         return []
     language = part.scene.language
     ratio = float(part.reading[mark].ravel()[0])
-    first, last = part.scene.behind
+    first, last = part.made.order.behind
     rpm = abs(part.made.order.speed) * 30.0 / math.pi
     speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
     text = f"{number(float(part.results()['planetary_ratio'][0]), language)}·{last}/{first}"
