@@ -12,7 +12,7 @@ class OrderError(StructureError):
     """An order that makes no sense; ``key``: the section and the key of a scene that say so."""
 
     def __init__(self, section: str, key: str, message: str) -> None:
-        super().__init__(f"{section}: {message}")
+        super().__init__(f"{section}: {message}", f"{section}.{key}")
         self.key, self.says = (section, key), message
 
 

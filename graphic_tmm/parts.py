@@ -119,7 +119,7 @@ def draw_parts(
                 recorded = _RECORD[kind](scene)
                 found += [_part(kind, scene, recorded, hand)] if kind in wanted else []
     except StructureError as error:
-        raise StructureError(f"{scene.source}: {error}") from error
+        raise scene.located(error) from error
     return tuple(found)
 
 

@@ -130,7 +130,8 @@ def draw_project(
     if trajectories and tried.returning_late:
         raise StructureError(
             f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
-            "number of times in it: leave trajectories out"
+            "number of times in it: leave trajectories out",
+            "plans.trajectories",
         )
     _draw_trajectories(draft, positions, trajectories, row.count)
     velocities = accelerations = None
@@ -239,7 +240,8 @@ def _places(
     missing = [name for name in wanted if name not in names]
     if missing:
         raise StructureError(
-            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}",
+            "drive.accelerations" if section == "accelerations" else f"{section}.positions",
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
@@ -302,6 +304,8 @@ def _draw_trajectories(
 ) -> None:
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
-            raise StructureError(f"trajectories: there is no point {letter} on the plan")
+            raise StructureError(
+                f"trajectories: there is no point {letter} on the plan", "plans.trajectories"
+            )
         name = draft.board.free(f"({letter}–{letter})")
         draft.board.draw(french_curve, name, positions.point(letter), row=count)

@@ -167,7 +167,7 @@ def record(scene: Scene, wanted: Set[str] | None = None) -> Project:
             forces=scene.tasks.get("forces") if wanted & _needing_forces(scene) else None,
         )
     except StructureError as error:
-        raise StructureError(f"{scene.source}: {error}") from error
+        raise scene.located(error) from error
 
 
 def _needing_forces(scene: Scene) -> set[str]:

@@ -121,7 +121,8 @@ def _division(order: CamOrder, name: str, extent: float, law: Law) -> Division:
                 return parts, shares
     raise StructureError(
         f"cam, {name}: no division into {wanted} … {4 * wanted} parts has a position at every jump of the "
-        "acceleration: let the jumps stand at simple shares of the phase"
+        "acceleration: let the jumps stand at simple shares of the phase",
+        "cam.law_points" if name == "rise" else "cam.return_points",
     )
 
 

@@ -85,7 +85,7 @@ def _refuse_choices(order: CamOrder) -> None:
             _bounded("parts", count)
     if order.turns not in ("clockwise", "counterclockwise"):
         raise StructureError(
-            f'cam: it turns "{order.turns}": take "clockwise" or "counterclockwise"'
+            f'cam: it turns "{order.turns}": take "clockwise" or "counterclockwise"', "cam.turns"
         )
 
 

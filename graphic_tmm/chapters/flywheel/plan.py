@@ -128,7 +128,9 @@ def _refuse(order: FlywheelOrder) -> None:
     bound_of(FlywheelOrder, "delta").refuse("flywheel", "delta", order.delta)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
-        raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")
+        raise StructureError(
+            f"flywheel: the pole distance H = {pole:g} mm is not greater than 0", "flywheel.H"
+        )
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -150,13 +152,14 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
     if forces is None:
         raise StructureError(
-            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
+            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]",
+            "flywheel",
         )
     board = draft.board
     found = [forces.lever.moments[k] for k in forces.loads.outer if k in forces.lever.moments]
     if not found:
         raise StructureError(
-            "flywheel: no load does work: give gravity or a [[load]] besides inertia"
+            "flywheel: no load does work: give gravity or a [[load]] besides inertia", "flywheel"
         )
     total = found[0]
     for more in found[1:]:

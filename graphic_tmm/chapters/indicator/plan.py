@@ -136,7 +136,8 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
         pressure = draft.take(Number, f"p_{sign}", values, "Pa")
     else:
         raise StructureError(
-            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
+            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each",
+            f"indicator.{name}",
         )
     height = board.draw(to_board, f"h_{sign}", pressure, on.mu)
     points = board.draw(lay_off, sign, on.lines, height)

@@ -148,7 +148,7 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
 
 def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
     scene = read(SHEETS / "windrower").asking(diagrams=KinematicOrder("C"))
-    with pytest.raises(StructureError, match=r"diagrams: point C does not slide.*are D"):
+    with pytest.raises(StructureError, match=r"diagrams.point: point C does not slide.*are D"):
         work(scene)
     none = read(SHEETS / "crank-rocker").asking(diagrams=KinematicOrder("B"))
     none = replace(none, sheets=(SheetOrder("A1", ("positions", "diagrams")),))
