@@ -27,11 +27,12 @@ from graphic_tmm.accuracy.settings import Setting, whole
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
-from graphic_tmm.chapters.forces.task import PLACES
+from graphic_tmm.chapters.forces import CHAPTER as FORCES
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.language.words import fixed, number
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import Made, make
+from graphic_tmm.studio import make
 
 DRAWINGS, FEW = 100, 20
 """How often a hand that slips draws at a setting; and to see whether it is worth more."""
@@ -42,8 +43,8 @@ POLES = (1.0, 2.0)
 ASKED = {
     "v": ("velocities",),
     "a": ("accelerations",),
-    "P_bal": tuple(PLACES),
-    "M_bal": tuple(PLACES),
+    "P_bal": tuple(place.name for place in FORCES.places),
+    "M_bal": tuple(place.name for place in FORCES.places),
 }
 """Quantities that are asked for only if one of these places is on a sheet; others always."""
 
@@ -200,7 +201,7 @@ def _measured(candidate: Candidate, judge: References, percent: float) -> dict[s
     return errors
 
 
-def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str, float]]:
+def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dict[str, float]]:
     """Return the scene of a candidate and its errors with the scales that its own sheets give it."""
     scene = candidate.scene
     try:
@@ -218,11 +219,11 @@ def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str,
         return None, {}
 
 
-def _sheets(made: Made) -> int:
+def _sheets(made: DrawnScene) -> int:
     """Return how many sheets a scene takes."""
     from graphic_tmm.paper.measuring import Trial, needed
 
-    tried = Trial.of(made.work) if made.work is not None else None
+    tried = Trial.of(made.mechanism) if made.mechanism is not None else None
     return needed(made.scene, tried, made.parts, {})
 
 

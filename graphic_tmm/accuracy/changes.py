@@ -6,48 +6,52 @@ from dataclasses import replace
 
 from graphic_tmm.accuracy.drawing import finer
 from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.chapters.cam.task import ASKED as CAM
 from graphic_tmm.chapters.cam.task import CamOrder
 from graphic_tmm.chapters.diagrams.plan import BASE, VIEWS
+from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.engine.task import ASKED as ENGINE
+from graphic_tmm.chapters.flywheel.task import ASKED as FLYWHEEL
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.forces.task import ASKED as FORCES
+from graphic_tmm.chapters.gears.task import ASKED as GEARS
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.scene.records import Scales, Scene
-from graphic_tmm.studio import Made
 
 
-def enlarge(scene: Scene, made: Made, times: float) -> Scene:
+def enlarge(scene: Scene, made: DrawnScene, times: float) -> Scene:
     """Return a scene drawn so many times larger than it was ``made``: every μ so much finer."""
     found = scene
-    if made.work is not None:
-        mu = {plan: scale.value / times for plan, scale in made.work.scales.items()}
+    if made.mechanism is not None:
+        mu = {plan: scale.value / times for plan, scale in made.mechanism.scales.items()}
         scales = Scales(
             mu_l=mu.get("positions"), mu_v=mu.get("velocities"), mu_a=mu.get("accelerations")
         )
         found = replace(found, scales=scales)
-        if scene.tasks.get("diagrams") is not None:
-            found = found.asking(diagrams=_diagrams(scene.tasks["diagrams"], mu, times))
-        if scene.tasks.get("flywheel") is not None:
-            found = found.asking(flywheel=_flywheel(scene.tasks["flywheel"], mu, times))
-        forces, engine = scene.tasks.get("forces"), scene.tasks.get("engine")
+        if (diagrams := DIAGRAMS.of(scene)) is not None:
+            found = DIAGRAMS.put(found, _diagrams(diagrams, mu, times))
+        if (flywheel := FLYWHEEL.of(scene)) is not None:
+            found = FLYWHEEL.put(found, _flywheel(flywheel, mu, times))
+        forces, engine = FORCES.of(scene), ENGINE.of(scene)
         if forces is not None and forces.mu is not None:
-            found = found.asking(forces=replace(forces, mu=forces.mu / times))
+            found = FORCES.put(found, replace(forces, mu=forces.mu / times))
         if engine is not None:
             indicator = _indicator(engine.indicator, times)
             engine = replace(engine, indicator=indicator, base=engine.base * times)
-            found = found.asking(engine=engine)
+            found = ENGINE.put(found, engine)
     for part in made.parts:
         own = part.scales()
-        if part.kind == "gears" and scene.tasks.get("gears") is not None:
-            found = found.asking(gears=replace(scene.tasks["gears"], mu=own["gear"].value / times))
-        if part.kind == "cam" and scene.tasks.get("cam") is not None:
-            found = found.asking(cam=_cam(scene, times))
+        gears, cam = GEARS.of(scene), CAM.of(scene)
+        if part.kind == "gears" and gears is not None:
+            found = GEARS.put(found, replace(gears, mu=own["gear"].value / times))
+        if part.kind == "cam" and cam is not None:
+            found = CAM.put(found, _cam(cam, times))
     return found
 
 
-def _cam(scene: Scene, times: float) -> CamOrder:
-    cam: CamOrder = scene.tasks["cam"]
-    assert cam is not None
-
+def _cam(cam: CamOrder, times: float) -> CamOrder:
     def finer(mu: float | None) -> float | None:
         return None if mu is None else mu / times
 
@@ -91,10 +95,10 @@ def _diagrams(order: KinematicOrder, mu: dict[str, float], times: float) -> Kine
     return replace(order, base=base, mu_along=along, S=drawn["S"], V=drawn["V"], a=drawn["a"])
 
 
-def farther(scene: Scene, made: Made, times: float) -> Scene:
+def farther(scene: Scene, made: DrawnScene, times: float) -> Scene:
     """Return a scene whose diagrams, as ``made``, have their poles so many times farther."""
-    order = scene.tasks["diagrams"]
-    if order is None or made.work is None:
+    order = DIAGRAMS.of(scene)
+    if order is None or made.mechanism is None:
         return scene
     drawn: dict[str, ScaleOrder] = {}
     for symbol, change in finer(order.start, times).items():
@@ -102,6 +106,6 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
         if one.pole is not None:
             drawn[symbol] = ScaleOrder(None, one.pole * times)
         else:
-            drawn[symbol] = ScaleOrder(made.work.scales[VIEWS[symbol]].value * change)
+            drawn[symbol] = ScaleOrder(made.mechanism.scales[VIEWS[symbol]].value * change)
     other = (drawn.get("S", order.S), drawn.get("V", order.V), drawn.get("a", order.a))
-    return scene.asking(diagrams=replace(order, S=other[0], V=other[1], a=other[2]))
+    return DIAGRAMS.put(scene, replace(order, S=other[0], V=other[1], a=other[2]))

@@ -17,9 +17,9 @@ from graphic_tmm.board.findings import Finding
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Curve, Length, Side, undefined
-from graphic_tmm.chapters.kinematics.equations import equations
 from graphic_tmm.language.captions import CAPTIONS, UNITS_RU
 from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.readers.equations import equations
 
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 

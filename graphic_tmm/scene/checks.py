@@ -14,6 +14,7 @@ from graphic_tmm.scene import geometry, registry
 from graphic_tmm.scene.declare import Found, Path, Said, Section, build
 from graphic_tmm.scene.document import table
 from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
+from graphic_tmm.scene.places import of_section
 from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.values import OTHER_EXTREME
 
@@ -62,7 +63,7 @@ def _placed(parts: Parts) -> Iterator[Found]:
     for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
         places = table(sheet).get("place")
         for section in registry.sections():
-            for place in section.places:
+            for place in of_section(section):
                 if isinstance(places, list) and place in places and section.name not in parts.doc:
                     says = f"nothing says what it is; write a section [{section.name}]"
                     says = f'"{place}": {says} with {section.begin}'

@@ -168,10 +168,9 @@ Check = Callable[[Any, "Parts"], Iterator[Found]]
 class Section:
     """A section that scenes may have.
 
-    ``record``: its declaration. ``number``: its place among the sections. ``says``: what it is, in the scene.
+    ``record``: its declaration. ``says``: what it is, in the scene.
     ``several``: it is a list of tables. ``always``: it is read even where it is not written: all its keys have
     defaults. ``alone``: it needs no mechanism. ``gives``: it asks for nothing itself, but for others.
-    ``places``: what a sheet can show of it, with the rank on a sheet that does not say what it shows.
     ``begin``: the keys that it begins with, for a remedy. ``check``: what it said (a list of paths and these,
     if there may be several) -> every contradiction. ``refuse``: its record -> OrderError of the plan that
     cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes to
@@ -181,13 +180,11 @@ class Section:
 
     name: str
     record: type
-    number: int
     says: str = ""
     several: bool = False
     always: bool = False
     alone: bool = False
     gives: bool = False
-    places: Mapping[str, int] = field(default_factory=dict)
     begin: str = ""
     check: Check = lambda said, parts: iter(())
     refuse: Callable[[Any], object] | None = None

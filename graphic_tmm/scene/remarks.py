@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene.checks import centres_of
+from graphic_tmm.scene.places import of_section
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import sections
 from graphic_tmm.scene.sections import Parts
@@ -45,12 +46,12 @@ def unplaced(scene: Scene) -> tuple[str, ...]:
 
 def _unplaced(scene: Scene) -> Iterator[str]:
     there = [section for section in sections() if section.name in scene.tasks]
-    seen = [section for section in there if scene.shown & set(section.places)]
+    seen = [section for section in there if scene.shown & set(of_section(section))]
     shown = {name for section in seen for name in section.shows(scene.tasks[section.name])}
     for section in there:
         if section in seen or section.name in shown:
             continue
-        listed = " or ".join(f'"{place}"' for place in section.places)
+        listed = " or ".join(f'"{place}"' for place in of_section(section))
         yield f"{section.name}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]"
     if scene.row.accelerations and not scene.shown & set(TABLES["accelerations"]):
         yield (

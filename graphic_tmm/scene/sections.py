@@ -17,23 +17,23 @@ from graphic_tmm.errors import TmmError
 from graphic_tmm.scene import drawing, lengths, letters, mechanism, quantities, registry
 from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, raw_links, table
-from graphic_tmm.scene.places import FREE_PLACES, alone
+from graphic_tmm.scene.places import of_section, without_mechanism
 from graphic_tmm.scene.references import Outline, outline
 from graphic_tmm.scene.tables import MOST, understood, unknown_key
 
 FIRST = (
-    Section("task", mechanism.Task, 0, "lengths found from a task"),
-    Section("frame", mechanism.Frame, 0, "the fixed link", always=True),
-    Section("link", mechanism.Link, 0, "the moving links, in order", several=True),
-    Section("drive", mechanism.Drive, 0, "the driving link and its motion"),
-    Section("plans", drawing.Plans, 0, always=True),
+    Section("task", mechanism.Task, "lengths found from a task"),
+    Section("frame", mechanism.Frame, "the fixed link", always=True),
+    Section("link", mechanism.Link, "the moving links, in order", several=True),
+    Section("drive", mechanism.Drive, "the driving link and its motion"),
+    Section("plans", drawing.Plans, always=True),
 )
 """The sections of every scene that stand before those of chapters."""
 LAST = (
-    Section("scales", drawing.Scales, 0, always=True),
-    Section("hand", drawing.Hand, 0, always=True),
-    Section("sheet", drawing.SheetOrder, 0, "the sheets", several=True),
-    Section("title_block", drawing.TitleBlock, 0, always=True),
+    Section("scales", drawing.Scales, always=True),
+    Section("hand", drawing.Hand, always=True),
+    Section("sheet", drawing.SheetOrder, "the sheets", several=True),
+    Section("title_block", drawing.TitleBlock, always=True),
 )
 """Those that stand behind them."""
 LENGTHS = "lengths"
@@ -173,9 +173,9 @@ def needs_mechanism(doc: Document) -> bool:
     places = [place for s in sheets for place in _listed(s.get("place", []))]
     asked = any(key in doc for key in _EXAMPLES)
     asked = asked or any(s.name in doc and not s.alone for s in registry.sections())
-    parts = any(s.name in doc and s.alone and s.places for s in registry.sections())
+    parts = any(s.name in doc and s.alone and of_section(s) for s in registry.sections())
     nothing = any("place" not in s for s in sheets) and not parts
-    return asked or nothing or any(p not in (*FREE_PLACES, *alone()) for p in places)
+    return asked or nothing or any(p not in without_mechanism() for p in places)
 
 
 def _listed(value: object) -> list[object]:

@@ -6,10 +6,11 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from graphic_tmm.chapters.engine.task import PLACES as ENGINE_PLACES
-from graphic_tmm.chapters.forces.task import PLACES as FORCE_PLACES
-from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.work import record
+
+from graphic_tmm.chapters.engine import CHAPTER as ENGINE
+from graphic_tmm.chapters.forces import CHAPTER as FORCES
+from graphic_tmm.scene.records import Scene, SheetOrder
 
 Steps = Counter[tuple[str, str]]
 """How many steps each view has, by operation."""
@@ -18,8 +19,8 @@ PLACED = {
     "accelerations": ("accelerations",),
     "diagrams": ("diagrams",),
     "flywheel": ("flywheel",),
-    "engine": ENGINE_PLACES,
-    "forces": FORCE_PLACES,
+    "engine": tuple(place.name for place in ENGINE.places),
+    "forces": tuple(place.name for place in FORCES.places),
 }
 """What stands on the sheet of each effect that is a plan of its own."""
 LOADS = ("gravity", "inertia", "friction")

@@ -285,7 +285,7 @@ def _refuse(order: CamOrder) -> None:
 
 SECTIONS = (
     Section(
-        "cam", CamOrder, 90, "a cam", alone=True, places={"cam": 100},
+        "cam", CamOrder, "a cam", alone=True,
         begin='stroke = "28 mm", rise = "100 deg", fall = "90 deg"', check=check, refuse=_refuse,
     ),
 )  # fmt: skip

@@ -106,7 +106,7 @@ def check(said: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "diagrams", KinematicOrder, 10, "kinematic diagrams of a point",
-        places={"diagrams": 50}, begin='point = "D"', check=check,
+        "diagrams", KinematicOrder, "kinematic diagrams of a point",
+        begin='point = "D"', check=check,
     ),
 )  # fmt: skip

@@ -16,9 +16,6 @@ from graphic_tmm.scene.declare import Found, Said, Section, key, made
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
-PLACES = {"engine": 80, "engine diagrams": 81}
-"""What a sheet can show of an engine's forces, with the rank on a sheet that does not say what it shows."""
-
 
 @dataclass(frozen=True)
 class EngineOrder:
@@ -76,7 +73,7 @@ def check(said: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "engine", EngineOrder, 80, "the forces of an engine's crank mechanism", places=PLACES,
+        "engine", EngineOrder, "the forces of an engine's crank mechanism",
         begin='point = "B"', check=check,
         joined=lambda others: {"indicator": others["indicator"]},
     ),

@@ -131,8 +131,8 @@ def _defaults(said: Said, parts: Parts) -> Iterator[str]:
 
 SECTIONS = (
     Section(
-        "flywheel", FlywheelOrder, 30, "the flywheel of a machine",
-        places={"flywheel": 60}, begin="delta = 0.04", weighs=True, check=check,
+        "flywheel", FlywheelOrder, "the flywheel of a machine",
+        begin="delta = 0.04", weighs=True, check=check,
         joined=lambda others: {"indicator": others["indicator"]},
         shows=lambda order: () if order.indicator else ("forces",), defaults=_defaults,
     ),

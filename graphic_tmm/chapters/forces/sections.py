@@ -133,19 +133,19 @@ def _defaults(said: Said, parts: Parts) -> Iterator[str]:
 
 SECTIONS = (
     Section(
-        "effects", task.Effects, 40, always=True, alone=True, gives=True,
+        "effects", task.Effects, always=True, alone=True, gives=True,
         check=_effects, idle=_idle_effects,
     ),
     Section(
-        "load", task.Load, 50, "forces and moments on links", several=True, gives=True,
+        "load", task.Load, "forces and moments on links", several=True, gives=True,
         check=_loads, idle=_idle_loads,
     ),
     Section(
-        "forces", task.ForcesOrder, 60, "kinetostatics and the lever", places=task.PLACES,
+        "forces", task.ForcesOrder, "kinetostatics and the lever",
         begin="positions = [2]", weighs=True, check=_forces, joined=task.joined, defaults=_defaults,
     ),
     Section(
-        "friction", task.Rubbed, 70, "friction of the pairs", gives=True,
+        "friction", task.Rubbed, "friction of the pairs", gives=True,
         check=_friction, idle=_idle_friction,
     ),
 )  # fmt: skip

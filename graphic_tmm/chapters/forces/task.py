@@ -18,8 +18,6 @@ from graphic_tmm.scene.tables import Named
 GRAVITY = 9.81
 """g throughout the documents, m/s²: what a weight is taken with if a scene gives no other."""
 AGAINST = w.AGAINST
-PLACES = {"forces": 70, "lever": 71, "force table": 72}
-"""What a sheet can show of forces, with the rank on a sheet that does not say what it shows."""
 _BY_SHARES = [[0, "0 N"], [1, "190 N"]]
 
 

@@ -74,7 +74,7 @@ def _refuse(order: GearOrder) -> None:
 
 SECTIONS = (
     Section(
-        "gears", GearOrder, 100, "a pair of gears", alone=True, places={"gears": 110},
+        "gears", GearOrder, "a pair of gears", alone=True,
         begin='z1 = 15, z2 = 25, m = "8 mm"', refuse=_refuse,
     ),
 )  # fmt: skip

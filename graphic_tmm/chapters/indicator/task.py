@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.bounds import Bound
 from graphic_tmm.scene import quantities
@@ -174,6 +174,14 @@ class IndicatorOrder:
     )
 
 
+class Wish(NamedTuple):
+    """A cylinder that a chapter needs; of several the one of the highest ``rank`` shows its diagram."""
+
+    rank: int
+    by: str
+    order: IndicatorOrder
+
+
 def check(said: Said, parts: Parts) -> Iterator[Found]:
     """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
     yield from parts.moves(("indicator", "point"), said.point)
@@ -240,7 +248,7 @@ def _idle(said: Said, parts: Parts) -> Iterator[str]:
 
 SECTIONS = (
     Section(
-        "indicator", IndicatorOrder, 20, "the indicator diagram of a cylinder",
+        "indicator", IndicatorOrder, "the indicator diagram of a cylinder",
         alone=True, gives=True, check=check, idle=_idle,
     ),
 )  # fmt: skip

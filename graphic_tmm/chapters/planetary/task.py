@@ -323,8 +323,8 @@ def check(said: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "planetary", PlanetaryOrder, 110, "a planetary train", alone=True,
-        places={"planetary": 120}, begin='ratio = 4.55, module = "8 mm"', check=check,
+        "planetary", PlanetaryOrder, "a planetary train", alone=True,
+        begin='ratio = 4.55, module = "8 mm"', check=check,
         refuse=scheme_of,
     ),
 )  # fmt: skip
