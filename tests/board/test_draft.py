@@ -67,6 +67,12 @@ def test_a_view_without_a_scale_of_its_own_is_drawn_to_that_of_lengths() -> None
     assert _used(draft, draft.draw(to_board, "h", m["ω"]), m) == ["ω", "μ_l"]
 
 
+def test_a_real_length_is_drawn_to_the_scale_of_lengths_in_every_view() -> None:
+    draft, m = _plans()
+    draft.open("velocities")
+    assert draft.uses(draft.length("OA", 1.0))[1] == m["μ_l"]
+
+
 def test_scale_factors_may_be_told() -> None:
     draft, m = _plans()
     other = m["other"] = draft.ask(Number, "μ", "m/mm")
