@@ -147,7 +147,7 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
     )
     # a derivative by the angle is told as what it is, and not compared with the plan's velocity
     assert {chart.unit for chart in kinematic(over_angle).charts.values()} == {"m"}
-    assert set(kinematic(over_time).planned) == {"V"}
+    assert "V" in kinematic(over_time).planned
     assert not kinematic(over_angle).planned
 
 
