@@ -80,7 +80,7 @@ class Key:
     """A key of a section: what may stand there, a sentence, an example, its default.
 
     ``default``: the value, as it is read; MISSING where the key has to be written. ``fixes``: "size" where it
-    fixes how large something is drawn. ``draws``: view and letter of the lengths that are laid off by it.
+    fixes how large something is drawn.
     """
 
     kind: Sort
@@ -88,7 +88,6 @@ class Key:
     example: Any
     default: Any
     fixes: str = ""
-    draws: tuple[tuple[str, str], ...] = ()
 
     def left_out(self) -> Any:
         """Return the default, a new one where it could be changed."""
@@ -103,10 +102,9 @@ def key(
     *,
     written: str = "",
     fixes: str = "",
-    draws: tuple[tuple[str, str], ...] = (),
 ) -> Any:
     """Return a field that is a key of the file (``written`` differently there); as `Key`."""
-    declared = Key(kind, says, example, default, fixes, draws)
+    declared = Key(kind, says, example, default, fixes)
     about = {"keys": {written: declared}, "make": None}
     if isinstance(default, dict):
         return field(default_factory=declared.left_out, metadata=about)

@@ -60,7 +60,7 @@ def _inner(sort: Sort) -> Iterator[type]:
     elif isinstance(sort, (tables.Named, tables.Several)):
         yield from _inner(sort.each)
     elif isinstance(sort, tables.ByShape):
-        yield from (*_inner(sort.else_), *_inner(sort.such))
+        yield from (*_inner(sort.other), *_inner(sort.such))
 
 
 def _value(sort: Sort) -> str:
@@ -74,7 +74,7 @@ def _value(sort: Sort) -> str:
     if isinstance(sort, tables.Several):
         return f"a list: {_value(sort.each)}"
     assert isinstance(sort, tables.ByShape)
-    return f"{_value(sort.else_)}; or {_value(sort.such)}"
+    return f"{_value(sort.other)}; or {_value(sort.such)}"
 
 
 def _of_kind(kind: Kind) -> str:
