@@ -22,9 +22,10 @@ from graphic_tmm.chapters.flywheel.table import (
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.errors import Fault, SceneError, ViewError
 from graphic_tmm.fitting import fitted, fitted_parts
-from graphic_tmm.language.words import finding, left_out, plain
+from graphic_tmm.language.words import plain
 from graphic_tmm.parts import Part, draws_mechanism
 from graphic_tmm.readers.columns import Column, Positions, columns
+from graphic_tmm.readers.findings import finding, left_out
 from graphic_tmm.readers.spread import spread_columns, spread_results
 from graphic_tmm.readers.text import result_tables, rich_tables
 from graphic_tmm.readers.wheels import wheel_columns

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from graphic_tmm.chapters.kinematics.equations import quantity
 from graphic_tmm.chapters.kinematics.ink_plans import markup
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.words import fixed, unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within

@@ -11,11 +11,12 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.captions.symbols import symbol
-from graphic_tmm.language.words import Line, flywheel_title, plain, view_name
-from graphic_tmm.language.words import protocol as narrate
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.words import flywheel_title, plain, view_name
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.parts import Part
+from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.work import Work
 

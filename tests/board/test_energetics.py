@@ -93,7 +93,7 @@ def test_the_flywheel_of_the_engine_by_its_published_segment() -> None:
 def test_a_flywheel_that_is_not_needed_is_no_number(segment: float) -> None:
     one = np.array([[1.0]])
     assert np.isnan(e.flywheel_inertia.run(np.array([[segment]]), one, one, one)).all()
-    assert "no flywheel is needed" in e.flywheel_inertia.fails_en
+    assert "no flywheel is needed" in e.flywheel_inertia.fails
 
 
 def test_a_crank_that_stands_has_no_reduced_moment() -> None:

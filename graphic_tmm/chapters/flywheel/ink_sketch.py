@@ -8,6 +8,7 @@ from typing import NamedTuple
 import shapely
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.words import number
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension, shelf
@@ -169,7 +170,8 @@ class _Sketch:
         )
         low = complex(0, -self.outer)
         found.append(dimension(low, low + self.width, -10.0, mm(sizes.width)))
-        holes = {"ru": "отв.", "en": "holes"}[language]
+        _ = speaking(language)
+        holes = _("holes")
         bend = self.centre + complex(self.outer * 0.85, -self.outer * 0.95)
         spot = min(self.holes(), key=lambda hole: abs(hole - bend))
         text = f"{sizes.studs} {holes} ⌀{mm(sizes.stud)}"

@@ -21,7 +21,8 @@ from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )
 from graphic_tmm.chapters.indicator.plan import Indicator
-from graphic_tmm.language.captions import CAPTIONS, symbols
+from graphic_tmm.language import symbols
+from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import flywheel_title, number, unit
 from graphic_tmm.paper.arranging import captioned, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force
 from graphic_tmm.chapters.kinematics.ink_plans import markup
 from graphic_tmm.chapters.kinematics.ink_positions import HEAVY, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import arrow, told_arrow

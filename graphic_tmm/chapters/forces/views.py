@@ -16,7 +16,7 @@ from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing

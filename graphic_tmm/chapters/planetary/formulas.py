@@ -7,9 +7,9 @@ import numpy as np
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
 
-_NO_TEETH = ("a wheel has no teeth", "у колеса нет зубьев")
-_STANDS = ("the driven shaft stands", "ведомый вал неподвижен")
-_NO_SATELLITES = ("there are no satellites", "нет сателлитов")
+_NO_TEETH = "a wheel has no teeth"
+_STANDS = "the driven shaft stands"
+_NO_SATELLITES = "there are no satellites"
 
 
 def _divisor(value: Reals) -> Reals:
@@ -129,7 +129,6 @@ def miss_of_ratio(found: Number, due: Number) -> Number:
 
 
 @operation(
-    "Ось сателлита, следующего за {axis}, отметить {it}.",
     across=True,
     fails=WHOLE_ROW,
 )

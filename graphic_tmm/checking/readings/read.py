@@ -86,7 +86,7 @@ def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     columns = head.columns
     found = (_cells(row, head, columns, faults) for row in rows)
     cells = [one for one in found if one is not None and one.measured]
-    commas = head.separator == ";" or head.russian or _comma_seen(cells)
+    commas = head.separator == ";" or head.with_comma or _comma_seen(cells)
     taken = [_reading(one, head, commas, faults) for one in cells]
     _find_twice(taken, head, faults)
     if faults:
@@ -114,7 +114,7 @@ def _faults_of(head: Head) -> list[Fault]:
 
 def _missing(head: Head, name: str, remedy: str) -> Fault:
     meant = f'; did you mean it by "{head.like(name)}"?' if head.like(name) else ""
-    said = f"the column {name} ({HEADS[name]}) is missing; {remedy}{meant}"
+    said = f"the column {name} is missing; {remedy}{meant}"
     return Fault(name, head.line, f"{said} (the first row names: {head.spoken})")
 
 

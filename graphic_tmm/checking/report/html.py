@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from html import escape
 
 from graphic_tmm.checking.records import VERDICTS, Report
@@ -105,7 +106,7 @@ def _headed(grid: Grid) -> str:
     return f"<h2>{escape(grid.title)}</h2>"
 
 
-def _table(grid: Grid, words: dict[str, str]) -> str:
+def _table(grid: Grid, words: Mapping[str, str]) -> str:
     kinds = [_kind(key) for key in grid.columns]
     heads = zip(kinds, grid.columns, strict=True)
     lines = ["<table>", "<thead>", "<tr>"]

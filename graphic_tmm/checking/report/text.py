@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Report
@@ -92,14 +92,14 @@ class Fitting(NamedTuple):
     """A table that is laid out when the width of the terminal is known, so that nothing of it is cut off."""
 
     grid: Grid
-    words: dict[str, str]
+    words: Mapping[str, str]
 
     def __rich_console__(self, _: Any, options: Any) -> Iterator[Any]:
         """Yield what rich prints."""
         yield _table(self.grid, self.words, options.max_width)
 
 
-def _table(grid: Grid, words: dict[str, str], room: int) -> Any:
+def _table(grid: Grid, words: Mapping[str, str], room: int) -> Any:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
     from rich.text import Text
@@ -124,7 +124,7 @@ def _table(grid: Grid, words: dict[str, str], room: int) -> Any:
     return out
 
 
-def _whole(grid: Grid, words: dict[str, str], room: int) -> set[str]:
+def _whole(grid: Grid, words: Mapping[str, str], room: int) -> set[str]:
     """Return the columns that are not folded: figures and verdicts, if the terminal has room for them."""
     whole = {key for key in grid.columns if key in FIGURES or key == "verdict"}
     for column, key in enumerate(grid.columns):
@@ -133,7 +133,7 @@ def _whole(grid: Grid, words: dict[str, str], room: int) -> set[str]:
     return whole if room >= -1 else set()
 
 
-def _pipes(grid: Grid, words: dict[str, str]) -> str:
+def _pipes(grid: Grid, words: Mapping[str, str]) -> str:
     rules = ["---:" if key in FIGURES else "---" for key in grid.columns]
     heads = [marked(words[key]) for key in grid.columns]
     rows = [heads, rules, *(map(marked, row) for row in grid.rows)]

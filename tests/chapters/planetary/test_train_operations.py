@@ -92,7 +92,7 @@ def test_a_formula_is_exact_to_its_rounding(op: Operation, data: st.DataObject) 
 def test_what_has_no_answer_is_not_a_number(op: Operation, values: tuple[float, ...]) -> None:
     with np.errstate(invalid="ignore"):  # as `execute` runs
         assert np.isnan(op.run(*one(*values))).all()
-    assert op.fails_en
+    assert op.fails
 
 
 def test_the_figures_of_the_windrower() -> None:
