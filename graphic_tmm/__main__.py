@@ -21,10 +21,12 @@ from graphic_tmm.commands.options import (
     read_scene,
     say,
     show,
+    tell,
     terminal_width,
     warn,
     within,
 )
+from graphic_tmm.language.said import said
 
 PLANS = (
     "extremes",
@@ -55,14 +57,16 @@ def main() -> None:
 
 @main.command()
 @click.argument("scene", required=False)
-@click.option("-o", "--output", default="out", show_default=True, help="Folder for the sheets.")
+@click.option(
+    "-o", "--output", default="out", show_default=True, help=said("Folder for the sheets.")
+)
 @click.option(
     "-f",
     "--format",
     "forms",
     default="svg",
     show_default=True,
-    help="svg, pdf, png, dxf; several with commas.",
+    help=said("svg, pdf, png, dxf; several with commas."),
 )
 @hands
 @budgeted
@@ -83,10 +87,16 @@ def draw(
 
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in FORMATS]:
-        raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
+        raise SheetError(
+            said(
+                "--format: no {unknown}; choose from {known}",
+                unknown=", ".join(unknown),
+                known=", ".join(FORMATS),
+            )
+        )
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     made, texts = sheet_files(task, wanted)
-    for path in write(Path(output), texts, remedy="name another folder with -o"):
+    for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)
 
@@ -101,23 +111,27 @@ def draw(
     default="text",
     show_default=True,
 )
-@click.option("--exact", is_flag=True, help="Read without the ruler's rounding; print all digits.")
 @click.option(
-    "--width", type=click.IntRange(20, 10_000), help="Characters of a line of text; the terminal's."
+    "--exact", is_flag=True, help=said("Read without the ruler's rounding; print all digits.")
+)
+@click.option(
+    "--width",
+    type=click.IntRange(20, 10_000),
+    help=said("Characters of a line of text; the terminal's."),
 )
 @click.option(
     "--decimal",
     type=click.Choice(["point", "comma"]),
     default="point",
     show_default=True,
-    help="Decimal sign of CSV; with a comma, semicolons stand between the cells.",
+    help=said("Decimal sign of CSV; with a comma, semicolons stand between the cells."),
 )
 @click.option(
-    "--bom", is_flag=True, help="Begin CSV with a byte order mark, as spreadsheets want it."
+    "--bom", is_flag=True, help=said("Begin CSV with a byte order mark, as spreadsheets want it.")
 )
 @hands
 @click.option(
-    "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
+    "--trials", type=click.IntRange(1, 100_000), default=1, help=said("How often all is drawn.")
 )
 @budgeted
 def table(
@@ -145,11 +159,17 @@ def table(
 
 @main.command()
 @click.argument("scene", required=False)
-@click.option("-o", "--output", help="Folder for the figure, as SVG and PNG; none if left out.")
+@click.option(
+    "-o", "--output", help=said("Folder for the figure, as SVG and PNG; none if left out.")
+)
 @click.option("-f", "--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
-@click.option("--minutes", help="TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
-@click.option("--no-time", is_flag=True, help="Measure no seconds: the same bytes every time.")
+@click.option(
+    "--minutes", help=said("TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
+)
+@click.option(
+    "--no-time", is_flag=True, help=said("Measure no seconds: the same bytes every time.")
+)
 @hands
 def accuracy(
     scene: str | None,
@@ -175,60 +195,66 @@ def accuracy(
 @click.argument("scene")
 @click.argument("readings", required=False)
 @click.option(
-    "--template", is_flag=True, help="Print a CSV file to be filled in, and check nothing."
+    "--template", is_flag=True, help=said("Print a CSV file to be filled in, and check nothing.")
 )
 @click.option(
     "--hand",
     type=click.Choice(["cad", "careful", "student"]),
     default="student",
     show_default=True,
-    help="By whose drawings readings are judged.",
+    help=said("By whose drawings readings are judged."),
 )
 @click.option(
     "--points",
     type=click.Choice(["paper", "screen", "photo"]),
     default="paper",
     show_default=True,
-    help="How x and y were read: off the paper with ruler and square, off the drawing on a screen "
-    "(0.1 mm), off a photograph (0.5 mm).",
+    help=said(
+        "How x and y were read: off the paper with ruler and square, off the drawing on a screen "
+        "(0.1 mm), off a photograph (0.5 mm)."
+    ),
 )
 @click.option(
     "--doubtful",
     type=Finite(0.5, 1.0),
     default=0.97,
     show_default=True,
-    help="Beyond this quantile of the hand's own deviations a reading is doubtful.",
+    help=said("Beyond this quantile of the hand's own deviations a reading is doubtful."),
 )
 @click.option(
     "--wrong",
     type=Finite(1.0, 100.0),
     default=5.0,
     show_default=True,
-    help="Beyond so many times their root mean square, and beyond them all, it is wrong.",
+    help=said("Beyond so many times their root mean square, and beyond them all, it is wrong."),
 )
 @click.option(
     "--trials",
     type=click.IntRange(20, 100_000),
     default=400,
     show_default=True,
-    help="How often the hand draws to tell what is usual.",
+    help=said("How often the hand draws to tell what is usual."),
 )
-@click.option("--overlay", help="SVG file for the exact plans under the points that were read.")
+@click.option(
+    "--overlay", help=said("SVG file for the exact plans under the points that were read.")
+)
 @click.option(
     "--enlarge",
     type=Finite(1.0, 1000.0),
     default=1.0,
     show_default=True,
-    help="How many times larger the overlay shows deviations.",
+    help=said("How many times larger the overlay shows deviations."),
 )
-@click.option("--photo", help="A photograph of the sheet, to be laid under it (with --corners).")
+@click.option(
+    "--photo", help=said("A photograph of the sheet, to be laid under it (with --corners).")
+)
 @click.option(
     "--sheet",
     type=click.IntRange(1),
-    help="Which sheet the photograph shows (with --photo); default: the first.",
+    help=said("Which sheet the photograph shows (with --photo); default: the first."),
 )
 @click.option(
-    "--corners", help="The corners of the frame in the photograph: x,y x,y x,y x,y (dots)."
+    "--corners", help=said("The corners of the frame in the photograph: x,y x,y x,y x,y (dots).")
 )
 @click.option(
     "-f",
@@ -268,7 +294,7 @@ def check(
     photograph = (photo, corners or "", sheet or 1) if photo is not None else None
     written, warnings = road.pictured(task, report, overlay, enlarge, photograph)
     for warning in warnings:
-        say(f"graphic-tmm: warning: {warning}")
+        tell(said("warning: {text}", text=warning))
     for path in written:
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
     if report is None:
@@ -282,9 +308,9 @@ def _refuse_half_asked(
     readings: str | None, photo: str | None, sheet: int | None, corners: str | None
 ) -> None:
     if photo is None and (sheet is not None or corners is not None):
-        raise click.UsageError("--sheet and --corners go with a photograph: add --photo FILE")
+        raise click.UsageError(said("--sheet and --corners go with a photograph: add --photo FILE"))
     if readings is None and photo is None:
-        raise click.UsageError("name the file of READINGS, or ask for --template")
+        raise click.UsageError(said("name the file of READINGS, or ask for --template"))
 
 
 @main.command()
@@ -296,12 +322,9 @@ def _refuse_half_asked(
     default="all",
     show_default=True,
 )
-@click.option("-n", "--position", help="Number of the position, as on the sheet.")
-@click.option("-l", "--language", type=click.Choice(["ru", "en"]), help="Default: the scene's.")
-@click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
-def steps(
-    scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
-) -> None:
+@click.option("-n", "--position", help=said("Number of the position, as on the sheet."))
+@click.option("--exact", is_flag=True, help=said("Read without the ruler's rounding."))
+def steps(scene: str | None, plan: str, position: str | None, exact: bool) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
     from graphic_tmm.readers.protocol import steps_of
     from graphic_tmm.studio import make
@@ -309,8 +332,9 @@ def steps(
     drawn = make(read_scene(scene), exact=exact)
     known = ("synthesis", *PLANS)
     chosen = known if plan == "all" else (plan,)
-    spoken = language or drawn.scene.language
-    for line in steps_of(drawn.work, drawn.parts, drawn.scene, chosen, position, spoken, known):
+    for line in steps_of(
+        drawn.work, drawn.parts, drawn.scene, chosen, position, drawn.scene.language, known
+    ):
         click.echo(line)
     warn(drawn)
 
@@ -331,7 +355,7 @@ def scenes() -> None:
 
 @main.command()
 @click.argument("folder")
-@click.option("--like", help="Scene to begin with; the default scene if left out.")
+@click.option("--like", help=said("Scene to begin with; the default scene if left out."))
 def new(folder: str, like: str | None) -> None:
     """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
     from pathlib import Path
@@ -345,7 +369,7 @@ def new(folder: str, like: str | None) -> None:
 
     target = Path(folder)
     if (target / FILE).exists():
-        fault = Fault("", 0, "it exists already; choose another folder")
+        fault = Fault("", 0, said("it exists already; choose another folder"))
         raise SceneError(str(target / FILE), (fault,))
     source = scene_path(like)
     file = source / FILE if source.is_dir() else source

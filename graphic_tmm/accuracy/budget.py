@@ -27,6 +27,7 @@ from graphic_tmm.accuracy.settings import Setting, whole
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.language.said import said
 from graphic_tmm.language.words import fixed, number
 from graphic_tmm.scene.records import FORCE_PLACES, Scene
 from graphic_tmm.studio import Made, make
@@ -105,7 +106,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
         if errors:
             tried.append((candidate, minutes, errors))
     if not tried:
-        says = "--budget: nothing on its sheets has an error that could be told"
+        says = said("--budget: nothing on its sheets has an error that could be told")
         raise SceneError(scene.source, (Fault("", 0, says),))
     candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
     errors = _measured(candidate, judge, float("inf"))

@@ -15,6 +15,7 @@ from graphic_tmm.accuracy.report_text import text_report
 from graphic_tmm.accuracy.study import Study, Tell, study
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import scene_name
 
@@ -64,7 +65,7 @@ def figured(found: Study, output: str) -> tuple[Path, ...]:
     files: dict[str, str | bytes] = {
         f"{stem}-accuracy.{end}": content for end, content in figures(found).items()
     }
-    return write(Path(output), files, remedy="name another folder with -o")
+    return write(Path(output), files, remedy=said("name another folder with -o"))
 
 
 def within(scene: Scene, budget: str) -> Taken:
@@ -80,6 +81,8 @@ def within(scene: Scene, budget: str) -> Taken:
     match = re.fullmatch(r"\s*(\d+(?:[.,]\d*)?|[.,]\d+)\s*%?\s*", budget)
     percent = float(match[1].replace(",", ".")) if match else 0.0
     if not percent > 0.0:
-        raise SheetError(f'--budget: "{budget}" is no percentage above 0; write --budget 2%')
+        raise SheetError(
+            said('--budget: "{budget}" is no percentage above 0; write --budget 2%', budget=budget)
+        )
     with _bar() as tell:
         return choose(scene, percent, tell)

@@ -18,11 +18,12 @@ from graphic_tmm.checking.report.text import markdown_report, text_report
 from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.errors import SheetError, printable
 from graphic_tmm.files import write
+from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, scene_columns, scene_results, sheets
 
-_REMEDY = "name another file with --overlay"
+_REMEDY = said("name another file with --overlay")
 
 
 def template_of(scene: Scene) -> str:
@@ -111,7 +112,13 @@ def underlay(
     clicked = _corners(corners)
     drawn = sheets(scene)[1]
     if number > len(drawn):
-        raise SheetError(f"--sheet: there is no sheet {number}; the scene has {len(drawn)}")
+        raise SheetError(
+            said(
+                "--sheet: there is no sheet {number}; the scene has {count}",
+                number=number,
+                count=len(drawn),
+            )
+        )
     sheet = drawn[number - 1]
     left, bottom, right, top = drawing_area(sheet.format, scene.language, number == 1).inner
     paper = (0.0, 0.0, sheet.width, sheet.height)
@@ -125,7 +132,12 @@ def underlay(
 def _drawing(file: str) -> Path:
     path = Path(file)
     if path.suffix.lower() != ".svg":
-        raise SheetError(f"--overlay: {printable(file)}: the drawing is an SVG file; name it .svg")
+        raise SheetError(
+            said(
+                "--overlay: {file}: the drawing is an SVG file; name it .svg",
+                file=printable(file),
+            )
+        )
     return path
 
 
@@ -136,6 +148,9 @@ def _corners(text: str) -> list[tuple[float, float]]:
         found = []
     if len(found) != 4 or any(len(pair) != 2 for pair in found):
         raise SheetError(
-            '--corners: write the four corners of the frame in dots of the photograph, "10,12 3000,15 ..."'
+            said(
+                '--corners: write the four corners of the frame in dots of the photograph, "10,12 '
+                '3000,15 ..."'
+            )
         )
     return [(x, y) for x, y in found]

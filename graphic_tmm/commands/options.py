@@ -5,11 +5,26 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from graphic_tmm.commands.spoken import (
+    Command,
+    click_speaking,
+    in_words_of,
+    language_asked,
+    language_option,
+    translated,
+)
+from graphic_tmm.language.catalogue import languages
+from graphic_tmm.language.reader import hear, reader, reading
+from graphic_tmm.language.said import said
+
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from graphic_tmm.scene.records import Scene
     from graphic_tmm.studio import Made
 
@@ -25,18 +40,32 @@ TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
 class People(click.Group):
     """The commands as a person calls them: every error is one message, and every end has its own status."""
 
+    command_class = Command
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.params.append(language_option())
+
     def main(self, *args: Any, **options: Any) -> Any:
         """Run a command and exit with its status; see the statuses above."""
         from graphic_tmm.files import call
 
         options["standalone_mode"] = False
-        try:
-            with call():
-                ended = super().main(*args, **options)
-            sys.stdout.flush()
-        except (Exception, KeyboardInterrupt, SystemExit) as error:
-            ended = _ended(error)
+        given = options.get("args", args[0] if args else None)
+        with reading(language_asked(sys.argv[1:] if given is None else given)), click_speaking():
+            try:
+                with call():
+                    ended = super().main(*args, **options)
+                sys.stdout.flush()
+            except (Exception, KeyboardInterrupt, SystemExit) as error:
+                ended = _ended(error)
         sys.exit(ended if isinstance(ended, int) else FINE)
+
+    def get_help(self, ctx: click.Context) -> str:
+        """Return the help in the reader's language, with all commands."""
+        shown = translated(self, reader())
+        shown.commands = {name: translated(one, reader()) for name, one in self.commands.items()}
+        return click.Group.get_help(shown, ctx)
 
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         """Understand the command line; help may be asked for, and its reader gone."""
@@ -69,12 +98,13 @@ def _ended(error: BaseException) -> int:
     if isinstance(error, (KeyboardInterrupt, click.Abort)):
         return BROKEN_OFF
     if isinstance(error, click.ClickException):
-        error.show()
+        in_words_of(reader(), error).show()
     elif isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
-        say(f"graphic-tmm: {place}{error.strerror or error}: check the path and its rights")
+        what = str(error.strerror or error)
+        tell(said("{place}{what}: check the path and its rights", place=place, what=what))
     elif isinstance(error, TmmError):
-        say(f"graphic-tmm: {error}")
+        tell(error.told(reader()))
     else:
         return _own_fault(error)
     return BAD
@@ -88,8 +118,14 @@ def _own_fault(error: BaseException) -> int:
     if os.environ.get(TRACEBACK):
         traceback.print_exception(error)
     what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
-    remedy = f"set {TRACEBACK}=1 to see where, and report it"
-    say(f"graphic-tmm: a fault of the program, not of the input ({what[:200]}); {remedy}")
+    tell(
+        said(
+            "a fault of the program, not of the input ({what}); set {variable}=1 to see where, and "
+            "report it",
+            what=what[:200],
+            variable=TRACEBACK,
+        )
+    )
     return FAULT
 
 
@@ -112,27 +148,53 @@ def say(text: str) -> None:
     click.echo("\n".join(printable(line) for line in text.split("\n")), err=True)
 
 
+def tell(text: str) -> None:
+    """Print a message of the program in the reader's language."""
+    say(f"graphic-tmm: {reader()(text)}")
+
+
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
     """Return the scene of a path or a name; ``lettered``: refuse letters that cannot be written on a sheet."""
     from graphic_tmm.scene.read import read
     from graphic_tmm.studio import scene_path
 
     path = scene_path(name)
-    if not lettered:
-        return read(path)
-    from graphic_tmm.paper.lettering.letters import missing
+    hear(language_of(path))
+    if lettered:
+        from graphic_tmm.paper.lettering.letters import missing
 
-    return read(path, missing=missing)
+        return read(path, missing=missing)
+    return read(path)
+
+
+def language_of(path: Path) -> str:
+    """Return the language that a scene's file asks for, right or wrong as the rest of it may be; "" if none."""
+    import re
+    from contextlib import suppress
+
+    from graphic_tmm.scene.read import FILE
+
+    with suppress(OSError, ValueError):
+        file = path / FILE if path.is_dir() else path
+        if file.is_file():
+            with file.open(encoding="utf-8", errors="replace") as stream:
+                found = re.search(
+                    r"""^language\s*=\s*["'](\w+)["']""", stream.read(256_000), re.MULTILINE
+                )
+            return found[1] if found is not None and found[1] in languages() else ""
+    return ""
 
 
 def hands(command: F) -> F:
     """Give a command the options of the hand that draws."""
     for option in (
-        click.option("--seed", type=click.IntRange(0, 2**31), help="Which of the hand's drawings."),
+        click.option(
+            "--seed", type=click.IntRange(0, 2**31), help=said("Which of the hand's drawings.")
+        ),
         click.option(
             "--hand",
             type=click.Choice(["exact", "cad", "careful", "student"]),
-            help="Who draws; default: the scene's.",
+            help=said("Who draws; default: the scene's."),
         ),
     ):
         command = option(command)
@@ -146,16 +208,19 @@ class Finite(click.FloatRange):
         """Return the number; refuse nan, which no comparison finds out of bounds."""
         number = super().convert(value, param, ctx)
         if number != number:
-            self.fail(f"{value} is not a finite number", param, ctx)
+            self.fail(said("{value} is not a finite number", value=value), param, ctx)
         return number
 
 
 def budgeted(command: F) -> F:
     """Give a command the option of an error to be kept within."""
-    said = (
-        "Largest error, such as 2%: take the cheapest setting that keeps every quantity within it."
-    )
-    return click.option("--budget", help=said)(command)
+    return click.option(
+        "--budget",
+        help=said(
+            "Largest error, such as 2%: take the cheapest setting that keeps every quantity within "
+            "it."
+        ),
+    )(command)
 
 
 def within(scene: Scene, budget: str | None) -> Scene:
@@ -165,14 +230,12 @@ def within(scene: Scene, budget: str | None) -> Scene:
     from graphic_tmm.accuracy import run as road
 
     taken = road.within(scene, budget)
-    say(f"graphic-tmm: {scene.source}: {taken.sentence}")
+    tell(f"{scene.source}: {taken.sentence}")
     return taken.scene
 
 
 def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     """Return the scene drawn by another hand, with that hand's own ruler."""
-    from dataclasses import replace
-
     from graphic_tmm.scene.build import DIVISIONS
 
     if hand is not None:
@@ -189,7 +252,7 @@ def warn(made: Made, *, sheets: bool = False) -> None:
     told += list(warnings(made.work)) if made.work is not None else []
     told += [text for part in made.parts for text in part_warnings(part)]
     for text in told:
-        say(f"graphic-tmm: {made.scene.source}: warning: {text}")
+        tell(said("{source}: warning: {text}", source=made.scene.source, text=text))
 
 
 def terminal_width() -> int:

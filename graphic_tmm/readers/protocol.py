@@ -11,6 +11,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.words import flywheel_title, plain, view_name
 from graphic_tmm.mechanism.synthesis import Found, rocker
@@ -53,7 +54,9 @@ def steps_of(
     found = lines(plans, position)
     if not found:
         there = ", ".join(plan for plan in known if lines((plan, ""), None))
-        says = f"the scene has no plan {', '.join(plans)}; it has {there}"
+        says = said(
+            "the scene has no plan {listed}; it has {there}", listed=", ".join(plans), there=there
+        )
         raise SceneError(scene.source, (Fault("--plan", 0, says),))
     return found
 

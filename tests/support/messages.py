@@ -1,7 +1,7 @@
 """Every text of the package that a catalogue should have, found by reading the source.
 
 A text is the first argument of ``said(…)`` or of ``_(…)``, the plural behind it, the keyword ``context``; and
-what the operations of the board say: their sentences, why they fail, gaps and sides.
+what the operations of the board say: their sentences, why they fail, gaps and sides; and the helps of commands.
 """
 
 from __future__ import annotations
@@ -61,6 +61,19 @@ def _of_file(file: Path) -> Iterator[Message]:
             yield Message((contexts or [""])[0] or "", texts[0], plural or "", short)
 
 
+def _helps(file: Path) -> Iterator[Message]:
+    """Yield what the help of commands says: the docstring of each."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.FunctionDef) and any(map(_commands, node.decorator_list)):
+            text = (ast.get_docstring(node) or "").partition("\f")[0]
+            yield Message("", text, "", str(file.relative_to(PACKAGE.parent)))
+
+
+def _commands(decorator: ast.expr) -> bool:
+    called = decorator.func if isinstance(decorator, ast.Call) else None
+    return isinstance(called, ast.Attribute) and called.attr in ("command", "group")
+
+
 def _of_operations() -> Iterator[Message]:
     from graphic_tmm.board.grammar import OPERATIONS
 
@@ -79,7 +92,7 @@ def _of_operations() -> Iterator[Message]:
 def messages() -> tuple[Message, ...]:
     """Return every text once that has a word in it, in the order of the files."""
     found: dict[tuple[str, str], Message] = {}
-    own = [one for file in sources() for one in _of_file(file)]
+    own = [one for file in sources() for one in (*_of_file(file), *_helps(file))]
     for one in sorted([*own, *_of_operations()], key=lambda one: one.file):
         known = found.setdefault(one.key, one)
         if one.plural and not known.plural:

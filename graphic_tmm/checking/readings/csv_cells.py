@@ -27,7 +27,7 @@ HEADS = (
     said("y", context="column"),
 )
 """The columns that mean something; a file may name them in any language."""
-SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab"}
+SEPARATORS = {",": said("comma"), ";": said("semicolon"), "\t": said("tab")}
 _LOOKED, _LONGEST = 50, 30
 """So many titles are looked through for one misspelt, if they have no more than so many letters."""
 _LOOK_ALIKE = {"х": "x", "у": "y"}

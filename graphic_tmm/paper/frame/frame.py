@@ -99,7 +99,13 @@ def frame(
     unknown = sorted(set(fields) - set(FIELDS))
     if unknown:
         known = ", ".join(FIELDS)
-        raise SheetError(f"title block: no field {', '.join(unknown)}; the fields are {known}")
+        raise SheetError(
+            said(
+                "title block: no field {listed}; the fields are {known}",
+                listed=", ".join(unknown),
+                known=known,
+            )
+        )
     inner = _inner(format, language)
     entries = {**fields, **_numbers(language, number, count)}
     gost, _ = standard(language) == "GOST", speaking(language)
@@ -138,9 +144,21 @@ def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[La
 def _inner(format: str, language: str) -> Box:
     """Return the rectangle of the frame."""
     if format not in SIZES:
-        raise SheetError(f"no frame for the format {format!r}: choose one of {', '.join(SIZES)}")
+        raise SheetError(
+            said(
+                "no frame for the format {format!r}: choose one of {listed}",
+                format=format,
+                listed=", ".join(SIZES),
+            )
+        )
     if language not in languages():
-        raise SheetError(f"no frame in {language!r}: choose one of {', '.join(languages())}")
+        raise SheetError(
+            said(
+                "no frame in {language!r}: choose one of {listed}",
+                language=language,
+                listed=", ".join(languages()),
+            )
+        )
     (width, height), (binding, other) = SIZES[format], MARGINS[standard(language)]
     return Box(binding, other, width - other, height - other)
 
@@ -187,7 +205,9 @@ def _edges(format: str, inner: Box) -> tuple[Stroke, ...]:
 def _numbers(language: str, number: int, count: int) -> dict[str, str]:
     """Return the number of the sheet and how many there are, as the forms write them."""
     if not 1 <= number <= count:
-        raise SheetError(f"sheet {number} of {count}: number the sheets from 1")
+        raise SheetError(
+            said("sheet {number} of {count}: number the sheets from 1", number=number, count=count)
+        )
     if standard(language) == "ISO":
         return {"sheet": f"{number}/{count}", "language": language}
     return {"sheet": str(number) if count > 1 else "", "sheets": str(count)}

@@ -343,7 +343,13 @@ def lettered(
     for slot in block.entries:
         bad = letters.missing("".join(fields.get(slot.text, "").split()))
         if bad:
-            raise SheetError(f"title block, {slot.text}: no glyph for {bad!r}; write it otherwise")
+            raise SheetError(
+                said(
+                    "title block, {text}: no glyph for {bad!r}; write it otherwise",
+                    text=slot.text,
+                    bad=bad,
+                )
+            )
     texts = [(speech(slot.text), slot) for slot in block.captions]
     texts += [(fields.get(slot.text, ""), slot) for slot in block.entries]
     labels: list[Label] = []
