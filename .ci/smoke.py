@@ -39,6 +39,9 @@ def main(program: str, home: Path) -> None:
         program, "check", home / "mine", home / "readings.csv", "-f", "json", "--trials", 50
     )
     assert len(json.loads(report)["readings"]) == len(lines)
+    page = run(program, "check", home / "mine", home / "readings.csv", "-f", "html", "--trials", 50)
+    assert page.startswith("<!DOCTYPE html>")
+    assert page.count("<tr") == 1 + len(lines)
     photo = ("--photo", home / "engine.png", "--corners", ENDS, "--overlay", home / "under.svg")
     assert "under-flat.png" in run(program, "check", "engine", *photo)
     run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)

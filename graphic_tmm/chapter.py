@@ -1,14 +1,14 @@
-"""A chapter of the book: what it asks of a scene, what it records on a board. Nobody outside names one.
+"""A chapter of the book: what it asks of a scene, records on a board, shows on sheets. Nobody outside names one.
 
-A chapter is a folder of `graphic_tmm.chapters` whose package declares a `Chapter` called CHAPTER. It is found by
-being there, and gone when its folder is. What a chapter asks for and what it made are got by keys (`Asked`,
-`Made`) that stand beside its records.
+A chapter is a folder of `graphic_tmm.chapters` whose package declares a `Chapter` called CHAPTER. It is found
+by being there, and gone when its folder is. What a chapter is asked and what it made are got by keys (`Asked`,
+`Made`) that stand beside its records. What it leaves out of its declaration it has nothing to say to.
 """
 
 from __future__ import annotations
 
 import pkgutil
-from collections.abc import Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache
@@ -16,11 +16,25 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    import numpy as np
 
+    from graphic_tmm.board.charts import Chart
+    from graphic_tmm.board.doubt import Doubts
+    from graphic_tmm.board.execute import Reading
+    from graphic_tmm.board.findings import Finding
+    from graphic_tmm.board.hand import Hand
+    from graphic_tmm.board.record import Mark
+    from graphic_tmm.board.scales import Scale
+    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.fitting.scales import Fitting
+    from graphic_tmm.paper.drawing import Drawing, Stroke
+    from graphic_tmm.project import Bench, Project
+    from graphic_tmm.readers.columns import Column
     from graphic_tmm.scene.records import Scene
 
 T = TypeVar("T")
+MECHANISM = "mechanism"
+"""The board on which everything is drawn that moves with the mechanism."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +55,7 @@ class Asked(Generic[T]):
 
 
 class Holder(Protocol):
-    """What holds what chapters made: a bench while it is recorded, a drawn board afterwards."""
+    """What holds what chapters made: a bench while it is recorded, a project and a drawn board afterwards."""
 
     @property
     def made(self) -> Mapping[str, Any]:
@@ -59,24 +73,161 @@ class Made(Generic[T]):
         found: T | None = holder.made.get(self.chapter)
         return found
 
+    def on(self, holder: Holder) -> T:
+        """Return what was made where it is known to have been."""
+        found: T = holder.made[self.chapter]
+        return found
+
+
+@dataclass(frozen=True)
+class Size:
+    """How large something is drawn, by a name.
+
+    ``usual``: room for it ``in_mm``, which sets the μ of a plan, or a share (1) of its usual room; what the
+    formats of a scene's sheets suggest. ``least``: where this is reached, something else has to give way.
+    ``rooms``: what it grows to, mm, as far as the sheets have room, the largest first. ``extent``: what there is
+    to draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says how large it is, "" if it
+    does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with a free size, what to
+    write for the key.
+    """
+
+    name: str
+    usual: Callable[[Scene], float] = lambda scene: 1.0
+    in_mm: bool = False
+    least: float = 0.0
+    rooms: tuple[float, ...] = ()
+    extent: Callable[[Mapping[str, Any]], float] = lambda reach: 0.0
+    fixed: Callable[[Scene], str] = lambda scene: ""
+    freed: Callable[[Scene], Scene] = lambda scene: scene
+    remedy: Callable[[Drawn, str], str] = lambda drawn, key: ""
+
+
+@dataclass(frozen=True)
+class Place:
+    """What a sheet can show, by the name that scenes write.
+
+    ``draw``: a drawn board, lettered? -> its views; ``plain``: a scene -> views that no board is needed for. ``rank``: where it stands on a sheet that does not say what
+    stands there; 0 where only a sheet that names it shows it. ``shows``: the plans of which it shows something;
+    ``follows``: the plans whose μ its room depends on. ``together``: it is these
+    places, one after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends,
+    in the order in which they give way.
+    """
+
+    name: str
+    rank: int
+    draw: Callable[[Drawn, bool], list[Drawing]] = lambda drawn, lettered: []
+    plain: Callable[[Scene], list[Drawing]] = lambda scene: []
+    shows: tuple[str, ...] = ()
+    follows: tuple[str, ...] = ()
+    together: tuple[str, ...] = ()
+    sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
+
+
+def _no_plan(
+    drawn: Drawn, plan: str, place: int, name: str, title: str, upon: Sequence[Stroke]
+) -> Drawing:
+    raise KeyError(plan)
+
 
 @dataclass(frozen=True)
 class Chapter:
     """What a chapter declares of itself.
 
-    ``number``: its place in the book; what stands on one board is recorded in this order.
+    ``number``: its place in the book, and in everything that is read. ``board``: on which board it stands, ""
+    for none: then what it draws is told by a scene alone. ``builds_on``: the chapters whose marks it uses.
+
+    ``asked``: whether a scene calls for it; ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by name: a chapter,
+    or what another chapter understands. ``record``: what it leaves on its board.
+    ``charts``: of what it made, the graphs on axes. ``reach``: what its scale factors go by, found once.
+    ``plan_scales``: μ of the plans at a size, without drawing them. ``scales``: put the values of its scale
+    factors into what is given. ``named``: further scale factors as drawn, by view, of those
+    that were given a value.
+    ``scale_key``: what machines call the scale factor of a view. ``size_keys``: keys besides those of [scales] that
+    fix how large something is drawn.
+    ``undrawn``: the positions that cannot be drawn; ``ranges``: the end of a sentence that tells those that can.
+    ``nothing``: by slot, where a figure has no meaning; ``coarse``: by slot, what leaves fewer digits of it.
+    ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of its own.
+    ``warnings``: what else people are told. ``columns``, ``results``, ``facts``: what tables tell.
+    ``plans``: what protocols call its plans, ``plans_rank``: where these stand among the plans of all chapters if
+    not in the order of the book (ten a chapter); ``views``: the views of the board that each is drawn in.
+    ``equations``: a view -> lines that stand before its protocol. ``titles``: a view -> what it is called there.
     """
 
     name: str
     number: int
+    board: str = MECHANISM
+    builds_on: tuple[str, ...] = ()
+    places: tuple[Place, ...] = ()
+    sizes: tuple[Size, ...] = ()
+    asked: Callable[[Scene], bool] = lambda scene: False
+    always: bool = False
+    needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
+    record: Callable[[Bench], Any] = lambda bench: None
+    charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
+    reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
+    plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}
+    scales: Callable[[Fitting], Mapping[Mark, object]] = lambda fitting: {}
+    named: Callable[[Project, Reading, Container[Mark]], Mapping[str, Scale]] = (
+        lambda project, reading, given: {}
+    )
+    scale_key: Callable[[str], str] = lambda view: ""
+    size_keys: tuple[str, ...] = ()
+    undrawn: Callable[[Project, Reading], tuple[int, ...]] = lambda project, reading: ()
+    ranges: Callable[[Project], str] = lambda project: ""
+    nothing: Callable[[Project, Doubts], Mapping[int, np.ndarray]] = lambda project, doubts: {}
+    coarse: Callable[[Project, Mapping[Mark, object], Hand], Mapping[int, Doubts]] = (
+        lambda project, given, hand: {}
+    )
+    compared: Callable[[Drawn, Finding, set[int]], Finding] = lambda drawn, one, places: one
+    findings: Callable[[Drawn], Iterable[Finding]] = lambda drawn: ()
+    warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
+    columns: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
+    results: Callable[[Drawn], Mapping[str, tuple[float, str]]] = lambda drawn: {}
+    facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}
+    plans: tuple[str, ...] = ()
+    plans_rank: int = 0
+    views: Callable[[Project], Mapping[str, Iterable[str]]] = lambda project: {}
+    equations: Callable[[Drawn, str, str], Iterable[str]] = lambda drawn, view, language: ()
+    pointed: tuple[str, ...] = ()
+    plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
+    named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
+    speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
+    titles: Callable[[Drawn, str, str], str] = lambda drawn, view, language: ""
 
 
 _ADDED: list[Chapter] = []
 
 
-def chapters() -> tuple[Chapter, ...]:
-    """Return the chapters that there are, in the order of the book."""
-    return tuple(sorted((*_found(), *_ADDED), key=lambda chapter: chapter.number))
+def chapters(board: str | None = None) -> tuple[Chapter, ...]:
+    """Return the chapters that there are, in the order of the book; only those of a ``board`` if it is told."""
+    found = sorted((*_found(), *_ADDED), key=lambda chapter: chapter.number)
+    return tuple(one for one in found if board is None or one.board == board)
+
+
+def boards() -> tuple[str, ...]:
+    """Return the boards on which chapters stand, in the order of the book."""
+    return tuple(dict.fromkeys(one.board for one in chapters() if one.board))
+
+
+def places() -> dict[str, tuple[Chapter, Place]]:
+    """Return what sheets can show, by name, each with its chapter."""
+    return {place.name: (one, place) for one in chapters() for place in one.places}
+
+
+def in_order(board: str) -> tuple[Chapter, ...]:
+    """Return the chapters of a board in the order in which they record: each behind those it builds on."""
+    there = {one.name: one for one in chapters(board)}
+    found: dict[str, Chapter] = {}
+
+    def enter(one: Chapter) -> None:
+        for name in one.builds_on:
+            if name in there and name not in found:
+                enter(there[name])
+        found.setdefault(one.name, one)
+
+    for one in there.values():
+        enter(one)
+    return tuple(found.values())
 
 
 @cache

@@ -12,7 +12,8 @@ from click.testing import CliRunner
 from graphic_tmm.__main__ import main
 from graphic_tmm.scene.models import schema
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import packaged, sheet_files
+from graphic_tmm.scenes import packaged
+from graphic_tmm.studio import sheet_files
 
 
 def told(*args):

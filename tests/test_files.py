@@ -9,7 +9,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from test_main import ROOT, made, run, scene
+from support.command import invoke, tabled
+from support.gallery import ROOT
+from support.scenes import edited, source
 
 from graphic_tmm.errors import SceneError, SheetError
 from graphic_tmm.files import HOST, Kind, read, write
@@ -103,7 +105,7 @@ def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("a file")
     out = "/proc/nothing/here" if stand == "proc" else str(tmp_path / stand)
     for command in (("draw", "engine", "-o", out), ("new", out, "--like", "engine")):
-        result = run(*command)
+        result = invoke(*command)
         assert result.exit_code == 2, result.output
         assert "cannot write into" in result.stderr
         assert "name another folder" in result.stderr
@@ -116,17 +118,17 @@ def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:
 
 def test_new_begins_a_scene_and_never_overwrites(tmp_path: Path) -> None:
     folder = tmp_path / "mine"
-    assert run("new", str(folder), "--like", "engine").exit_code == 0
-    assert run("table", str(folder)).exit_code == 0
-    again = run("new", str(folder))
+    assert invoke("new", str(folder), "--like", "engine").exit_code == 0
+    assert invoke("table", str(folder)).exit_code == 0
+    again = invoke("new", str(folder))
     assert again.exit_code == 2
     assert "exists already" in again.stderr
 
 
 def test_new_copies_nothing_that_is_no_scene(tmp_path: Path) -> None:
-    bad = scene(tmp_path, ("[drive]", "[drivel]"))
+    bad = edited(tmp_path, ("[drive]", "[drivel]"))
     for like in ("no-such-scene", str(bad)):
-        result = run("new", str(tmp_path / "mine"), "--like", like)
+        result = invoke("new", str(tmp_path / "mine"), "--like", like)
         assert result.exit_code == 2
         assert not (tmp_path / "mine").exists()
 
@@ -135,23 +137,23 @@ def test_new_is_a_copy_that_finds_its_schema_and_leaves_a_scene_that_is_there(
     tmp_path: Path,
 ) -> None:
     names = ("scene.toml", "scene.schema.json")
-    assert run("new", str(tmp_path)).stdout == "".join(f"{tmp_path / name}\n" for name in names)
+    assert invoke("new", str(tmp_path)).stdout == "".join(f"{tmp_path / name}\n" for name in names)
     text = (tmp_path / "scene.toml").read_text(encoding="utf-8")
     schema = text.splitlines()[0].removeprefix("#:schema ")
     assert json.loads((tmp_path / schema).read_text(encoding="utf-8"))["properties"]["drive"]
     assert "kept for the poles" in text
-    due = (ROOT / "sheets" / "windrower" / "scene.toml").read_text(encoding="utf-8")
+    due = source("windrower")
     old = [line for line in due.splitlines() if not line.startswith("#:schema")]
     assert text.splitlines()[2:] == old
     assert "#:schema" not in "\n".join(old)
     (tmp_path / "scene.toml").write_text("mine")
-    result = run("new", str(tmp_path), "--like", "engine")
+    result = invoke("new", str(tmp_path), "--like", "engine")
     assert (result.exit_code, (tmp_path / "scene.toml").read_text()) == (2, "mine")
 
 
 def test_a_scene_begun_from_one_that_was_begun_finds_its_own_schema(tmp_path: Path) -> None:
-    assert run("new", str(tmp_path / "a"), "--like", "cam").exit_code == 0
-    assert run("new", str(tmp_path / "b"), "--like", str(tmp_path / "a")).exit_code == 0
+    assert invoke("new", str(tmp_path / "a"), "--like", "cam").exit_code == 0
+    assert invoke("new", str(tmp_path / "b"), "--like", str(tmp_path / "a")).exit_code == 0
     made = [(tmp_path / name / "scene.toml").read_text(encoding="utf-8") for name in "ab"]
     assert made[0] == made[1]
 
@@ -248,7 +250,7 @@ def test_a_file_that_does_not_tell_its_size_is_cut_at_the_limit() -> None:
 
 @pytest.mark.slow
 def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
-    result = run("draw", "crank-rocker", "-o", str(tmp_path), "-f", "svg, PDF,png,dxf")
+    result = invoke("draw", "crank-rocker", "-o", str(tmp_path), "-f", "svg, PDF,png,dxf")
     assert result.exit_code == 0, result.output
     starts = {"svg": b"<svg", "pdf": b"%PDF", "png": b"\x89PNG", "dxf": b"  0"}
     found = sorted(path.name for path in tmp_path.iterdir())
@@ -261,20 +263,20 @@ def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_scene_that_is_a_file_of_another_name_names_its_sheet(tmp_path: Path) -> None:
-    path = scene(tmp_path).rename(tmp_path / "мой двигатель.toml")
-    assert run("draw", str(path), "-o", str(tmp_path / "out")).exit_code == 0
+    path = edited(tmp_path).rename(tmp_path / "мой двигатель.toml")
+    assert invoke("draw", str(path), "-o", str(tmp_path / "out")).exit_code == 0
     assert [p.name for p in (tmp_path / "out").iterdir()] == ["мой двигатель.svg"]
-    assert made(str(path))["scene"] == "мой двигатель"
+    assert tabled(str(path))["scene"] == "мой двигатель"
 
 
 @pytest.mark.slow
 def test_an_unreadable_file_and_an_unwritable_folder(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_bytes(b"\xff\xfe\x00")
-    result = run("draw", str(tmp_path), "-o", str(tmp_path / "out"))
+    result = invoke("draw", str(tmp_path), "-o", str(tmp_path / "out"))
     assert (result.exit_code, "UTF-8" in result.stderr) == (2, True)
     wall = tmp_path / "wall"
     wall.write_text("a file")
-    result = run("draw", "engine", "-o", str(wall / "out"))
+    result = invoke("draw", "engine", "-o", str(wall / "out"))
     assert result.exit_code == 2
     assert "cannot write into" in result.stderr
     assert "-o" in result.stderr

@@ -10,6 +10,8 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from support.each import each
+from support.gallery import ROOT
 
 import graphic_tmm
 from graphic_tmm.board.grammar import OPERATIONS
@@ -41,7 +43,6 @@ from graphic_tmm.chapters.gears import formulas as gearing
 from graphic_tmm.chapters.gears import rack, rolling
 from graphic_tmm.chapters.planetary import formulas as trains
 
-ROOT = Path(__file__).parent.parent
 TOP = {"pyproject.toml", "graphic_tmm", "sheets", "tests", "README.md", "LICENSE"}
 
 
@@ -77,7 +78,7 @@ def _placeholders(text: str) -> set[str]:
     return {name for _, name, _, _ in string.Formatter().parse(text) if name}
 
 
-@pytest.mark.parametrize("op", OPERATIONS.values(), ids=str)
+@each("op", OPERATIONS.values())
 def test_an_operation_has_a_sentence_that_names_its_marks(op) -> None:
     assert op.sentence
     assert _placeholders(op.sentence) <= {*op.arguments, *op.choices, "it"}

@@ -8,18 +8,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
-from support.gallery import SHEETS
+from graphic_tmm.parts import draw_parts
+from support.command import invoke
+from support.gallery import SHEETS, made
+from support.scenes import source, written
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.units import known
-from graphic_tmm.parts import draw_parts
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import make, part_warnings, sheets, table
+from graphic_tmm.studio import part_warnings, sheets, table
 
 GIVEN = """teeth      = [25, "?", "?"]     # z1 is given, the others are found: 32 and 89
 satellites = 3 """
@@ -28,7 +28,7 @@ KINDS = {"cam": "cam", "gear-pair": "gears", "planetary": "planetary"}
 
 
 def document(name: str, exact: bool = True) -> dict[str, Any]:
-    text = table(make(read(SHEETS / name), exact=exact), "json")
+    text = table(made(name, exact=exact), "json")
     assert isinstance(text, str)
     found = json.loads(text)
     assert isinstance(found, dict)
@@ -99,7 +99,7 @@ def test_every_unit_of_a_part_has_its_russian_name(name: str) -> None:
 @pytest.mark.parametrize("name", KINDS)
 def test_the_commands_take_a_part(name: str) -> None:
     for arguments in (["table", name], ["table", name, "-f", "csv"], ["steps", name]):
-        done = CliRunner().invoke(main, arguments)
+        done = invoke(*arguments)
         assert done.exit_code == 0, done.output
         assert done.stdout
 
@@ -118,12 +118,11 @@ def test_a_part_stands_beside_a_mechanism() -> None:
 
 
 def scene_of(tmp_path: Path, name: str, *edits: tuple[str, str]) -> Path:
-    text = (SHEETS / name / "scene.toml").read_text("utf-8")
+    text = source(name)
     for old, new in edits:
         assert old in text
         text = text.replace(old, new)
-    path = tmp_path / "scene.toml"
-    path.write_text(text, "utf-8")
+    path = written(tmp_path, text)
     return path
 
 
@@ -150,7 +149,7 @@ def scene_of(tmp_path: Path, name: str, *edits: tuple[str, str]) -> Path:
 def test_what_cannot_be_made_is_one_message(
     tmp_path: Path, name: str, edit: tuple[str, str], says: str
 ) -> None:
-    done = CliRunner().invoke(main, ["table", str(scene_of(tmp_path, name, edit))])
+    done = invoke("table", scene_of(tmp_path, name, edit))
     assert done.exit_code == 2
     assert says in done.stderr
     assert "Traceback" not in done.stderr
@@ -162,7 +161,7 @@ def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None
     (part,) = draw_parts(scene)
     told = part_warnings(part)
     assert any("pressure angle reaches" in text and "φ" in text for text in told)
-    done = CliRunner().invoke(main, ["table", str(tmp_path / "scene.toml")])
+    done = invoke("table", tmp_path / "scene.toml")
     assert "pressure angle reaches" in done.stderr
 
 

@@ -9,11 +9,13 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from graphic_tmm.work import work
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.assemblies import ranges
+from support.linkages import coulisse, four_bar, slider_crank
 from support.mechanisms import Drawn, mechanisms
 from support.oracle import poses_from_points, solve_fast
-from test_assembly import brute, coulisse, four_bar, slider_crank
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.errors import StructureError, TmmError
@@ -21,7 +23,6 @@ from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project, draw_project
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets, warnings
-from graphic_tmm.work import work
 
 Pose = tuple[float, float, float]
 
@@ -45,7 +46,7 @@ def scene(mechanism: Mechanism, row: Row | None = None) -> Scene:
 def test_the_drawable_positions_are_drawn_and_the_others_named() -> None:
     lengths = (0.3, 0.22, 0.25, 0.35)
     made = work(scene(four_bar(*lengths)), exact=True)
-    low, high = brute(made.scene.mechanism, *lengths)[0]
+    low, high = ranges(*lengths)[0]
     inside = {str(k) for k in range(12) if any(low <= 30 * k + turn <= high for turn in (0, 360))}
     assert {made.project.names[i] for i in made.undrawn} == {str(k) for k in range(12)} - inside
     text = warnings(made)[0]
@@ -106,26 +107,34 @@ def track(
 
 CARRIED = [
     pytest.param(
-        lambda speed: four_bar(0.1, 0.3, 0.1, 0.3, flips=(0.0, 180.0), speed=speed),
+        lambda speed: four_bar(0.1, 0.3, 0.1, 0.3, flips=(0.0, 180.0), drive=(speed, 0.0)),
         25.0,
         id="parallelogram",
     ),
     pytest.param(
-        lambda speed: slider_crank(0.1, 0.1, flips=(90.0, 270.0), speed=speed), 25.0, id="rod = r"
+        lambda speed: slider_crank(0.1, 0.1, flips=(90.0, 270.0), drive=(speed, 0.0)),
+        25.0,
+        id="rod = r",
     ),
     pytest.param(
-        lambda speed: coulisse(0.1, 0.1 + 0j, flips=(0.0,), speed=speed), 25.0, id="A over C at 0"
+        lambda speed: coulisse(0.1, 0.1 + 0j, flips=(0.0,), drive=(speed, 0.0)),
+        25.0,
+        id="A over C at 0",
     ),
     pytest.param(
-        lambda speed: coulisse(0.1, -0.1 + 0j, flips=(180.0,), speed=speed),
+        lambda speed: coulisse(0.1, -0.1 + 0j, flips=(180.0,), drive=(speed, 0.0)),
         25.0,
         id="A over C at 180",
     ),
     pytest.param(
-        lambda speed: coulisse(0.1, 0.1j, flips=(90.0,), speed=speed), 25.0, id="A over C at 90"
+        lambda speed: coulisse(0.1, 0.1j, flips=(90.0,), drive=(speed, 0.0)),
+        25.0,
+        id="A over C at 90",
     ),
     pytest.param(
-        lambda speed: four_bar(0.2, 0.5, 0.5, 0.2, flips=(0.0,), speed=speed), 25.0, id="kite"
+        lambda speed: four_bar(0.2, 0.5, 0.5, 0.2, flips=(0.0,), drive=(speed, 0.0)),
+        25.0,
+        id="kite",
     ),
 ]
 

@@ -14,14 +14,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from support.gallery import FOLDERS, SHEETS
+from support.gallery import FOLDERS, paper
 
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write import export
 from graphic_tmm.paper.write.svg import svg
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
 pytest.importorskip("typst")
 image = pytest.importorskip("PIL.Image")
@@ -63,11 +61,6 @@ def unlike(one: np.ndarray, other: np.ndarray, dots: float = DOTS) -> tuple[floa
 
 
 @cache
-def composed(folder: Path) -> tuple[Sheet, ...]:
-    return sheets(read(folder))[1]
-
-
-@cache
 def specimen() -> Sheet:
     """Every pen, straight, round and as a curve, filled and not; lettering at every turn and size."""
     strokes: list[Any] = []
@@ -89,7 +82,7 @@ def specimen() -> Sheet:
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_typst_and_resvg_paint_every_sheet_alike(folder: Path) -> None:
-    for sheet in composed(folder):
+    for sheet in paper(folder.name)[1]:
         whole, worst = unlike(by_typst(sheet), by_resvg(svg(sheet)))
         assert whole < SHARE, sheet.name
         assert worst < SHARE, sheet.name
@@ -128,7 +121,7 @@ def test_a_small_change_is_seen(what: str) -> None:
 @pytest.mark.parametrize("name", ["crank-rocker", "engine"])
 def test_pdfium_paints_the_pdf_like_the_svg(name: str) -> None:
     pdfium = pytest.importorskip("pypdfium2")
-    drawn = composed(SHEETS / name)
+    drawn = paper(name)[1]
     pages = pdfium.PdfDocument(export.pdf(drawn))
     for page, sheet in zip(pages, drawn, strict=True):
         picture = page.render(scale=WHOLE / 72 * (1 - 2e-6), grayscale=True).to_numpy()

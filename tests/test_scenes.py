@@ -8,28 +8,21 @@ from functools import cache
 
 import numpy as np
 import pytest
-from support.gallery import NAMES, SHEETS
+from graphic_tmm.work import Work, work
+from support.gallery import NAMES, scene
 from support.oracle import Motion, State, solve_from_points
 
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.mechanism.structure import Group, dissect
-from graphic_tmm.scene.read import read
-from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import warnings
-from graphic_tmm.work import Work, work
 
 RATIO = 1e-9
 
 
 @cache
-def scene_of(name: str) -> Scene:
-    return read(SHEETS / name)
-
-
-@cache
 def work_of(name: str) -> Work:
-    return work(scene_of(name), exact=True)
+    return work(scene(name), exact=True)
 
 
 def _points(made: Work, place: int) -> dict[str, complex]:
@@ -66,12 +59,12 @@ def _largest(state: State, name: str) -> float:
 
 
 def test_the_scenes_use_every_kind_of_group() -> None:
-    kinds = {group.kind for name in NAMES for group in dissect(scene_of(name).mechanism).groups}
+    kinds = {group.kind for name in NAMES for group in dissect(scene(name).mechanism).groups}
     assert kinds == {1, 2, 3, 4, 5}
 
 
 def test_the_scenes_use_what_a_task_may_ask_for() -> None:
-    scenes = [scene_of(name) for name in NAMES]
+    scenes = [scene(name) for name in NAMES]
     assert {scene.language for scene in scenes} == {"ru", "en"}
     assert {sheet.format for scene in scenes for sheet in scene.sheets} == {"A1", "A4"}
     assert {scene.row.first for scene in scenes} == {0, 1}
@@ -170,7 +163,7 @@ def _letter(group: Group, link: int) -> str:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_sides_are_kept(name: str) -> None:
-    mechanism = scene_of(name).mechanism
+    mechanism = scene(name).mechanism
     for state in states(name):
         for group in dissect(mechanism).groups:
             side = side_record(mechanism, group)

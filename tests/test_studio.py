@@ -8,7 +8,6 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -17,7 +16,8 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import shapely
-from support.gallery import NAMES, SHEETS
+from graphic_tmm.work import Work, work
+from support.gallery import NAMES, SHEETS, paper
 
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
@@ -29,23 +29,15 @@ from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_files, sheets, warnings
-from graphic_tmm.work import Work, work
 
 SMALL = ("crank-rocker", "oscillating-cylinder")
 SVG = "{http://www.w3.org/2000/svg}"
 ROUNDING = 1e-6
 
 
-@cache
-def drawn(name: str) -> tuple[Work, tuple[Sheet, ...]]:
-    made, paper = sheets(read(SHEETS / name))
-    assert made.work is not None
-    return made.work, paper
-
-
 def views(name: str) -> Iterator[tuple[Sheet, bool, tuple[Drawing, ...]]]:
     """Every sheet, whether it is the first, and its views without the frame."""
-    for index, sheet in enumerate(drawn(name)[1]):
+    for index, sheet in enumerate(paper(name)[1]):
         yield sheet, index == 0, sheet.drawings[1:]
 
 
@@ -59,7 +51,7 @@ def ink(view: Drawing) -> list[Any]:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_sheet_is_an_svg_in_true_millimetres(name: str) -> None:
-    for sheet in drawn(name)[1]:
+    for sheet in paper(name)[1]:
         root = ElementTree.fromstring(svg(sheet))
         assert root.tag == f"{SVG}svg"
         width, height = {"A1": (841, 594), "A4": (210, 297)}[sheet.format]
@@ -71,7 +63,7 @@ def test_a_sheet_is_an_svg_in_true_millimetres(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_all_ink_of_a_view_lies_inside_the_frame(name: str) -> None:
-    language = drawn(name)[0].scene.language
+    language = paper(name)[0].scene.language
     for sheet, first, plans in views(name):
         area = drawing_area(sheet.format, language, first)
         inside = shapely.box(*area.inner)
@@ -84,11 +76,11 @@ def test_all_ink_of_a_view_lies_inside_the_frame(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_nothing_is_inked_beyond_the_paper(name: str) -> None:
-    for sheet in drawn(name)[1]:
-        paper = shapely.box(0, 0, sheet.width, sheet.height)
+    for sheet in paper(name)[1]:
+        area = shapely.box(0, 0, sheet.width, sheet.height)
         for view in sheet.drawings:
             for piece in ink(view):
-                assert shapely.covers(paper, piece), (view.name, piece.bounds)
+                assert shapely.covers(area, piece), (view.name, piece.bounds)
 
 
 @pytest.mark.slow
@@ -124,8 +116,8 @@ def test_no_letter_stands_on_another(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
-    made, paper = drawn(name)
-    plans = {view.name: view for sheet in paper for view in sheet.drawings}
+    (_, made, _), papers = paper(name)
+    plans = {view.name: view for sheet in papers for view in sheet.drawings}
     placed = {plan for order in made.scene.sheets for plan in order.place}
     due = {"positions"} if "positions" in placed else set()
     if "velocities" in placed:
@@ -142,10 +134,10 @@ def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
-    made, paper = drawn(name)
+    (_, made, _), papers = paper(name)
     due = [order.format for order in made.scene.sheets]
     due += ["A4"] * (name == "slider-diagrams")  # three diagrams take two sheets
-    assert [sheet.format for sheet in paper] == due
+    assert [sheet.format for sheet in papers] == due
 
 
 @pytest.mark.slow
@@ -243,7 +235,7 @@ def test_mu_l_omega_makes_pa_as_long_as_the_crank(speed: float) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_chosen_scale_factors_are_standard(name: str) -> None:
-    made, _ = drawn(name)
+    made = paper(name)[0].work
     wanted = made.scene.scales
     fixed = {
         "positions": wanted.mu_l or wanted.OA,
@@ -295,7 +287,7 @@ def test_a_whole_turn_gives_no_warning() -> None:
 
 def test_positions_that_cannot_be_drawn_are_named_and_the_others_are_drawn() -> None:
     rocking = four_bar(r=0.3, d=0.5)  # d + r > AB + BC: no whole turn
-    whole, paper = sheets(scene(mechanism=rocking, row=Row(8, accelerations=("0",))))
+    whole, papers = sheets(scene(mechanism=rocking, row=Row(8, accelerations=("0",))))
     made = whole.work
     assert made is not None
     reach = math.degrees(math.acos((0.3**2 + 0.5**2 - 0.7**2) / (2 * 0.3 * 0.5)))
@@ -305,7 +297,7 @@ def test_positions_that_cannot_be_drawn_are_named_and_the_others_are_drawn() -> 
     told = "\n".join(warnings(made))
     assert f"positions {', '.join(gone)} cannot be drawn" in told
     assert f"{reach:.2f}°" in told
-    inked = {view.name for sheet in paper for view in sheet.drawings}
+    inked = {view.name for sheet in papers for view in sheet.drawings}
     for k in range(8):
         assert (f"velocities-{k}" in inked) == (str(k) not in gone)
 

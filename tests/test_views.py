@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 import shapely
+from graphic_tmm.views import FREE_VIEWS, PART_VIEWS, VIEWS
 from support.gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
@@ -16,7 +17,6 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import PART_PLACES, Scene, SheetOrder
 from graphic_tmm.scene.values import FREE_PLACES, PLACES
 from graphic_tmm.studio import fitted, sheets
-from graphic_tmm.views import FREE_VIEWS, PART_VIEWS, VIEWS
 
 
 def views(scene: Scene) -> dict[str, Drawing]:

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from support.gallery import NAMES, SHEETS
+from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
@@ -22,12 +21,6 @@ from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
-
-
-@cache
-def drawn(name: str) -> Work:
-    return fitted(read(SHEETS / name))
 
 
 @pytest.mark.parametrize(

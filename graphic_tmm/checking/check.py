@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.bench import Yardstick, yardstick
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.judge import judge
-from graphic_tmm.checking.mistakes import likely
-from graphic_tmm.checking.readings.names import known
+from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.known import known
+from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import Report, Taken
-from graphic_tmm.checking.scatter import Limits
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make, scene_name
+from graphic_tmm.scenes import scene_name
+from graphic_tmm.studio import make
 
 TRIALS = 400
-"""How often the hand draws to tell what is usual."""
+"""How often the hand draws to tell how far it scatters."""
 
 
 def check(

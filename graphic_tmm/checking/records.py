@@ -53,6 +53,13 @@ class Taken(NamedTuple):
         return self.mm is None and self.x is not None and self.y is not None
 
     @property
+    def spot(self) -> complex:
+        """Where it says that a point stands, mm from the pole of its plan."""
+        assert self.x is not None
+        assert self.y is not None
+        return complex(self.x, self.y)
+
+    @property
     def at(self) -> tuple[tuple[str, str, str], bool]:
         """Which figure it is of, and whether it was measured on paper: by what its yardstick is known."""
         return self.key, self.in_mm

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.instruments import lay_off
+from graphic_tmm.board.record import Construction
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.drawing import Drawing, Label, Within
 from graphic_tmm.paper.layout import bounds, settled
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 
 CAPTION = 5.0
 SMALL = 3.5
@@ -19,6 +24,17 @@ STACK = 5.0
 def mu_text(scale: Scale, language: str) -> str:
     """Return a scale factor as the field writes it: μ_v = 0,1 (м/с)/мм."""
     return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
+
+
+def pole_texts(log: Construction, reading: Reading, view: str, language: str) -> list[str]:
+    """Return the pole distances of a view as they are written: H_V = 20 mm."""
+    found = []
+    for step in log.steps:
+        if step.it.view == view and step.op is lay_off and step.it.name == "P":
+            distance = step.uses[1]
+            value = number(float(reading[distance][0, 0]), language)
+            found.append(f"{distance.name} = {value} {unit('mm', language)}")
+    return found
 
 
 def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
@@ -33,8 +49,10 @@ def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
     return made
 
 
-def captioned(view: Drawing, *lines: str) -> Drawing:
+def captioned(view: Drawing, *lines: str, large: bool = False) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
+
+    ``large``: the first of them is the title of a sheet.
 
     Where a sheet is too narrow for it, its lines are broken, and the view comes apart if it can.
     """
@@ -42,12 +60,12 @@ def captioned(view: Drawing, *lines: str) -> Drawing:
     def apart(within: Within) -> list[Drawing]:
         *first, last = settled(view, within)
         broken = [part for text in lines for part in wrapped(text, SMALL, within.width)]
-        return [*first, captioned(last, *broken)._replace(apart=None)]
+        return [*first, captioned(last, *broken, large=large)._replace(apart=None)]
 
     left, low, right, top = bounds(view)
     middle, labels = (left + right) / 2, list(view.labels)
     for k, text in enumerate(lines):
-        size = CAPTION if k == 0 and view.name == "positions" else SMALL
+        size = CAPTION if k == 0 and large else SMALL
         low -= letter(text, size=size).ascent + 2.5
         at, anchor = (left, "start") if view.name.startswith("table") else (middle, "middle")
         labels.append(Label(text, complex(at, low), size, anchor))

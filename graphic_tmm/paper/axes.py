@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from graphic_tmm.board.values import Reals
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, line
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.curve import bezier
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
@@ -58,3 +61,36 @@ def finished(
 def largest(values: Reals) -> float:
     """Return the largest of the values that are there, at least 0."""
     return float(np.max(values, initial=0.0, where=np.isfinite(values)))
+
+
+SIZE = 5.0
+
+
+NUMBER = 3.5
+
+
+class Spots:
+    """The numbers of the log while they are inked: the first ``row`` positions."""
+
+    def __init__(self, construction: Construction, reading: Reading, row: int) -> None:
+        self.construction, self.reading, self.row = construction, reading, row
+
+    def all(self, mark: Mark) -> Complexes:
+        return np.broadcast_to(self.reading[mark][0], (self.reading.positions,))[: self.row]
+
+    def one(self, mark: Mark) -> complex:
+        return complex(self.reading[mark][0, 0])
+
+    def curve(self, mark: Mark) -> Iterator[Bezier]:
+        for controls in bezier(self.reading[mark]):
+            yield Bezier("main", tuple(complex(z) for z in controls), mark.name)
+
+    def dots(self, mark: Mark) -> Iterator[Stroke]:
+        for z in self.all(mark):
+            if np.isfinite(z):
+                yield circle("main", complex(z), DOT, filled=True)
+
+    def lines(self, starts: Complexes, ends: Complexes) -> Iterator[Stroke]:
+        for a, b in zip(starts, ends, strict=True):
+            if np.isfinite(a) and np.isfinite(b) and abs(b - a) > 0.3:
+                yield line("thin", complex(a), complex(b))

@@ -5,16 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from graphic_tmm.chapters.kinematics.equations import quantity
-from graphic_tmm.chapters.kinematics.ink_plans import markup
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.words import fixed, unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.layout import settled
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.equations import quantity
 
 SIZE = 3.5
 

@@ -104,3 +104,9 @@ def row_of(values: Reals, places: Sequence[int], count: int) -> Row:
     for place, value in zip(places, spread, strict=True):
         row[place] = float(value) if np.isfinite(value) else None
     return tuple(row)
+
+
+def ordinates(reading: Reading, mark: Mark, mu: Mark, count: int) -> tuple[Row, Row]:
+    """Return an ordinate along the positions: mm, and what it stands for."""
+    mm, value = (row_of(reading.figure(mark, by), range(count), count) for by in (None, mu))
+    return mm, value

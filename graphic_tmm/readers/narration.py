@@ -9,11 +9,11 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.chapters.kinematics.equations import equations
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.sentences import calculation, sentence
 
 

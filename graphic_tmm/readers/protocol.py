@@ -9,81 +9,82 @@ import numpy as np
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.chapter import MECHANISM, chapters
+from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.words import flywheel_title, plain, view_name
+from graphic_tmm.language.words import view_name
 from graphic_tmm.mechanism.synthesis import Found, rocker
-from graphic_tmm.parts import Part
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import Work
 
 MOST = 0.8
 """Positions with so large a share of the values that the best one has are as good."""
-GATHERED = ("diagrams", "flywheel", "engine", "forces")
-"""Plans that are drawn in several views."""
+SYNTHESIS = "synthesis"
+"""The plan by which the lengths of a mechanism are found from a task."""
+
+
+def plans() -> tuple[str, ...]:
+    """Return the plans that a protocol may be asked for, in their order."""
+    in_turn = sorted(chapters(), key=lambda one: one.plans_rank or 10 * one.number)
+    found = dict.fromkeys(plan for one in in_turn for plan in one.plans)
+    return (SYNTHESIS, *found)
 
 
 def steps_of(
-    work: Work | None,
-    parts: Sequence[Part],
-    scene: Scene,
-    plans: Sequence[str],
-    position: str | None,
-    language: str,
-    known: Sequence[str],
+    made: DrawnScene, wanted: Sequence[str], position: str | None, language: str
 ) -> list[str]:
     """Return the lines of the protocol of plans in one position, of the mechanism and of the parts.
-
-    ``known``: all plans that may be asked for.
 
     Raises
     ------
     SceneError
-        If the scene has none of the plans (those it has are told), or `protocol` has no such position.
+        If the scene has none of the plans (those it has are told), or no such position.
     """
 
-    def lines(wanted: Sequence[str], place: str | None) -> list[str]:
-        own = list(protocol(work, wanted, place, language)) if work is not None else []
-        of_parts = place if work is None else None
-        return [*own, *part_protocol(parts, wanted, language, of_parts)]
+    def lines(some: Sequence[str], place: str | None) -> list[str]:
+        found: list[str] = []
+        for drawn in made.boards:
+            own = drawn.board == MECHANISM
+            at = place if own or made.mechanism is None else None
+            tell = protocol if own else part_protocol
+            found += tell(drawn, some, at, language)
+        return found
 
-    found = lines(plans, position)
+    found = lines(wanted, position)
     if not found:
-        there = ", ".join(plan for plan in known if lines((plan, ""), None))
+        there = ", ".join(plan for plan in plans() if lines((plan, ""), None))
         says = said(
-            "the scene has no plan {listed}; it has {there}", listed=", ".join(plans), there=there
+            "the scene has no plan {listed}; it has {there}", listed=", ".join(wanted), there=there
         )
-        raise SceneError(scene.source, (Fault("--plan", 0, says),))
+        raise SceneError(made.scene.source, (Fault("--plan", 0, says),))
     return found
 
 
 def protocol(
-    work: Work, plans: Sequence[str], position: str | None, language: str
+    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
 ) -> Iterator[str]:
     """Yield the lines of the protocol of plans in one position.
 
     Raises
     ------
     SceneError
-        If there is no such position, or it has no plan of accelerations.
+        If there is no such position, or the only plan asked for is not drawn in it.
     """
-    project = work.project
-    place = _position(work, position, needs="accelerations" if len(plans) == 1 else "")
-    for plan in plans:
-        for view in _views_of(work, plan):
-            yield from _plan_lines(work, view, place, language)
-        if plan == "accelerations" and len(plans) == 1 and place not in project.accelerated:
-            raise _refused(work, plan, project.names[place])
+    place = _position(drawn, position)
+    for plan in wanted:
+        for view in _views_of(drawn, plan):
+            yield from _plan_lines(drawn, view, place, language)
+        if len(wanted) == 1 and plan in drawn.project.rows and place not in drawn.row(plan):
+            raise _refused(drawn, plan, drawn.names[place])
 
 
 def part_protocol(
-    parts: Sequence[Part], plans: Sequence[str], language: str, position: str | None = None
+    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
 ) -> Iterator[str]:
-    """Yield the lines of the protocol of parts, view by view, in one position.
+    """Yield the lines of the protocol of a part, view by view, in one position.
 
     The rise of a cam has no value where it returns: what is not there in that position is told in another.
     Where none is asked for, it is that in which most of the steps have a value.
@@ -91,23 +92,22 @@ def part_protocol(
     Raises
     ------
     SceneError
-        If a part has no such position.
+        If the part has no such position.
     """
-    for part in parts:
-        if part.kind not in plans:
-            continue
-        log, names = part.construction, part.names
-        if position is not None and position not in names:
-            raise _no_position(part.scene, position, names)
-        first = [names.index(position)] if position is not None else []
-        places = _covering(part.reading, [step.it for step in log.steps], first)
-        others = [(k, names[k]) for k in places]
-        at = f", {CAPTIONS[language]['position']} {names[places[0]]}" if len(names) > 1 else ""
-        for view in dict.fromkeys(step.it.view for step in log.steps):
-            yield f"{view_name(view, language)}{at}"
-            for line in narrate(log, view, part.reading, places[0], language, elsewhere=others):
-                yield from _printed(line)
-            yield ""
+    if not set(wanted) & {plan for one in drawn.project.chapters for plan in one.plans}:
+        return
+    log, names = drawn.construction, drawn.names
+    if position is not None and position not in names:
+        raise _no_position(drawn.scene, position, names)
+    first = [names.index(position)] if position is not None else []
+    places = _covering(drawn.reading, [step.it for step in log.steps], first)
+    others = [(k, names[k]) for k in places]
+    at = f", {CAPTIONS[language]['position']} {names[places[0]]}" if len(names) > 1 else ""
+    for view in dict.fromkeys(step.it.view for step in log.steps):
+        yield f"{view_name(view, language)}{at}"
+        for line in narrate(log, view, drawn.reading, places[0], language, elsewhere=others):
+            yield from _printed(line)
+        yield ""
 
 
 def _covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
@@ -132,7 +132,7 @@ def _covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> 
 
 
 def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
-    told = f"there is no {name}; there are {', '.join(names)}"
+    told = said("there is no {name}; there are {known}", name=name, known=", ".join(names))
     return SceneError(scene.source, (Fault("--position", 0, told),))
 
 
@@ -142,83 +142,67 @@ def _printed(line: Line) -> Iterator[str]:
         yield f"      {line.calculation}"
 
 
-def _views_of(work: Work, plan: str) -> list[str]:
+def _views_of(drawn: Drawn, plan: str) -> list[str]:
     """Return the views of the board that a plan is drawn in, in the order of the log."""
-    project = work.project
-    found: set[str] = set()
-    if plan == "diagrams" and project.kinematic is not None:
-        found = {chart.view for chart in project.kinematic.charts.values()}
-    elif plan == "flywheel" and project.flywheel is not None:
-        found = {chart.view for chart in project.flywheel.charts}
-    elif plan == "engine" and project.engine is not None:
-        found = {"engine", "harmonics", *(chart.view for chart in project.engine.charts)}
-    elif plan == "forces" and project.forces is not None:
-        owns = project.forces.owns
-        found = {s.it.view for s in project.construction.steps if owns(s.it.view)}
-    elif plan not in GATHERED:
+    if plan == SYNTHESIS:
         return [plan]
+    project = drawn.project
+    found = {v for one in project.chapters for v in one.views(project).get(plan, ())}
     views = dict.fromkeys(step.it.view for step in project.construction.steps)
     return [view for view in views if view in found]
 
 
-def _plan_lines(work: Work, plan: str, place: int, language: str) -> Iterator[str]:
-    project, log, reading, index = work.project, work.project.construction, work.reading, place
-    if plan == "synthesis":
-        found = synthesis(work.scene)
+def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[str]:
+    if view == SYNTHESIS:
+        found = synthesis(drawn.scene)
         if found is None:
             return
-        log, reading, index = found.construction, execute(found.construction, found.given), 0
-    if plan == "accelerations":
-        if work.accelerated is None or place not in project.accelerated:
+        reading = execute(found.construction, found.given)
+        lines = list(narrate(found.construction, view, reading, 0, language))
+        yield view_name(view, language)
+    else:
+        at, row = drawn.of(view), drawn.row(view)
+        if at is None or place not in row:
             return
-        reading, index = work.accelerated, project.accelerated.index(place)
-    turned = work.scene.turned and plan == "velocities"
-    lines = list(narrate(log, plan, reading, index, language, turned=turned))
-    if not lines:
-        return
-    words = CAPTIONS[language]
-    at = f", {words['position']} {project.names[place]}" if plan != "synthesis" else ""
-    kinematic = work.project.kinematic
-    point = kinematic.order.point if kinematic is not None else ""
-    flywheel = project.flywheel
-    constant = flywheel.order.constant if flywheel is not None else ""
-    title = view_name(plan, language, point)
-    title = flywheel_title(plan, constant, language) if plan == "moment" else title
-    yield f"{title}{at}"
-    yield from _polygon(work, plan, language)
+        index = row.index(place) if view in drawn.project.rows else place
+        turned = drawn.scene.turned and view == "velocities"
+        lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
+        if not lines:
+            return
+        yield f"{_title(drawn, view, language)}, {CAPTIONS[language]['position']} {drawn.names[place]}"
+        for one in drawn.project.chapters:
+            yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
     for line in lines:
         yield from _printed(line)
     yield ""
 
 
-def _position(work: Work, name: str | None, needs: str) -> int:
-    project = work.project
+def _title(drawn: Drawn, view: str, language: str) -> str:
+    titles = (one.titles(drawn, view, language) for one in drawn.project.chapters)
+    return next((title for title in titles if title), "") or view_name(view, language)
+
+
+def _position(drawn: Drawn, name: str | None) -> int:
     if name is None:
-        row = range(len(project.names))
-        wanted: list[int] = [*project.accelerated, *row[1:2], *row]
-        return next((k for k in wanted if k not in work.undrawn), wanted[0])
-    if name not in project.names:
-        raise _no_position(work.scene, name, project.names)
-    return project.names.index(name)
+        row = range(len(drawn.names))
+        own = [place for places in drawn.project.rows.values() for place in places]
+        wanted: list[int] = [*own, *row[1:2], *row]
+        return next((k for k in wanted if k not in drawn.undrawn), wanted[0])
+    if name not in drawn.names:
+        raise _no_position(drawn.scene, name, drawn.names)
+    return drawn.names.index(name)
 
 
-def _refused(work: Work, plan: str, name: str) -> SceneError:
-    drawn = ", ".join(work.project.names[k] for k in work.project.accelerated) or "none"
-    text = (
-        f"position {name} has no plan of accelerations (those that have one: {drawn}); add it there"
+def _refused(drawn: Drawn, plan: str, name: str) -> SceneError:
+    text = said(
+        "position {name} has no plan of {plan} (those that have one: {known}); add it there",
+        name=name,
+        plan=plan,
+        known=", ".join(drawn.names[k] for k in drawn.row(plan)) or said("none"),
     )
-    return SceneError(work.scene.source, (Fault("drive.accelerations", 0, text),))
+    return SceneError(drawn.scene.source, (Fault(f"drive.{plan}", 0, text),))
 
 
 def synthesis(scene: Scene) -> Found | None:
     """Return the recorded synthesis of a scene that states a task."""
     return rocker(**scene.task.given) if scene.task is not None else None
-
-
-def _polygon(work: Work, view: str, language: str) -> Iterator[str]:
-    """Yield the vector equation of a polygon of forces."""
-    made = work.project.forces
-    for polygon in made.polygons if made is not None else ():
-        if polygon.view == view:
-            letters = [plain(symbol(letter, language)) for letter, _, _ in polygon.sides]
-            yield f"      [{' + '.join(letters)} = 0]"

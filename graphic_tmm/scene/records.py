@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from itertools import chain
+from typing import TYPE_CHECKING
 
-from graphic_tmm.chapters.cam.task import CamOrder
-from graphic_tmm.chapters.diagrams.task import KinematicOrder
-from graphic_tmm.chapters.engine.task import EngineOrder
-from graphic_tmm.chapters.flywheel.task import FlywheelOrder
-from graphic_tmm.chapters.forces.task import ForcesOrder
-from graphic_tmm.chapters.gears.task import GearOrder
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder
 from graphic_tmm.mechanism.records import Mechanism, Row
+
+if TYPE_CHECKING:
+    from graphic_tmm.chapters.cam.task import CamOrder
+    from graphic_tmm.chapters.diagrams.task import KinematicOrder
+    from graphic_tmm.chapters.engine.task import EngineOrder
+    from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+    from graphic_tmm.chapters.forces.task import ForcesOrder
+    from graphic_tmm.chapters.gears.task import GearOrder
+    from graphic_tmm.chapters.planetary.task import PlanetaryOrder
 
 FORCE_PLACES = ("forces", "lever", "force table")
 """What a sheet can show of forces."""

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.accuracy.fit import slope, student
 
@@ -77,8 +78,8 @@ def test_too_few_points_have_no_slope_or_no_uncertainty() -> None:
         slope([1.0, 2.0], [1.0])
 
 
-@pytest.mark.parametrize("freedom", [1, 2, 3, 4, 5, 8, 13, 30, 101, 1000])
-@pytest.mark.parametrize("confidence", [0.5, 0.9, 0.95, 0.99, 0.999])
+@each("freedom", [1, 2, 3, 4, 5, 8, 13, 30, 101, 1000])
+@each("confidence", [0.5, 0.9, 0.95, 0.99, 0.999])
 def test_students_t_encloses_its_share_by_the_incomplete_beta_function(
     freedom: int, confidence: float
 ) -> None:

@@ -6,6 +6,7 @@ import importlib
 import pkgutil
 
 import pytest
+from support.each import each
 
 import graphic_tmm
 from graphic_tmm.accuracy.geometrography import DEFAULT, ELEMENTARY, FORMULA, SYMBOLS
@@ -31,7 +32,7 @@ def test_nothing_is_listed_that_is_no_operation_and_no_formula_is() -> None:
     assert set(SYMBOLS) == {op.name for op in DRAWN} | {REFINE.name}
 
 
-@pytest.mark.parametrize("op", [*BOARD, REFINE], ids=lambda op: op.name)
+@each("op", [*BOARD, REFINE])
 def test_every_symbol_can_be_read_and_prepares_no_more_than_there_is(op: Operation) -> None:
     found = elements(symbol(op), 3)
     assert set(found) <= set(ELEMENTARY)

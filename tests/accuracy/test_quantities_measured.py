@@ -6,15 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.gallery import SHEETS
+from support.gallery import exact
 from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import at_count
 from graphic_tmm.board.execute import execute
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make, scene_columns, scene_results
+from graphic_tmm.studio import scene_columns, scene_results
 
 
 @pytest.mark.parametrize(
@@ -42,7 +41,7 @@ def test_a_scene_has_the_quantities_that_its_sheets_show(name: str, found: str) 
 )
 def test_numbers_are_those_of_the_table(name: str, found: list[str]) -> None:
     drawn = drawing(name)
-    table = scene_results(make(read(SHEETS / name), exact=True))
+    table = scene_results(exact(name))
     for one in found:
         mine = quantity(drawn, one)
         value = mine.read(execute(drawn.log, drawn.given, mine.marks), 1)
@@ -53,9 +52,7 @@ def test_numbers_are_those_of_the_table(name: str, found: list[str]) -> None:
 
 def test_diagrams_and_their_plans_are_those_of_the_table() -> None:
     drawn = drawing("slider-diagrams")
-    columns = {
-        c.segment: c for c in scene_columns(make(read(SHEETS / "slider-diagrams"), exact=True))
-    }
+    columns = {c.segment: c for c in scene_columns(exact("slider-diagrams"))}
     mine = quantity(drawn, "V_diagram")
     reading = execute(drawn.log, drawn.given)
     assert mine.read(reading, 1)[0] == pytest.approx(columns["V"].value, abs=1e-12)

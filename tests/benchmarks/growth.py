@@ -20,10 +20,11 @@ from graphic_tmm.board.execute import prepare  # isort: skip
 from graphic_tmm.board.hand import HANDS  # isort: skip
 from graphic_tmm.board.values import Number  # isort: skip
 from graphic_tmm.paper.compose import compose
+from graphic_tmm.work import work
+
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import work
 
 POSITIONS = tuple(1 << k for k in range(18, 22))
 TRIALS = tuple(1000 << k for k in range(6))

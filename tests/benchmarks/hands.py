@@ -18,8 +18,8 @@ from typing import TypeVar
 TESTS = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS / "checking"), str(TESTS), str(TESTS.parent)]
 
-from support.gallery import SHEETS  # noqa: E402
-from support.trials import Blamed, Honest, Planted, blamed, honest, made, planted  # noqa: E402
+from support.gallery import SHEETS, exact  # noqa: E402
+from support.trials import Blamed, Honest, Planted, blamed, honest, planted  # noqa: E402
 
 from graphic_tmm.checking.cells import cells  # noqa: E402
 
@@ -32,7 +32,7 @@ Found = TypeVar("Found", Honest, Mapping[str, Planted], Blamed)
 def scenes() -> list[str]:
     """Return the scenes that have something to read."""
     names = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
-    return [name for name in names if cells(made(name))]
+    return [name for name in names if cells(exact(name))]
 
 
 def percent(part: int, whole: int) -> str:

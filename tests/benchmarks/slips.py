@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 from clock import ROOT, Row, show
+from graphic_tmm.work import work
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import HANDS, Slip, Slipping
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 TRIALS = 10_000
 ROUNDS = 7

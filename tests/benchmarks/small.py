@@ -9,11 +9,11 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 from clock import ROOT, Row, in_turns, process, show
+from graphic_tmm.work import work
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 PROJECT = ("windrower", "cam", "gear-pair", "planetary")
 """The scenes of the windrower's project, all on A1 sheets."""

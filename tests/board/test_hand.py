@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from hypothesis import example, given
 from hypothesis import strategies as st
 from support.gallery import SHEETS
@@ -20,7 +21,6 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, meet, par
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import Work, work
 
 MANY = 40_000
 """A standard deviation of so many numbers is uncertain by 1/√(2·MANY) = 0.35 %: within 2 % at 5.6 sigma."""

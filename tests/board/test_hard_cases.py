@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.board.geometry import EPS, cis, degrees, root
 from graphic_tmm.board.operations.instruments import (
@@ -160,7 +161,7 @@ def test_lines_parallel_to_the_last_bit(
             assert abs(_mp(found) - t * u) <= bound
 
 
-@pytest.mark.parametrize("quarter", range(-8, 9))
+@each("quarter", range(-8, 9))
 def test_quadrants_are_exact(quarter: int) -> None:
     angle = 90.0 * quarter
     assert cis(_at(angle))[0, 0] == 1j**quarter

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.each import each
 
 import graphic_tmm.board.operations.formulas
 import graphic_tmm.board.operations.instruments  # noqa: F401
@@ -321,7 +322,7 @@ def test_every_operation_has_a_reference() -> None:
     assert sorted(op.name for op in BASIC_OPERATIONS) == sorted(REFERENCES)
 
 
-@pytest.mark.parametrize("op", BASIC_OPERATIONS, ids=repr)
+@each("op", BASIC_OPERATIONS)
 def test_a_mark_that_is_not_there_leaves_none(op: Operation) -> None:
     """NaN in any argument gives NaN, without a warning; other positions do not notice."""
     samples: dict[Any, Any] = {

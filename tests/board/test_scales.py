@@ -27,15 +27,14 @@ from graphic_tmm.board.values import Angle
 # ---------------------------------------------------------------- the ruler
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize("tenth", range(0, 3000, 7))
-def test_a_tie_goes_to_the_longer_length_on_both_sides(sign: int, tenth: int) -> None:
+def test_a_tie_goes_to_the_longer_length_on_both_sides() -> None:
     """0.05, 0.15 ... : the nearest floats lie on either side of the tie, the reading does not care."""
-    tie = sign * (tenth / 10 + 0.05)
-    around = np.array(
-        [[np.nextafter(tie, 0), tie, np.nextafter(tie, 9e9 * sign), tie * (1 + 1e-13)]]
-    )
-    np.testing.assert_allclose(Hand(0.1).read(around), sign * (tenth + 1) / 10, rtol=1e-15)
+    tenth = np.arange(3000)
+    for sign in (1, -1):
+        tie = sign * (tenth / 10 + 0.05)
+        around = [np.nextafter(tie, 0), tie, np.nextafter(tie, 9e9 * sign), tie * (1 + 1e-13)]
+        due = np.broadcast_to(sign * (tenth + 1) / 10, (4, tenth.size))
+        np.testing.assert_allclose(Hand(0.1).read(np.array(around)), due, rtol=1e-15)
 
 
 def test_below_half_a_division_nothing_is_read() -> None:

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.flywheels import crank, scene_of, slopes
+from support.scenes import written
 
 from graphic_tmm.board.operations import graph_curves as c
 from graphic_tmm.board.operations.graphs import erect
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import Work, work
 
 Motion = Callable[[np.ndarray], np.ndarray]
 
@@ -127,8 +128,7 @@ def test_what_drives_is_taut_and_what_moves_is_smooth(tmp_path: Path) -> None:
     text = text.replace("[hand]", more).replace(
         '"flywheel"]', '"flywheel", "engine diagrams", "diagrams"]'
     )
-    file = tmp_path / "scene.toml"
-    file.write_text(text, encoding="utf-8")
+    file = written(tmp_path, text)
     found = curves(work(read(file), exact=True))
     smooth = {"diagram V (v–v)", "diagram a (a′–a′)", "energy (l–l)", "engine P (f–f)"}
     taut = {"moment (k–k)", "engine P (p–p)", "engine P (p′–p′)"}
@@ -146,8 +146,7 @@ def test_a_constant_pressure_over_three_positions_is_a_level_line(tmp_path: Path
     row = text[text.index("cover = [") : text.index("]", text.index("cover = ["))]
     level = "cover = [" + ", ".join(["9e5"] * 3 + ["5e5", "3e5", "2e5", "1e5"] + ["1e5"] * 5)
     text = text.replace(row, level).replace("[hand]", '[engine]\npoint = "B"\n[hand]')
-    file = tmp_path / "scene.toml"
-    file.write_text(text.replace('"flywheel"', '"engine diagrams"'), encoding="utf-8")
+    file = written(tmp_path, text.replace('"flywheel"', '"engine diagrams"'))
     made = work(read(file), exact=True)
     step = next(
         s for s in made.project.construction.steps

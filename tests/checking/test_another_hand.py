@@ -20,6 +20,7 @@ from support.another_hand import (
     rows_of,
     sheets,
 )
+from support.gallery import CASES
 
 from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.check import checks
@@ -29,14 +30,13 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
-CASES = Path(__file__).resolve().parent.parent / "cases" / "check"
 MIRRORED = ("sc", "fb", "six")
 """A stone on a rocker through its pivot can be assembled in one way only."""
 
 
 @cache
 def scene(name: str) -> Scene:
-    return read(CASES / f"{name}.toml")
+    return read(CASES / "check" / f"{name}.toml")
 
 
 @pytest.mark.parametrize("name", MACHINES)

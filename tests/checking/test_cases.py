@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 
 import pytest
-from support.gallery import SHEETS
+from support.gallery import CASES, SHEETS
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
 from graphic_tmm.scene.read import read
 
-CASES = Path(__file__).resolve().parent.parent / "cases" / "check"
 SCENES = ("sc", "fb", "rpr", "six")
 SURE = frozenset({"fine", "wrong"})
 BLAMED = {
@@ -45,12 +43,12 @@ BLAMED = {
 @cache
 def report(case: str) -> Report:
     last = case.rsplit("_", 1)[-1]
-    scene = CASES / f"{last}.toml"
+    scene = CASES / "check" / f"{last}.toml"
     if case.startswith("honest"):
-        scene = CASES / "six.toml"
+        scene = CASES / "check" / "six.toml"
     elif last not in SCENES:
         scene = SHEETS / last
-    return check(read(scene), read_readings(CASES / f"{case}.csv"))
+    return check(read(scene), read_readings(CASES / "check" / f"{case}.csv"))
 
 
 def verdicts(case: str, verdict: str) -> set[tuple[str, str]]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
-from support.gallery import SHEETS
+from support.command import invoke
+from support.gallery import SHEETS, exact
+from support.scenes import source, written
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points as spots
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
@@ -16,7 +16,6 @@ from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 
 def test_an_unknown_segment_is_named_with_its_line() -> None:
@@ -33,7 +32,7 @@ def test_an_unknown_segment_is_named_with_its_line() -> None:
 
 @pytest.mark.slow
 def test_the_command(tmp_path: Path) -> None:
-    template = CliRunner().invoke(main, ["check", "engine", "--template"])
+    template = invoke("check", "engine", "--template")
     assert template.exit_code == 0
     assert (
         "velocities,2,pb" in template.stdout.replace("скоростей", "velocities")
@@ -41,22 +40,20 @@ def test_the_command(tmp_path: Path) -> None:
     )
     path = tmp_path / "r.csv"
     path.write_text("plan;position;segment;mm\nvelocities;2;pb;42,5\nvelocities;3;pb;15\n", "utf-8")
-    done = CliRunner().invoke(main, ["check", "engine", str(path), "-f", "json", "--trials", "40"])
+    done = invoke("check", "engine", path, "-f", "json", "--trials", "40")
     assert done.exit_code == 1, done.output
     assert '"verdict": "wrong"' in done.stdout
     for form in ("text", "md", "html"):
-        done = CliRunner().invoke(
-            main, ["check", "engine", str(path), "-f", form, "--trials", "40"]
-        )
+        done = invoke("check", "engine", path, "-f", form, "--trials", "40")
         assert done.exit_code == 1
         assert done.stdout
-    spot = spots(make(read(SHEETS / "engine"), exact=True))["velocities", "a", "1"] * (1 - 1.5 / 60)
+    spot = spots(exact("engine"))["velocities", "a", "1"] * (1 - 1.5 / 60)
     row = f"velocities,1,a,{spot.real:.1f},{spot.imag:.1f}"
     path.write_text(f"plan,position,segment,x,y\n{row}\n", "utf-8")
     for points, status in (("paper", 0), ("screen", 1)):
         arguments = ["check", "engine", str(path), "--points", points, "--trials", "40"]
-        assert CliRunner().invoke(main, arguments).exit_code == status
-    missing = CliRunner().invoke(main, ["check", "engine", str(tmp_path / "none.csv")])
+        assert invoke(*arguments).exit_code == status
+    missing = invoke("check", "engine", tmp_path / "none.csv")
     assert missing.exit_code == 2
     assert "Traceback" not in missing.stderr
 
@@ -65,7 +62,7 @@ def test_the_command(tmp_path: Path) -> None:
 def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     pytest.importorskip("typst")
     image = pytest.importorskip("PIL.Image")
-    drawn = CliRunner().invoke(main, ["draw", "crank-rocker", "-f", "png", "-o", str(tmp_path)])
+    drawn = invoke("draw", "crank-rocker", "-f", "png", "-o", tmp_path)
     assert drawn.exit_code == 0
     photo = tmp_path / "crank-rocker-1.png"
     with image.open(photo) as opened:
@@ -75,21 +72,20 @@ def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     corners = " ".join(f"{x * dots:.1f},{(297 - y) * dots:.1f}" for x, y in ends)
     out = tmp_path / "under.svg"
     arguments = ["check", "crank-rocker", "--photo", str(photo), "--corners", corners]
-    done = CliRunner().invoke(main, [*arguments, "--overlay", str(out)])
+    done = invoke(*arguments, "--overlay", out)
     assert done.exit_code == 0, done.output
     assert 'href="under-flat.png"' in out.read_text("utf-8")
     with image.open(tmp_path / "under-flat.png") as flat:
         assert flat.size[0] == pytest.approx(210 * 4, abs=2)
-    bad = CliRunner().invoke(main, [*arguments[:-1], "1,2 3,4"])
+    bad = invoke(*arguments[:-1], "1,2 3,4")
     assert bad.exit_code == 2
     assert "four corners" in bad.stderr
 
 
 def test_a_reading_of_what_has_no_figure_is_noted_and_not_judged(tmp_path: Path) -> None:
     """A train 8 km large is drawn to no scale that leaves a digit of its ratio."""
-    text = (SHEETS / "planetary" / "scene.toml").read_text("utf-8")
-    huge = tmp_path / "scene.toml"
-    huge.write_text(text.replace('"8 mm"', '"8000000.0 mm"'), "utf-8")
+    text = source("planetary")
+    huge = written(tmp_path, text.replace('"8 mm"', '"8000000.0 mm"'))
     rows = tmp_path / "readings.csv"
     rows.write_text("plan,position,segment,mm,value,unit\nresults,,planetary_ratio_drawn,,4.56,1\n")
     found = check(read(huge), read_readings(rows), trials=20)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
-from support.trials import made
+from support.command import invoke
+from support.gallery import exact
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Report, Taken
@@ -21,7 +20,7 @@ AWAY = 3.0 + 4.0j
 def read(name: str, *wanted: tuple[str, str], wrong: bool = False) -> Report:
     """Every point of some plans and positions, 5 mm away from its due."""
     rows = []
-    for (plan, letter, position), z in points(made(name)).items():
+    for (plan, letter, position), z in points(exact(name)).items():
         if (plan, position) in wanted:
             found = z + AWAY
             taken = Taken(plan, position, letter, x=found.real, y=found.imag)
@@ -45,8 +44,8 @@ def crosses(sheet: Sheet) -> list[complex]:
 @pytest.mark.parametrize("plan", ["positions", "velocities", "accelerations"])
 def test_a_cross_stands_where_a_point_was_read(plan: str, enlarge: float) -> None:
     report = read("engine", (plan, "2"))
-    sheet = overlay_sheet(made("engine"), report, enlarge)
-    due = {k: z for k, z in points(made("engine")).items() if (k[0], k[2]) == (plan, "2")}
+    sheet = overlay_sheet(exact("engine"), report, enlarge)
+    due = {k: z for k, z in points(exact("engine")).items() if (k[0], k[2]) == (plan, "2")}
     found = crosses(sheet)
     assert len(found) == len(due) == len(report.readings)
     ways = {
@@ -65,7 +64,9 @@ def test_a_cross_stands_where_a_point_was_read(plan: str, enlarge: float) -> Non
 
 def test_the_exact_plan_is_thin_and_what_is_wrong_is_heavy() -> None:
     for wrong in (False, True):
-        sheet = overlay_sheet(made("engine"), read("engine", ("velocities", "3"), wrong=wrong), 1.0)
+        sheet = overlay_sheet(
+            exact("engine"), read("engine", ("velocities", "3"), wrong=wrong), 1.0
+        )
         (plan,) = (v for v in sheet.drawings if v.name.startswith("overlay"))
         told = [s for s in plan.strokes if s.title.endswith(": 5.00 mm")]
         assert {s.pen for s in told} == {"main" if wrong else "medium"}
@@ -75,18 +76,18 @@ def test_the_exact_plan_is_thin_and_what_is_wrong_is_heavy() -> None:
 
 
 def test_the_sheet_is_the_smallest_that_holds_the_plans() -> None:
-    assert overlay_sheet(made("engine"), read("engine", ("velocities", "3")), 1.0).format == "A4"
+    assert overlay_sheet(exact("engine"), read("engine", ("velocities", "3")), 1.0).format == "A4"
     many = [(plan, str(n)) for plan in ("positions", "velocities") for n in range(1, 9)]
-    assert overlay_sheet(made("engine"), read("engine", *many), 1.0).format == "A1"
+    assert overlay_sheet(exact("engine"), read("engine", *many), 1.0).format == "A1"
 
 
 def test_no_points_are_told() -> None:
     with pytest.raises(SheetError, match="no points were read"):
-        overlay_sheet(made("engine"), Report("engine", "", "en", "student", (), ()), 1.0)
+        overlay_sheet(exact("engine"), Report("engine", "", "en", "student", (), ()), 1.0)
 
 
 def test_the_overlay_shows_what_was_read(tmp_path: Path) -> None:
-    spots = points(made("engine"))
+    spots = points(exact("engine"))
     lines = ["plan,position,segment,x,y"]
     for (plan, letter, position), z in spots.items():
         if plan == "velocities" and position in ("2", "3"):
@@ -104,6 +105,6 @@ def test_the_overlay_shows_what_was_read(tmp_path: Path) -> None:
         "--trials",
         "40",
     ]
-    done = CliRunner().invoke(main, arguments)
+    done = invoke(*arguments)
     assert done.exit_code in (0, 1), done.output
     assert out.read_text("utf-8").startswith("<?xml") or "<svg" in out.read_text("utf-8")

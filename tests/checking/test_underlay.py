@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 from support import photographs
+from support.command import invoke
 from support.photographs import DOTS, Camera
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
@@ -91,7 +91,7 @@ def corners() -> str:
 
 
 def check(*arguments: object) -> Result:
-    return CliRunner().invoke(main, ["check", *map(str, arguments)])
+    return invoke("check", *map(str, arguments))
 
 
 @pytest.mark.slow

@@ -6,9 +6,8 @@ import random
 import re
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
-SHEETS = Path(__file__).parents[2] / "sheets"
+from support.gallery import SHEETS
 
 NUMBER = re.compile(r"(?<![\w.\"#])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.])")
 AMOUNT = re.compile(r'"[-+]?\d+(?:\.\d+)? ?[^"\n]{0,8}"')

@@ -8,6 +8,7 @@ import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from support.cams import C6, Made, made
+from support.each import each
 from support.teeth import pair
 
 from graphic_tmm.board.findings import examine
@@ -133,8 +134,8 @@ def pointed(z1: int, z2: int) -> float:
         return float(found)
 
 
-@pytest.mark.parametrize("z", [(6, 40), (7, 30), (10, 25)])
-@pytest.mark.parametrize("off", [-0.05, -1e-9, 0.0, 1e-9, 0.05])
+@each("z", [(6, 40), (7, 30), (10, 25)])
+@each("off", [-0.05, -1e-9, 0.0, 1e-9, 0.05])
 def test_teeth_about_the_shift_that_makes_them_pointed(z: tuple[int, int], off: float) -> None:
     x = pointed(*z) + off
     of = pair(GearOrder(*z, 0.01, x, 0.0))
@@ -147,8 +148,8 @@ def test_teeth_about_the_shift_that_makes_them_pointed(z: tuple[int, int], off: 
         assert (("pointed tooth", 1) in of.failed()) == (due < 0)
 
 
-@pytest.mark.parametrize("x", [(0.0, 0.0), (0.65, 0.65), (1.0, 1.0), (0.3, -0.3)])
-@pytest.mark.parametrize("m", [1e-6, 0.01, 10.0])
+@each("x", [(0.0, 0.0), (0.65, 0.65), (1.0, 1.0), (0.3, -0.3)])
+@each("m", [1e-6, 0.01, 10.0])
 def test_wheels_of_six_teeth(x: tuple[float, float], m: float) -> None:
     """Drawn at every module; of each fault there is, the verdict, and what is not drawn is named."""
     of = pair(GearOrder(6, 6, m, *x))

@@ -8,6 +8,7 @@ import mpmath as mp  # type: ignore[import-untyped]
 import pytest
 from support import oracle
 from support.drawn import board
+from support.each import each
 from support.hard_judge import DIGITS, Verdict, exact_of, judge, named, right
 from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
@@ -80,7 +81,7 @@ RATIOS = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 3, 4)])
+@each("frame", [FRAMES[k] for k in (0, 1, 3, 4)])
 @pytest.mark.parametrize("name", RATIOS)
 def test_lengths_in_the_ratio_of_a_million(name: str, frame: Frame) -> None:
     mechanism, angles = RATIOS[name]

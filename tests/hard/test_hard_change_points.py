@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from support.drawn import board
+from support.each import each
 from support.hard_judge import Verdict, judge, named, right
 from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
 
@@ -37,7 +38,7 @@ def _all(name: str, frame: Frame) -> list[tuple[float, Verdict]]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 4)])
+@each("frame", [FRAMES[k] for k in (0, 1, 4)])
 @pytest.mark.parametrize("name", CASES)
 def test_right_within_the_condition_or_named(name: str, frame: Frame) -> None:
     for off, found in _all(name, frame):
@@ -105,8 +106,8 @@ def test_a_mechanism_that_passes_on_has_one_smooth_path(flipping: Mechanism) -> 
 # mechanisms that lock over a part of the turn
 
 
-@pytest.mark.parametrize("off", [0.0, 1e-16, 1e-13, 1e-10, 1e-6])
-@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 3, 4)])
+@each("off", [0.0, 1e-16, 1e-13, 1e-10, 1e-6])
+@each("frame", [FRAMES[k] for k in (0, 3, 4)])
 def test_about_the_angle_where_a_mechanism_locks(off: float, frame: Frame) -> None:
     r, rod, s, d = 0.3, 0.5, 0.15, 0.4
     lock = math.degrees(math.acos((r * r + d * d - (rod + s) ** 2) / (2 * r * d)))

@@ -9,20 +9,17 @@ from __future__ import annotations
 import csv
 import io
 from collections import Counter
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
+from graphic_tmm.work import Work
+from support.command import invoke
 from support.figures_judge import Told, dead_centre, drawn_at, figures, rows
+from support.gallery import CASES
 from support.mechanisms import sample
 from test_hard_forces import weighed
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.errors import StructureError
-from graphic_tmm.work import Work
-
-TABLES = Path(__file__).parents[1] / "cases" / "tables"
 
 
 def named(made: Work, told: Told) -> bool:
@@ -118,7 +115,7 @@ def _unit(row: object, place: int, value: float, size: float) -> float:
 
 
 def _table(name: str, *options: str) -> dict[tuple[str, str, str], str]:
-    result = CliRunner().invoke(main, ["table", str(TABLES / name), "-f", "csv", *options])
+    result = invoke("table", CASES / "tables" / name, "-f", "csv", *options)
     assert result.exit_code == 0, result.stderr
     lines = csv.DictReader(io.StringIO(result.stdout))
     return {(row["plan"], row["position"], row["segment"]): row["value"] for row in lines}
@@ -140,8 +137,8 @@ def test_a_position_that_locks_takes_nothing_from_the_others() -> None:
 
 
 def test_forces_of_no_sure_digit_are_left_out_and_named() -> None:
-    path = TABLES / "equal-rods-89.999.toml"
-    result = CliRunner().invoke(main, ["table", str(path), "--exact", "-f", "csv"])
+    path = CASES / "tables" / "equal-rods-89.999.toml"
+    result = invoke("table", path, "--exact", "-f", "csv")
     found = _table(path.name, "--exact")
     for segment in ("R12", "R03", "R23", "R01", "M_bal_forces", "M_bal_lever", "Pi2"):
         assert ("forces", "89.999°", segment) not in found
@@ -155,7 +152,7 @@ def test_forces_of_no_sure_digit_are_left_out_and_named() -> None:
 
 
 def test_the_check_calls_right_readings_beside_a_lock_fine() -> None:
-    paths = [str(TABLES / "row12-lock.toml"), str(TABLES / "row12-good.csv")]
-    result = CliRunner().invoke(main, ["check", *paths, "--trials", "40"])
+    paths = [str(CASES / "tables" / "row12-lock.toml"), str(CASES / "tables" / "row12-good.csv")]
+    result = invoke("check", *paths, "--trials", "40")
     assert result.exit_code == 0, result.output
     assert "Fine 3, doubtful 0, wrong 0" in result.stdout

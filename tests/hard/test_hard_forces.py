@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from support import dynamics, oracle
 from support.dynamics import Loaded
+from support.each import each
 from support.hard_judge import DIGITS
 from support.hard_mechanisms import (
     FRAMES,
@@ -107,8 +108,8 @@ NEARLY = {
 }
 
 
-@pytest.mark.parametrize("frame", [FRAMES[k] for k in (0, 1, 5)])
-@pytest.mark.parametrize("off", [1e-1, 1e-2, 1e-3, 1e-4])
+@each("frame", [FRAMES[k] for k in (0, 1, 5)])
+@each("off", [1e-1, 1e-2, 1e-3, 1e-4])
 @pytest.mark.parametrize("name", NEARLY)
 def test_polygons_of_nearly_parallel_sides(name: str, off: float, frame: Frame) -> None:
     mechanism, angle = NEARLY[name]
@@ -121,8 +122,8 @@ def test_polygons_of_nearly_parallel_sides(name: str, off: float, frame: Frame) 
     assert max(found.values()) <= 8 * EPS * len(solved.log.steps) * kappa * reach, (found, kappa)
 
 
-@pytest.mark.parametrize("frame", FRAMES[:4])
-@pytest.mark.parametrize("angle", [0.0, 180.0, 90.0, 1e-13, 45.0])
+@each("frame", FRAMES[:4])
+@each("angle", [0.0, 180.0, 90.0, 1e-13, 45.0])
 def test_forces_at_dead_centres(angle: float, frame: Frame) -> None:
     solved, kappa = judged(weighed(put(slider_crank(0.3, 0.64), frame)), frame.angle(angle))
     found = errors(solved)
@@ -134,10 +135,8 @@ def _bare(mechanism: Mechanism) -> Loaded:
     return Loaded(replace(mechanism, links=links), [], [])
 
 
-@pytest.mark.parametrize("angle", [0.0, 90.0, 180.0, 37.0])
-@pytest.mark.parametrize(
-    "mechanism", [slider_crank(0.3, 0.64), four_bar(1, 2.5, 2, 3), coulisse(0.1, 0.3)]
-)
+@each("angle", [0.0, 90.0, 180.0, 37.0])
+@each("mechanism", [slider_crank(0.3, 0.64), four_bar(1, 2.5, 2, 3), coulisse(0.1, 0.3)])
 def test_no_load_is_no_force_anywhere(mechanism: Mechanism, angle: float) -> None:
     """All vectors of all polygons have no length: exactly nothing, and no direction is missed."""
     one = _bare(mechanism)

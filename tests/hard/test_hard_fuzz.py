@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 import shapely
-from click.testing import CliRunner
 from fuzz import case
 from fuzz_tasks import task
+from support.command import invoke
 from support.gallery import NAMES, SHEETS
+from support.scenes import source
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.paper.symbols.hatching import MOST, hatched
 from graphic_tmm.paper.symbols.kinematic import MOST_HATCHES, hatching
 
@@ -49,11 +49,11 @@ def test_what_the_fuzzer_found_is_drawn(
 ) -> None:
     """Forces that are not there in the position asked for; a rim thinner than any dimension; a flank that works
     in one point."""
-    text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")
+    text = source(name)
     scene, out = tmp_path / "scene.toml", tmp_path / "out"
     assert old in text
     scene.write_text(text.replace(old, new), encoding="utf-8")
-    result = CliRunner().invoke(main, ["draw", str(scene), "-o", str(out)])
+    result = invoke("draw", scene, "-o", out)
     assert (result.exit_code, result.exception) == (0, None), result.output
     assert says in result.stderr
     assert "nan" not in next(out.glob("*.svg")).read_text(encoding="utf-8")
@@ -61,10 +61,10 @@ def test_what_the_fuzzer_found_is_drawn(
 
 @pytest.mark.slow
 def test_a_plan_too_small_to_measure_is_refused(tmp_path: Path) -> None:
-    text = (SHEETS / "windrower" / "scene.toml").read_text(encoding="utf-8")
+    text = source("windrower")
     scene, out = tmp_path / "scene.toml", tmp_path / "out"
     scene.write_text(text.replace('mu_l = "0.004 m/mm"', 'mu_l = "4000.0 m/mm"'), encoding="utf-8")
-    result = CliRunner().invoke(main, ["draw", str(scene), "-o", str(out)])
+    result = invoke("draw", scene, "-o", out)
     assert (result.exit_code, out.exists()) == (2, False), result.output
     assert "scales.mu_l: " in result.stderr
     assert "too small to measure" in result.stderr
@@ -78,7 +78,7 @@ def test_a_case_is_told_by_its_seed_and_number() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_scene_tells_its_steps(name: str) -> None:
-    result = CliRunner().invoke(main, ["steps", str(SHEETS / name)])
+    result = invoke("steps", SHEETS / name)
     assert (result.exit_code, result.exception) == (0, None)
 
 

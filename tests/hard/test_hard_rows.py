@@ -7,19 +7,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from graphic_tmm.work import Work, work
+from support.command import invoke
 from support.drawn import board
 from support.gallery import NAMES, SHEETS
 from support.hard_judge import judge, right
 from support.hard_mechanisms import four_bar, slider_crank
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import Work, work
 
 # a few positions
 
@@ -39,7 +38,7 @@ def test_one_two_or_three_positions(count: int, command: list[str], tmp_path: Pa
         path = tmp_path / f"{name}.toml"
         path.write_text("\n".join(lines), encoding="utf-8")
         out = ["-o", str(tmp_path / name)] if command == ["draw"] else []
-        result = CliRunner().invoke(main, [command[0], str(path), *command[1:], *out])
+        result = invoke(command[0], path, *command[1:], *out)
         assert result.exit_code == due, result.output
         if due:
             assert "needs 4 positions at least" in result.stderr

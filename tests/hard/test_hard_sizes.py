@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.each import each
 from support.hostile import READINGS, SCENES
 
 from graphic_tmm.accuracy.minutes import MINUTES, read_minutes
@@ -58,7 +59,7 @@ def told(work: Callable[[], object]) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("what", SCENES)
+@each("what", SCENES)
 def test_a_large_scene_is_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "scene.toml"
     file.write_bytes(cut(SCENES[what](SCENE.largest), SCENE.largest))
@@ -68,7 +69,7 @@ def test_a_large_scene_is_refused_in_few_words(what: str, tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("what", READINGS)
+@each("what", READINGS)
 def test_many_readings_are_read_or_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "r.csv"
     file.write_bytes(cut(READINGS[what](1_000_000), 1_000_000))
@@ -76,7 +77,7 @@ def test_many_readings_are_read_or_refused_in_few_words(what: str, tmp_path: Pat
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("what", SCENES)
+@each("what", SCENES)
 def test_a_large_table_of_minutes_is_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"
     file.write_bytes(cut(SCENES[what](MINUTES.largest), MINUTES.largest))

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
+from support.command import invoke
 from support.drawn import board
-from support.gallery import NAMES, SHEETS
+from support.gallery import NAMES
 from support.hard_mechanisms import Frame, put
 from support.mechanisms import sample
+from support.scenes import source, written
 
-from graphic_tmm.__main__ import main
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files
@@ -103,25 +103,24 @@ def _shuffled(text: str, seed: int) -> str:
     order = random.Random(seed).sample(at, len(at))
     # a heading in a comment belongs to no block: the shuffled text is read, not shown
     kept = list(blocks)
-    for k, source in zip(at, order, strict=True):
-        kept[k] = blocks[source]
+    for k, one in zip(at, order, strict=True):
+        kept[k] = blocks[one]
     return "".join(kept)
 
 
-QUICK = [n for n in NAMES if (SHEETS / n / "scene.toml").read_text("utf-8").count("[[link]]") > 1]
+QUICK = [n for n in NAMES if source(n).count("[[link]]") > 1]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", QUICK)
 def test_links_in_another_order_give_the_same_bytes(name: str, tmp_path: Any) -> None:
-    text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")
+    text = source(name)
     told = []
     for seed in (None, 1):
         folder = tmp_path / str(seed) / "same"
         folder.mkdir(parents=True)
-        path = folder / "scene.toml"
-        path.write_text(text if seed is None else _shuffled(text, seed), encoding="utf-8")
-        result = CliRunner().invoke(main, ["table", str(path), "-f", "csv"])
+        path = written(folder, text if seed is None else _shuffled(text, seed))
+        result = invoke("table", path, "-f", "csv")
         assert result.exit_code == 0, result.output
         told.append(result.stdout)
     assert told[0] == told[1]
@@ -130,7 +129,7 @@ def test_links_in_another_order_give_the_same_bytes(name: str, tmp_path: Any) ->
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker", "scotch-yoke"])
 def test_links_in_another_order_give_the_same_sheets(name: str, tmp_path: Any) -> None:
-    text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")
+    text = source(name)
     drawn = []
     for seed in (None, 2):
         folder = tmp_path / str(seed) / "same"

@@ -11,6 +11,7 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from support.dynamics import Friction, statics
+from support.each import each
 from support.oracle import State, solve_fast, solve_from_points
 from support.wrenches import StaticsError
 
@@ -68,9 +69,9 @@ def test_a_slider_crank_carries_what_the_textbook_says(phi: float) -> None:
     assert turned.couples[0, 3] == pytest.approx(-11 - 0.1 * n, abs=1e-10 * p)  # E is 0.1 ahead
 
 
-@pytest.mark.parametrize("tilt", [0.0, 35.0])
-@pytest.mark.parametrize("phi", PHIS)
-@pytest.mark.parametrize(("gravity", "inertia"), [(True, False), (False, True), (True, True)])
+@each("tilt", [0.0, 35.0])
+@each("phi", PHIS)
+@each("gravity, inertia", [(True, False), (False, True), (True, True)])
 def test_the_balancing_moment_is_the_power_of_the_energy(
     phi: float, tilt: float, gravity: bool, inertia: bool
 ) -> None:
@@ -149,8 +150,8 @@ def test_a_journal_drags_with_its_friction_couple(speed: float) -> None:
     assert 0.4 * p - 0.7 * load == pytest.approx(sense * 0.015 * math.hypot(load, load + p))
 
 
-@pytest.mark.parametrize("tilt", [0.0, 20.0, -50.0, 140.0])
-@pytest.mark.parametrize("phi", [40.0, 120.0, 225.0, 300.0])
+@each("tilt", [0.0, 20.0, -50.0, 140.0])
+@each("phi", [40.0, 120.0, 225.0, 300.0])
 def test_a_block_on_an_incline_is_pushed_as_the_textbook_says(tilt: float, phi: float) -> None:
     """Q = G sin(α ± ρ)/cos(β ± ρ): up + with the rod pressing the block to the guide."""
     light, f = bare(engine(tilt)), 0.2

@@ -12,6 +12,7 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from support.each import each
 from support.mechanisms import KINDS, Drawn, mechanisms, sample, sides, sides_kept
 from support.oracle import (
     OracleError,
@@ -85,8 +86,8 @@ def test_a_slider_turned_on_an_inclined_guide_stands_as_its_docstring_says() -> 
     assert state.points["B"].r.real == pytest.approx(0.7)
 
 
-@pytest.mark.parametrize("phi", PHIS)
-@pytest.mark.parametrize("side", [1, -1])
+@each("phi", PHIS)
+@each("side", [1, -1])
 def test_four_bar_has_its_closed_form(phi: float, side: int) -> None:
     c, rod, rocker = mpmath.mpc(0.6, 0.1), mpmath.mpf(0.5), mpmath.mpf(0.45)
 
@@ -133,8 +134,8 @@ def rocker(*, owner: int) -> Mechanism:
     return Mechanism(frame, (CRANK, stone, beam), DRIVE)
 
 
-@pytest.mark.parametrize("phi", PHIS)
-@pytest.mark.parametrize("owner", [2, 3])
+@each("phi", PHIS)
+@each("owner", [2, 3])
 def test_rocker_has_its_closed_form(phi: float, owner: int) -> None:
     def angle(t: Any) -> Any:
         chord = mpmath.mpf(0.2) * unit(t) + 0.5j
@@ -186,7 +187,7 @@ def test_rates_are_differences_of_positions(drawn: Drawn) -> None:
         )
 
 
-@pytest.mark.parametrize("drawn", sample(40, seed=3), ids=lambda drawn: "-".join(drawn.kinds))
+@each("drawn", sample(40, seed=3))
 def test_the_jacobian_is_the_complex_step_of_the_equations(drawn: Drawn) -> None:
     """Loops are written a second time, with complex numbers, and differentiated by a tiny step."""
     mechanism, size = drawn.mechanism, system_of(drawn.mechanism).size

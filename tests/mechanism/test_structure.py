@@ -5,11 +5,11 @@ from __future__ import annotations
 import itertools
 import random
 import re
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.gallery import SHEETS
 from support.mechanisms import KINDS, Drawn, mechanisms, sample
 
 from graphic_tmm.errors import StructureError
@@ -17,7 +17,6 @@ from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, S
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.scene.read import read
 
-SHEETS = Path(__file__).parents[2] / "sheets"
 X = Guide("x", 0j, 0.0)
 Y = Guide("y", 0j, 90.0)
 Z = Guide("z", 0j, 45.0)

@@ -6,6 +6,7 @@ import math
 
 import pytest
 import shapely
+from support.each import each
 
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.symbols.dimensions import dimension, shelf
@@ -22,8 +23,8 @@ ENDS = [
 ]
 
 
-@pytest.mark.parametrize("offset", [10.0, -10.0])
-@pytest.mark.parametrize(("start", "end"), ENDS)
+@each("offset", [10.0, -10.0])
+@each("start, end", ENDS)
 def test_a_dimension_stands_beside_what_it_measures(
     start: complex, end: complex, offset: float
 ) -> None:
@@ -35,8 +36,8 @@ def test_a_dimension_stands_beside_what_it_measures(
         assert tip - spot == pytest.approx(1j * way * offset)
 
 
-@pytest.mark.parametrize("offset", [10.0, -10.0])
-@pytest.mark.parametrize(("start", "end"), ENDS)
+@each("offset", [10.0, -10.0])
+@each("start, end", ENDS)
 def test_its_figure_reads_from_below_or_from_the_right_and_touches_no_line(
     start: complex, end: complex, offset: float
 ) -> None:

@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import io
-from pathlib import Path
 
 import pytest
+from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.write.dxf import WEIGHTS, dxf
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
 ezdxf = pytest.importorskip("ezdxf")
-HOME = Path(__file__).parent.parent.parent / "sheets"
 
 
 @pytest.fixture(scope="module")
 def sheet():
-    return sheets(read(HOME / "engine"))[1][0]
+    return paper("engine")[1][0]
 
 
 @pytest.fixture(scope="module")

@@ -6,22 +6,19 @@ How they look is told by tests/test_renderers.py.
 from __future__ import annotations
 
 import io
-from pathlib import Path
 
 import pytest
+from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.write import export
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
-HOME = Path(__file__).parent.parent.parent / "sheets"
 MM = 25.4 / 72
 
 
 @pytest.fixture(scope="module", params=["engine", "crank-rocker"])
 def drawn(request):
-    return sheets(read(HOME / request.param))[1]
+    return paper(request.param)[1]
 
 
 @pytest.mark.slow

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon, box
+from support.each import each
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import placing
@@ -137,7 +138,7 @@ def test_no_two_slots_share_room(block: Block) -> None:
         assert box(*one.box).intersection(box(*two.box)).area == 0
 
 
-@pytest.mark.parametrize(("format", "language", "first"), SHEETS)
+@each("format, language, first", SHEETS)
 def test_everything_is_on_the_paper(format: str, language: str, first: bool) -> None:
     drawing = made(format, language, first)
     width, height = SIZES[format]
@@ -155,7 +156,7 @@ def test_everything_is_on_the_paper(format: str, language: str, first: bool) -> 
         assert top < height - 0.3
 
 
-@pytest.mark.parametrize(("format", "language", "first"), SHEETS)
+@each("format, language, first", SHEETS)
 def test_no_lettering_touches_a_line_or_other_lettering(
     format: str, language: str, first: bool
 ) -> None:
@@ -168,7 +169,7 @@ def test_no_lettering_touches_a_line_or_other_lettering(
         assert not one.intersects(two)
 
 
-@pytest.mark.parametrize(("format", "language", "first"), SHEETS)
+@each("format, language, first", SHEETS)
 def test_the_frame_stands_where_the_standard_has_it(
     format: str, language: str, first: bool
 ) -> None:
@@ -200,7 +201,7 @@ def test_the_frame_stands_where_the_standard_has_it(
         assert tuple(area.occupied[1]) == due
 
 
-@pytest.mark.parametrize(("format", "language", "first"), SHEETS)
+@each("format, language, first", SHEETS)
 def test_the_check_line_is_100_mm_and_crosses_nothing(
     format: str, language: str, first: bool
 ) -> None:

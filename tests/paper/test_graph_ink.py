@@ -8,6 +8,8 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from graphic_tmm.work import Work
+from support.each import each
 from support.gallery import SHEETS
 
 from graphic_tmm.board.values import Curve
@@ -18,7 +20,6 @@ from graphic_tmm.paper.placing import box, flat, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
 
 POINTS = {"windrower": "D", "engine": "B"}
 CASES = [
@@ -48,7 +49,7 @@ def length(work: Work, symbol: str) -> float:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
-@pytest.mark.parametrize("symbol", ["S", "V", "a"])
+@each("symbol", ["S", "V", "a"])
 def test_the_curve_stands_over_the_base_and_passes_through_the_readings(
     case: tuple[str, str, str], symbol: str
 ) -> None:
@@ -69,7 +70,7 @@ def test_the_curve_stands_over_the_base_and_passes_through_the_readings(
 
 
 @pytest.mark.parametrize("case", CASES, ids="-".join)
-@pytest.mark.parametrize("symbol", ["S", "V", "a"])
+@each("symbol", ["S", "V", "a"])
 def test_no_letter_stands_on_another_and_all_positions_are_numbered(
     case: tuple[str, str, str], symbol: str
 ) -> None:

@@ -9,6 +9,8 @@ import re
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.alphabet import ALL, DIGITS, LATIN, RUSSIAN, SPACES, upright
+from support.each import each
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.lettering.glyphs import BLANKS, characters, glyph
@@ -19,20 +21,10 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
     letter,
     missing,
-    plain,
     svg_path,
     width,
 )
 from graphic_tmm.paper.lettering.notation import SLANT, centre, extremes, lean, parse
-
-RUSSIAN = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ"
-LATIN = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-GREEK = "αβγδεζηθϑκλμνξπρστφϕχψωΓΔΘΛΞΠΣΦΨΩ"
-DIGITS = "0123456789"
-MARKS = ".,:;!?()[]{}/\\|-–—_+=*%&@#№$^~'\"«»„“”’<>"
-SIGNS = "·×°′″±−≤≥≈≠→←↑↓⊥∥∠√ΣΔ∑∫∞∂²³⁻¹₀₁₂₃₄₅₆₇₈₉⌀"
-SPACES = " \u00a0\u202f\u2009"
-ALL = RUSSIAN + RUSSIAN.lower() + LATIN + LATIN.lower() + GREEK + DIGITS + MARKS + SIGNS + SPACES
 
 CAPITAL_WIDTHS = {5: "ГЕЁЗС", 7: "АДМХЫЮ", 8: "ЖФШЩЪ", 6: "БВИЙКЛНОПРТУЦЧЬЭЯ"}
 SMALL_WIDTHS = {6: "мъыю", 7: "жтфшщ", 4: "зс", 5: "абвгдеёийклнопрухцчьэя"}
@@ -44,10 +36,6 @@ def ink(character: str, *, inclined: bool = False) -> tuple[float, float, float,
     """Left, lower, right and upper edge of a character's ink in units of h/10."""
     written = letter(escape(character), size=10.0, inclined=inclined)
     return (written.left, -written.descent, written.right, written.ascent)
-
-
-def upright(text: str, size: float = 10.0) -> Lettering:
-    return letter(text, size=size, inclined=False)
 
 
 def test_every_character_of_the_field_has_a_glyph() -> None:
@@ -66,8 +54,8 @@ def test_missing_character_is_refused_by_name() -> None:
         letter("v_{漢}")
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("table", [CAPITAL_WIDTHS, SMALL_WIDTHS, DIGIT_WIDTHS])
+@each("size", SIZES)
+@each("table", [CAPITAL_WIDTHS, SMALL_WIDTHS, DIGIT_WIDTHS])
 def test_widths_of_the_standard(size: float, table: dict[int, str]) -> None:
     for units, row in table.items():
         for character in row:
@@ -164,107 +152,6 @@ def test_empty_text_and_spaces() -> None:
     assert letter("").width == letter("").ascent == letter("").descent == 0.0
     assert letter(" ").width == pytest.approx(1.0)
     assert svg_path(letter(" "), 3.0, 4.0) == ""
-
-
-def parts_of_size(written: Lettering, pen: float) -> list[tuple[float, float]]:
-    return [(x, y) for x, y, form in written.parts if form.pen == pytest.approx(pen)]
-
-
-@pytest.mark.parametrize(("size", "index"), [(14, 10), (10, 7), (7, 5), (5, 3.5), (3.5, 2.5)])
-def test_indices_are_one_step_down(size: float, index: float) -> None:
-    lower, upper = upright("А_Н", size), upright("А^Н", size)
-    assert [y for _, y in parts_of_size(lower, index / 10)] == pytest.approx([-0.3 * size])
-    assert [y for _, y in parts_of_size(upper, index / 10)] == pytest.approx([0.6 * size])
-    assert upper.ascent == pytest.approx(0.6 * size + index)
-    assert lower.descent == pytest.approx(0.3 * size)
-    assert lower.pens == pytest.approx((size / 10, index / 10))
-    assert lower.width > width("А", size=size) + 0.6 * index
-
-
-def test_the_smallest_index_and_free_sizes() -> None:
-    assert upright("A_A", 2.5).pens == pytest.approx((0.25, 0.18))
-    assert upright("A_{A_A}", 2.5).pens == pytest.approx((0.25, 0.18))
-    assert upright("A_{A_A}", 6.0).pens == pytest.approx((0.6, 0.42, 0.294))
-
-
-def test_both_indices_stand_one_above_the_other() -> None:
-    one, other = upright("n_{BA}^{t}"), upright("n^{t}_{BA}")
-    assert set(one.strokes) == set(other.strokes)
-    assert one.width == upright("n_{BA}").width
-    lower, upper = parts_of_size(one, 0.7)[:2], parts_of_size(one, 0.7)[2:]
-    assert upper[0][0] == lower[0][0]
-
-
-def test_characters_for_indices_are_indices() -> None:
-    assert upright("ω₁").strokes == upright("ω_1").strokes
-    assert upright("10⁻³").strokes == upright("10^{−3}").strokes
-    assert upright("ω₁²").strokes == upright("ω_1^2").strokes
-
-
-def test_bars_and_underlines() -> None:
-    letters = upright("v")
-    barred = upright(r"\bar{v}")
-    (line,) = set(barred.strokes) - set(letters.strokes)
-    assert line[0][1] == line[1][1] > 7.0
-    assert barred.width == letters.width
-    assert (line[0][0] - 0.5, line[1][0] + 0.5) == pytest.approx((0.4, letters.width - 0.4))
-    rows = [
-        sorted({s[0][1] for s in set(upright(text).strokes) - set(upright("v_p").strokes)})
-        for text in (r"\u{v_p}", r"\uu{v_p}")
-    ]
-    assert [len(row) for row in rows] == [1, 2]
-    assert rows[0][0] == rows[1][1] < -upright("v_p").descent - 0.5
-    assert len(upright(r"\bar{}").strokes) == 0
-
-
-@pytest.mark.parametrize(
-    "markup",
-    ["v_", "v^", "v__A", "a_b_c", "a^b^c", "{A", "A}", "v_{A", r"\vec{v}", "\\", r"\bar", "_}"],
-)
-def test_faulty_markup_is_refused(markup: str) -> None:
-    with pytest.raises(SheetError, match="character"):
-        letter(markup)
-    with pytest.raises(SheetError, match="character"):
-        plain(markup)
-
-
-def test_deep_nesting_and_sizes_that_are_none_are_refused() -> None:
-    with pytest.raises(SheetError, match="deep"):
-        letter("{" * 5000 + "}" * 5000)
-    for size in (0.0, -5.0, math.nan, math.inf):
-        with pytest.raises(SheetError, match="size"):
-            letter("A", size=size)
-
-
-@given(st.text(alphabet=ALL, max_size=20))
-def test_escape_makes_any_text_literal(text: str) -> None:
-    assert plain(escape(text)) == text
-
-
-@given(st.text(alphabet="".join(set(ALL) - set("²³⁻¹₀₁₂₃₄₅₆₇₈₉")), max_size=12))
-def test_an_escaped_text_is_drawn_letter_by_letter(text: str) -> None:
-    drawn = sum(len(glyph(c).strokes) for c in text)
-    assert len(letter(escape(text)).strokes) == drawn
-
-
-@given(st.text(alphabet=r"_^{}\baruv1A ", max_size=16))
-def test_any_markup_is_drawn_or_refused(markup: str) -> None:
-    try:
-        words = plain(markup)
-    except SheetError:
-        with pytest.raises(SheetError):
-            compose(markup)
-        return
-    assert compose(markup).width >= 0.0
-    assert plain(escape(words)) == words
-
-
-def test_plain_text_is_readable() -> None:
-    assert plain(r"\bar{v}_{BA} ⊥ AB") == "v_BA ⊥ AB"
-    assert plain("ω_1, мм^2, c^{-2}") == "ω₁, мм², c⁻²"
-    assert plain("n_{BA}^{t}") == "n_BA^t"
-    assert plain(r"\uu{a_{A, B}}") == "a_(A, B)"
-    assert plain(r"x\_\^\{\}\\") == "x_^{}\\"
 
 
 def test_inclined_letters_lean_by_15_degrees() -> None:

@@ -13,10 +13,14 @@ from xml.etree import ElementTree
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
-from graphic_tmm.paper.lettering.letters import escape, missing
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+    missing,
+)
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write.svg import Under, clean, number, path_data, svg
 
@@ -276,10 +280,8 @@ def test_labels_are_drawn_and_named_and_live_text_is_asked_for() -> None:
     assert order.index("words") < order.index("drawing plan")
 
 
-@pytest.mark.parametrize(
-    ("turn", "way"), [(0.0, 1), (90.0, 1j), (180.0, -1), (30.0, cmath.rect(1, math.pi / 6))]
-)
-@pytest.mark.parametrize(("anchor", "share"), [("start", 0.0), ("middle", 0.5), ("end", 1.0)])
+@each("turn, way", [(0.0, 1), (90.0, 1j), (180.0, -1), (30.0, cmath.rect(1, math.pi / 6))])
+@each("anchor, share", [("start", 0.0), ("middle", 0.5), ("end", 1.0)])
 def test_lettering_starts_where_its_anchor_says(
     turn: float, way: complex, anchor: str, share: float
 ) -> None:
@@ -378,6 +380,6 @@ def test_a_picture_lies_under_thin_coloured_ink_and_nothing_hides_it(name: str) 
 
 
 def test_svgwrite_is_not_loaded_before_a_sheet_is_written() -> None:
-    code = "import sys, graphic_tmm.paper.svg; print('svgwrite' in sys.modules)"
+    code = "import sys, graphic_tmm.paper.write.svg; print('svgwrite' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"

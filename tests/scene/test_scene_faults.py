@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import build, checks, force_checks, order_checks, references, sections
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.read import read
 
-SHEETS = Path(__file__).parents[2] / "sheets"
 GOOD = """title = "T"
 language = "ru"
 [lengths]

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from support.gallery import SHEETS
 
 import graphic_tmm.scene
 from graphic_tmm.mechanism.records import Extreme, Guide, Side
@@ -15,7 +16,6 @@ from graphic_tmm.scene import models
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, SheetOrder
 
-SHEETS = Path(__file__).parents[2] / "sheets"
 SHIPPED = Path(graphic_tmm.scene.__file__).with_name("scene.schema.json")
 
 HEAD = """

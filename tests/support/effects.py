@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene, SheetOrder
 from graphic_tmm.work import record
+
+from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene, SheetOrder
 
 Steps = Counter[tuple[str, str]]
 """How many steps each view has, by operation."""

@@ -1,11 +1,26 @@
-"""The scenes that come with the package: all of them, and those of a mechanism."""
+"""The clone, its cases, the scenes of the package and those of a mechanism, each drawn once."""
 
 from __future__ import annotations
 
 import tomllib
+from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-SHEETS = Path(__file__).parents[2] / "sheets"
+from graphic_tmm.work import Work
+
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import Made, make, sheets
+
+if TYPE_CHECKING:
+    from graphic_tmm.paper.drawing import Sheet
+
+ROOT = Path(__file__).parents[2]
+"""The clone: what is committed beside the package."""
+SHEETS = ROOT / "sheets"
+CASES = ROOT / "tests" / "cases"
+"""Scenes, tables and readings that were found from outside."""
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
 
@@ -23,3 +38,33 @@ NAMES = [folder.name for folder in FOLDERS if _has_mechanism(folder)]
 ACCELERATED = [folder.name for folder in FOLDERS if _has_accelerations(folder)]
 PLANS = [(name, "velocities") for name in NAMES] + [(name, "accelerations") for name in ACCELERATED]
 """Every plan of velocities and accelerations of the scenes."""
+
+
+@cache
+def scene(name: str) -> Scene:
+    """Return a scene of the package as it is read."""
+    return read(SHEETS / name)
+
+
+@cache
+def made(name: str, *, exact: bool = False) -> Made:
+    """Return all that a scene of the package calls for, drawn; it is shared: change nothing of it."""
+    return make(scene(name), exact=exact)
+
+
+def exact(name: str) -> Made:
+    """Return the same by the exact hand and without a ruler."""
+    return made(name, exact=True)
+
+
+def drawn(name: str, *, exact: bool = False) -> Work:
+    """Return the mechanism of a scene of the package, drawn."""
+    work = made(name, exact=exact).work
+    assert work is not None
+    return work
+
+
+@cache
+def paper(name: str) -> tuple[Made, tuple[Sheet, ...]]:
+    """Return a scene of the package on its sheets, and what of it was drawn for them."""
+    return sheets(scene(name))

@@ -10,61 +10,19 @@ import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 
 from graphic_tmm.chapters.kinematics.positions import side_values
-from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
+from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side
+from support import linkages
 
-Flips = tuple[float, ...] | None
-
-
-def four_bar(
-    r: float, rod: float, s: float, d: float, sign: int = 1, flips: Flips = None, speed: float = 2.0
-) -> Mechanism:
-    """Crank r, coupler ``rod``, rocker s, frame d along x; B to the left of AC for +1."""
-    return Mechanism(
-        Link(0, {"O": 0j, "C": complex(d, 0)}),
-        (
-            Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j, "B": complex(rod, 0)}, side=Side(sign, ("A", "C"), flips)),
-            Link(3, {"C": 0j, "B": complex(s, 0)}),
-        ),
-        Drive(1, speed, 3.0),
-    )
-
-
-def slider_crank(
-    r: float, rod: float, e: float = 0.0, sign: int = 1, flips: Flips = None, speed: float = 2.0
-) -> Mechanism:
-    """Crank r, rod, guide along x at the height e."""
-    guide = Guide("x", complex(0, e), 0.0)
-    return Mechanism(
-        Link(0, {"O": 0j}, (guide,)),
-        (
-            Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j, "B": complex(rod, 0)}),
-            Link(3, {"B": 0j}, slides=(Slide(0, guide, side=Side(sign, flips_at=flips)),)),
-        ),
-        Drive(1, speed, 3.0),
-    )
-
-
-def coulisse(
-    r: float, d: float, h: float = 0.0, sign: int = 1, flips: Flips = None, speed: float = 2.0
-) -> Mechanism:
-    """Crank r, rocker about C at the distance d along x, its guide h off the pivot."""
-    guide = Guide("z", complex(0, h), 0.0)
-    return Mechanism(
-        Link(0, {"O": 0j, "C": complex(d, 0)}),
-        (
-            Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j}, slides=(Slide(3, guide, side=Side(sign, flips_at=flips)),)),
-            Link(3, {"C": 0j, "D": complex(1.5 * r, 0.2 * r)}, (guide,)),
-        ),
-        Drive(1, speed, 3.0),
-    )
+DRIVE = (2.0, 3.0)
+four_bar = partial(linkages.four_bar, drive=DRIVE)
+slider_crank = partial(linkages.slider_crank, drive=DRIVE)
+coulisse = partial(linkages.coulisse, drive=DRIVE)
 
 
 class Frame(NamedTuple):

@@ -9,16 +9,14 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ray, strike
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle, Curve, Length, Point, Side, arrays
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
-from support.gallery import SHEETS
+from support import gallery
 
 Log = tuple[Construction, Mapping[Mark, object]]
 
 
 @cache
 def logs(name: str) -> tuple[Log, ...]:
-    made = make(read(SHEETS / name), exact=True)
+    made = gallery.exact(name)
     found = [(part.construction, part.given) for part in made.parts]
     if made.work is not None:
         found.append((made.work.project.construction, made.work.given))

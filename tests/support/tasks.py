@@ -10,21 +10,20 @@ from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named, whole
 from graphic_tmm.accuracy.study import Study, study
-from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make
-from support.gallery import SHEETS
+from support import gallery
+from support.gallery import exact
 
 
 @cache
 def scene(name: str) -> Scene:
-    found = read(SHEETS / name)
+    found = gallery.scene(name)
     return whole(found) if found.mechanism is not None else found
 
 
 @cache
 def scales(name: str) -> Pinned:
-    return pinned(make(read(SHEETS / name), exact=True))
+    return pinned(exact(name))
 
 
 def drawing(name: str, changed: Scene | None = None) -> Drawing:
@@ -47,4 +46,4 @@ def by(name: str, hand: str, trials: int = 100, changed: Scene | None = None) ->
 
 @cache
 def studied(name: str) -> Study:
-    return study(read(SHEETS / name), trials=40, clock=False)
+    return study(gallery.scene(name), trials=40, clock=False)

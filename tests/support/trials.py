@@ -17,29 +17,23 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.checking.alterations import Figures
-from graphic_tmm.checking.bench import Yardstick, yardstick
-from graphic_tmm.checking.catalogue import CATALOGUE, EVERYWHERE, READING
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
-from graphic_tmm.checking.judge import judge
-from graphic_tmm.checking.mistakes import likely
+from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.mistakes.alterations import Figures
+from graphic_tmm.checking.mistakes.catalogue import CATALOGUE, EVERYWHERE, READING
+from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
-from graphic_tmm.checking.scatter import Limits
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import Made, drawings, make
-from support.gallery import SHEETS
+from graphic_tmm.studio import Made, drawings
+from support.gallery import exact
 
 FRESH = 1 << 20
 """A seed that no yardstick is drawn with."""
 SLIP = 4.0
 LONG = 40.0
 """A ray turned by so many degrees, where it is at least so many mm long."""
-
-
-@cache
-def made(name: str) -> Made:
-    return make(read(SHEETS / name), exact=True)
 
 
 def readings(found: Figures, due: Figures, *, valued: bool = False) -> list[Taken]:
@@ -67,10 +61,10 @@ def readings(found: Figures, due: Figures, *, valued: bool = False) -> list[Take
 def usual(
     name: str, hand: str, *, pointed: bool = False, valued: bool = False, points: str = "paper"
 ) -> Yardstick:
-    due = cells_and_points(made(name)) if pointed else cells(made(name))
+    due = cells_and_points(exact(name)) if pointed else cells(exact(name))
     rows = readings(due, due, valued=valued)
     drawing = HANDS[hand]._replace(trials=TRIALS)
-    return yardstick(made(name), rows, drawing, Limits(), points)
+    return yardstick(exact(name), rows, drawing, Limits(), points)
 
 
 WRITTEN = frozenset(mistake.name for mistake in CATALOGUE if mistake.reach == READING)
@@ -88,10 +82,10 @@ class Honest(NamedTuple):
 
 def honest(name: str, hand: str, trials: int, seed: int = FRESH) -> Honest:
     """Judge honest drawings of a scene."""
-    due, by = cells(made(name)), usual(name, hand)
+    due, by = cells(exact(name)), usual(name, hand)
     count = doubtful = broken = 0
-    for drawn in drawings(made(name), HANDS[hand]._replace(trials=trials, seed=seed)):
-        judged = judge(made(name), readings(cells(drawn), due), by)
+    for drawn in drawings(exact(name), HANDS[hand]._replace(trials=trials, seed=seed)):
+        judged = judge(exact(name), readings(cells(drawn), due), by)
         count += len(judged)
         doubtful += sum(one.verdict == DOUBTFUL for one in judged)
         broken += any(one.verdict == WRONG for one in judged)
@@ -111,9 +105,9 @@ class Planted(NamedTuple):
 
 def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mapping[str, Planted]:
     """Plant every mistake there is, or one, in honest student drawings; return by mistake what was named."""
-    due = cells_and_points(made(name))
+    due = cells_and_points(exact(name))
     hand = HANDS["student"]._replace(trials=trials, seed=seed)
-    slipped = [cells_and_points(drawn) for drawn in drawings(made(name), hand)]
+    slipped = [cells_and_points(drawn) for drawn in drawings(exact(name), hand)]
     found: dict[str, Planted] = defaultdict(Planted)
     for label, called, figures in plants(name):
         if only and called != only:
@@ -122,10 +116,10 @@ def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mappin
         by = usual(name, "student", pointed=True, valued=valued)
         for drawn in slipped:
             rows = readings(_noisy(figures, drawn, due, called in WRITTEN), due, valued=valued)
-            judged = judge(made(name), rows, by)
+            judged = judge(exact(name), rows, by)
             if not any(one.verdict == WRONG for one in judged):
                 continue
-            told = likely(made(name), judged, by.spread, "en")
+            told = likely(exact(name), judged, by.spread, "en")
             named = bool(told) and called in (told[0].name, *told[0].like)
             found[label] += Planted(1, named, bool(told))
     return found
@@ -137,9 +131,9 @@ def plants(name: str) -> Iterator[tuple[str, str, Figures]]:
     Each of the catalogue in the whole drawing; those that may befall one position or one reading, there only;
     a segment measured for another; a pole distance taken for another.
     """
-    due = cells_and_points(made(name))
+    due = cells_and_points(exact(name))
     for mistake in CATALOGUE:
-        for figures in mistake.figures(made(name)):
+        for figures in mistake.figures(exact(name)):
             yield mistake.name, mistake.name, figures
             only = _only(mistake.reach, due, figures)
             if only:
@@ -222,15 +216,16 @@ def blamed(name: str, trials: int, seed: int = FRESH) -> Blamed:
     """
     total = ray = some = 0
     by = usual(name, "student", pointed=True, points="screen")
-    for step in _rays(made(name)):
+    for step in _rays(exact(name)):
         for drawn in drawings(
-            _turned(made(name), step), HANDS["student"]._replace(trials=trials, seed=seed)
+            _turned(exact(name), step),
+            HANDS["student"]._replace(trials=trials, seed=seed),
         ):
             figures = cells_and_points(drawn)
             rows = [taken for taken in readings(figures, figures) if taken.pointed]
             for position in _long(drawn, step):
                 at = [taken for taken in rows if taken.position == position]
-                judged = [one for one in judge(made(name), at, by) if one.verdict != FINE]
+                judged = [one for one in judge(exact(name), at, by) if one.verdict != FINE]
                 total += 1
                 some += bool(judged)
                 ray += any(one.step.split(" ", 1)[-1] == step.it.letter for one in judged)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard_length
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.centre import Centre, Path, draw_centre
 from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
@@ -16,9 +18,10 @@ from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
 from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
-from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.task import ASKED, CamOrder, FlatFollower, RockerFollower
 from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
 from graphic_tmm.errors import StructureError
+from graphic_tmm.project import Bench
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,28 @@ class Cam:
     def least(self) -> Mark:
         """The least r0 allowed (Number, m)."""
         return self.centre.least
+
+
+CAM: Made[Cam] = Made("cam")
+GRAPHS = "cam graphs"
+"""The size of a cam's diagrams; that of its other views is called as the chapter is."""
+
+
+def record(bench: Bench) -> Cam | None:
+    """Draw the cam that the scene asks for, at a share of its usual size where there is one."""
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    order = replace(order, base=order.base * bench.sizes.get(GRAPHS, 1.0))
+    share = bench.sizes.get(CAM.chapter, 1.0)
+    if bench.usual is not None and share < 1.0:
+        mu = float(bench.usual.reading[CAM.on(bench.usual).profile.mu][0, 0])
+        order = replace(order, mu_l=standard_length(mu / share, 1.0))
+    made = draw_cam(bench.draft, order)
+    turn = made.diagrams.turn
+    angles = [round(float(angle), 9) for angle in turn.angles]
+    bench.stand((str(k) for k in range(turn.positions)), angles, 0)
+    return made
 
 
 def draw_cam(draft: Draft, order: CamOrder) -> Cam:

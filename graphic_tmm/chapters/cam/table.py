@@ -3,51 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.centre import Centre
-from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
-from graphic_tmm.readers.columns import Column, Positions, Row, row_of
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Column, Row, row_of
 
-PLAN = "cam"
-
-
-class Drawn(Protocol):
-    """A part as drawn."""
-
-    @property
-    def made(self) -> object:
-        """Its marks."""
-
-    @property
-    def reading(self) -> Reading:
-        """Its numbers."""
+PLAN = CAM.chapter
 
 
-def cam_names(made: Cam) -> list[str]:
-    """Return the numbers of the cam's positions."""
-    return [str(k) for k in range(made.diagrams.turn.positions)]
-
-
-def cam_angles(made: Cam) -> list[float]:
-    """Return the cam's angle in every position, degrees."""
-    return [round(float(angle), 9) for angle in made.diagrams.turn.angles]
-
-
-def cam_positions(part: Drawn) -> Positions:
-    """Return the cam's positions: their numbers and angles."""
-    assert isinstance(part.made, Cam)
-    return tuple(zip(cam_names(part.made), cam_angles(part.made), strict=True))
-
-
-def cam_columns(part: Drawn) -> tuple[Column, ...]:
+def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
-    made = part.made
-    assert isinstance(made, Cam)
+    made, reading = CAM.on(drawn), drawn.reading
     rocks = isinstance(made.order.follower, RockerFollower)
     count = made.diagrams.turn.positions
     motion = "rad" if rocks else "m"
@@ -57,11 +27,11 @@ def cam_columns(part: Drawn) -> tuple[Column, ...]:
         ("dS", made.diagrams.V),
         ("ddS", made.diagrams.A),
     ):
-        mm, value = (part.reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
+        mm, value = (reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
         found.append(_column(segment, motion, value, count, mm))
     if isinstance(made.centre, Centre):
-        found.append(_column("pressure", "°", part.reading.figure(made.centre.pressure), count))
-    at = cam_positions(part)
+        found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
+    at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
     return tuple(column._replace(at=at) for column in found)
 
 

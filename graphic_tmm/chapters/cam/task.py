@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from graphic_tmm.chapter import Asked
+
 LAWS = ("sine", "cosine", "constant acceleration", "3-4-5", "diagram")
 """The laws of motion; "diagram" is given by points of its acceleration diagram."""
 
@@ -94,3 +96,6 @@ class CamOrder:
     mu_A: float | None = None
     mu_l: float | None = None
     poles: tuple[float, float] = (30.0, 30.0)
+
+
+ASKED: Asked[CamOrder] = Asked("cam")

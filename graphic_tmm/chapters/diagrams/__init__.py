@@ -1,1 +1,72 @@
-"""Diagrams."""
+"""Kinematic diagrams: displacement, velocity and acceleration of a slider's point over time or angle.
+
+What the plans give is laid off over a base; the others follow by chords or tangents (differentiation) and by mean
+ordinates (integration) against a pole, whose distance H sets the scale: μ_V = μ_S/(μ_t·H).
+
+Sources: Артоболевский И. И., Теория механизмов и машин, гл. 4 (кинематические диаграммы).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
+from graphic_tmm.chapters.diagrams.table import diagram_columns
+from graphic_tmm.chapters.diagrams.task import ASKED
+from graphic_tmm.chapters.diagrams.views import diagram_views
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.words import view_name
+from graphic_tmm.project import Project
+
+
+def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
+    """Return the scale of the base."""
+    mu = DIAGRAMS.on(project).base.mu
+    return {BASE_VIEW: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
+
+
+def _title(drawn: Drawn, view: str, language: str) -> str:
+    made = DIAGRAMS.on(drawn)
+    own = any(chart.view == view for chart in made.charts.values())
+    return view_name(view, language, made.order.point) if own else ""
+
+
+CHAPTER = Chapter(
+    name=DIAGRAMS.chapter,
+    number=3,
+    builds_on=(KINEMATICS.chapter,),
+    places=(
+        Place(
+            DIAGRAMS.chapter,
+            30,
+            diagram_views,
+            follows=(POSITIONS,),
+            sizes=lambda scene, view: ("graphs",),
+        ),
+    ),
+    sizes=(Size("graphs", least=0.2),),
+    asked=lambda scene: ASKED.of(scene) is not None,
+    needs=lambda scene: {VELOCITIES: True},
+    record=record,
+    charts=lambda made: made.charts.values(),
+    scales=lambda fitting: fitting.shorter(
+        "graphs", [("diagrams.base", view, "L") for view in (VIEWS["S"], VIEWS["V"])]
+    ),
+    named=_named,
+    size_keys=tuple(
+        f"diagrams.{key}"
+        for key in ("base", "mu_t", "mu_phi", "mu_S", "mu_V", "mu_a", "H_S", "H_V", "H_a")
+    ),
+    scale_key=lambda view: f"mu_{view.replace(' ', '_')}" if view in VIEWS.values() else "",
+    plans=(DIAGRAMS.chapter,),
+    columns=diagram_columns,
+    views=lambda project: {
+        DIAGRAMS.chapter: [chart.view for chart in DIAGRAMS.on(project).charts.values()]
+    },
+    titles=_title,
+)

@@ -25,14 +25,19 @@ from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.diagrams.task import ASKED, KinematicOrder
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
+from graphic_tmm.project import Bench
 
 VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
+BASE_VIEW = "base"
+"""Under which the scale of the common base is told."""
 UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
 ROOM = 50.0
 """Room for the highest ordinate of a diagram, mm."""
@@ -53,28 +58,26 @@ class Kinematic:
     planned: dict[str, Mark]
 
 
-def draw_kinematic(
-    draft: Draft,
-    positions: Positions,
-    velocities: Motion,
-    accelerations: Motion | None,
-    order: KinematicOrder,
-    frame: int,
-    numbers: np.ndarray,
-    count: int,
-) -> Kinematic:
-    """Draw the diagrams S, V, a of a point.
+DIAGRAMS: Made[Kinematic] = Made("diagrams")
 
-    ``numbers``: where each position stands in the row, 0 … ``count`` (intervals of the crank's turn).
+
+def record(bench: Bench) -> Kinematic | None:
+    """Draw the diagrams S, V, a of a point.
 
     Raises
     ------
     StructureError
         If the point does not belong to a link that slides on the frame, or a pole distance is not positive.
     """
-    leg = sliding_leg(positions, order.point, frame, "diagrams")
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    draft, plans = bench.draft, KINEMATICS.on(bench)
+    positions, velocities, accelerations = plans.positions, plans.velocities, plans.accelerations
+    assert velocities is not None
+    leg = sliding_leg(positions, order.point, plans.mechanism.frame.number, ASKED.section)
     _refuse_poles(order)
-    base = _base(draft, velocities, order, numbers, count)
+    base = _base(draft, velocities, order, plans.numbers, plans.count)
     planned = {"V": velocities.readings[leg.link]}
     if accelerations is not None and leg.link in accelerations.readings:
         planned["a"] = accelerations.readings[leg.link]

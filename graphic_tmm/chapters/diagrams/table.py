@@ -2,46 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.chapters.flywheel.table import _rows
-from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, row_of
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Column, ordinates, row_of
+
+PLAN = DIAGRAMS.chapter
+COMPARED = ("V", "a")
+"""What plans give too."""
 
 
-def chart_columns(
-    project: Project, reading: Reading, planned: Reading | None
-) -> tuple[Column, ...]:
-    """Return the columns of the diagrams: what they give, what the plans give, the difference in %.
+def diagram_columns(drawn: Drawn) -> Iterator[Column]:
+    """Yield the columns of the diagrams: what they give, what the plans give, the difference in %.
 
     The difference is told in % of the largest that the plan gives.
-    ``planned``: the numbers of the plan of accelerations, at its positions.
     """
-    kinematic, count = project.kinematic, len(project.names)
-    if kinematic is None:
-        return ()
-    everywhere, made = range(count), []
+    kinematic, count = DIAGRAMS.on(drawn), len(drawn.names)
     for symbol, chart in kinematic.charts.items():
-        rows = _rows(reading, chart.ordinates[0], chart.mu, count)
-        made.append(Column("diagrams", symbol, symbol, chart.unit, *rows))
-        source, places = {"V": (reading, everywhere), "a": (planned, project.accelerated)}.get(
-            symbol, (None, ())
-        )
-        if source is None or symbol not in kinematic.planned:
+        rows = ordinates(drawn.reading, chart.ordinates[0], chart.mu, count)
+        yield Column(PLAN, symbol, symbol, chart.unit, *rows)
+        if symbol not in COMPARED or symbol not in kinematic.planned:
             continue
-        view = project.construction.view(kinematic.planned[symbol].view)
-        assert view is not None
-        assert view.scale is not None
-        due = source.figure(kinematic.planned[symbol], view.scale)
-        plan = row_of(due, places, count)
-        made.append(
-            Column(
-                "diagrams", f"{symbol}_plan", f"{symbol}_plan", chart.unit, (None,) * count, plan
-            )
-        )
-        made.append(_difference(f"{symbol}_difference", rows[1], plan))
-    return tuple(made)
+        mark = kinematic.planned[symbol]
+        source = drawn.of(mark.view)
+        if source is None:
+            continue
+        due = source.figure(mark, drawn.project.scale(mark.view))
+        plan = row_of(due, drawn.row(mark.view), count)
+        name = f"{symbol}_plan"
+        yield Column(PLAN, name, name, chart.unit, (None,) * count, plan)
+        yield _difference(f"{symbol}_difference", rows[1], plan)
 
 
 def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:
@@ -51,4 +42,4 @@ def _difference(letter: str, found: Sequence[float | None], due: Sequence[float 
         100.0 * (x - y) / largest if x is not None and y is not None and largest else None
         for x, y in zip(found, due, strict=True)
     )
-    return Column("diagrams", letter, letter, "%", (None,) * len(row), row)
+    return Column(PLAN, letter, letter, "%", (None,) * len(row), row)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
+from graphic_tmm.chapter import Asked
 
 
 @dataclass(frozen=True)
@@ -25,3 +26,6 @@ class KinematicOrder:
     S: ScaleOrder = STANDARD
     V: ScaleOrder = STANDARD
     a: ScaleOrder = STANDARD
+
+
+ASKED: Asked[KinematicOrder] = Asked("diagrams")

@@ -26,6 +26,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.statics import moment_on_arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
     against_acceleration,
@@ -35,11 +36,13 @@ from graphic_tmm.chapters.engine.formulas import (
 )
 from graphic_tmm.chapters.engine.harmonics import Harmonics, draw_harmonics
 from graphic_tmm.chapters.engine.lumping import Lumped, lump
-from graphic_tmm.chapters.engine.task import EngineOrder
-from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine
+from graphic_tmm.chapters.engine.task import ASKED, EngineOrder
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import StructureError
+from graphic_tmm.project import Bench
 
 VIEW = "engine"
 ROOM = 55.0
@@ -78,6 +81,20 @@ class Engine:
     charts: tuple[Chart, ...]
     curves: dict[str, tuple[str, ...]]
     guide: Mark
+
+
+ENGINE: Made[Engine] = Made("engine")
+
+
+def record(bench: Bench) -> Engine | None:
+    """Draw what the scene asks of an engine's crank mechanism."""
+    order, cylinder = ASKED.of(bench.scene), INDICATOR.of(bench)
+    if order is None:
+        return None
+    accelerations = KINEMATICS.on(bench).accelerations
+    assert accelerations is not None
+    assert cylinder is not None
+    return draw_engine(bench.draft, machine_of(bench), accelerations, cylinder, order)
 
 
 class _Legs(NamedTuple):

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.formulas import KGF
-from graphic_tmm.chapters.engine.plan import Engine
-from graphic_tmm.project import Project
+from graphic_tmm.chapters.engine.plan import ENGINE, Engine
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, row_of
 
-PLAN = "engine"
+PLAN = ENGINE.chapter
 
 
-def engine_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
+def engine_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return the columns of the engine at the positions of the row."""
-    made = project.engine
-    if made is None:
-        return ()
+    made = ENGINE.on(drawn)
     unit = made.order.unit
     found = [
-        _column(project, reading, "a_B", made.acceleration, "m/s²"),
-        _column(project, reading, "a_B_series", made.harmonics.acceleration, "m/s²"),
+        _column(drawn, "a_B", made.acceleration, "m/s²"),
+        _column(drawn, "a_B_series", made.harmonics.acceleration, "m/s²"),
     ]
     rows = {"P": made.values["P"], "P_in": made.values["P_in"]}
     rows |= {
@@ -32,7 +29,7 @@ def engine_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
     for name, mark in rows.items():
         of = f"{unit}·m" if name in ("M", "NOB") else unit
         mm = _read(made, name)
-        found.append(_column(project, reading, name, mark, of, mm))
+        found.append(_column(drawn, name, mark, of, mm))
         if unit == "kgf":
             column = found[-1]
             si = tuple(None if x is None else x * KGF for x in column.value)
@@ -52,10 +49,8 @@ def _read(made: Engine, name: str) -> Mark | None:
     return None
 
 
-def _column(
-    project: Project, reading: Reading, name: str, mark: Mark, unit: str, mm: Mark | None = None
-) -> Column:
-    count = len(project.names)
+def _column(drawn: Drawn, name: str, mark: Mark, unit: str, mm: Mark | None = None) -> Column:
+    count, reading = len(drawn.names), drawn.reading
     row = row_of(reading.figure(mark), range(count), count)
     if mm is None:
         return Column(PLAN, name, f"engine {name}", unit, (None,) * count, row)
@@ -63,12 +58,9 @@ def _column(
     return Column(PLAN, name, f"engine {name}", unit, lengths, row)
 
 
-def engine_results(project: Project, reading: Reading) -> dict[str, tuple[float, str]]:
+def engine_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
     """Return what lumping the rod's mass gives and costs: by name value and unit."""
-    made = project.engine
-    if made is None:
-        return {}
-    lumped = made.lumped
+    lumped, reading = ENGINE.on(drawn).lumped, drawn.reading
     marks = {
         "m_to_and_fro": (lumped.mass, "kg"),
         "m_rod_at_crank": (lumped.at_crank, "kg"),

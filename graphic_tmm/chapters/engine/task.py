@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
 
 
@@ -24,3 +25,6 @@ class EngineOrder:
     series: bool = False
     unit: str = "N"
     base: float = 120.0
+
+
+ASKED: Asked[EngineOrder] = Asked("engine")

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
-from graphic_tmm.chapters.engine.plan import VIEW, Engine, ordinate
+from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine, ordinate
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
-from graphic_tmm.chapters.flywheel.views import cylinder_view
 from graphic_tmm.chapters.forces.ink_polygons import bar
+from graphic_tmm.chapters.indicator.views import indicator_views
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import (
     SIZE,
     result_table,
 )
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.work import Work
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -27,37 +30,38 @@ SUMS = ", ".join(
 """What the force triangles say: P′ of the rod's Q and the pressure N on the guide, Q of K and T."""
 
 
-def engine_views(drawn: Work, lettered: bool) -> list[Drawing]:
+def engine_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the indicator diagram, the force triangles and the rotating vectors of an engine."""
-    made = drawn.project.engine
+    made = ENGINE.of(drawn)
     if made is None:
         return []
     return [
-        *cylinder_view(drawn, lettered),
+        *indicator_views(drawn, lettered, ENGINE.chapter),
         *_triangles(drawn, made, lettered),
         _rotating(drawn, made, lettered),
     ]
 
 
-def engine_diagram_views(drawn: Work, lettered: bool) -> list[Drawing]:
+def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the diagrams of an engine's forces over the turn, and their tables."""
-    made, project, language = drawn.project.engine, drawn.project, drawn.scene.language
+    made, project, language = ENGINE.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
-    rows = engine_columns(project, drawn.reading)
+    rows = engine_columns(drawn)
     forces = result_table("engine", rows, project.names, language)
     carried = CAPTIONS[language]["what carries"].split("; ")
     return [*_diagrams(drawn, made, lettered), captioned(forces, *carried), _results(drawn)]
 
 
-def _shown(drawn: Work) -> list[int]:
+def _shown(drawn: Drawn) -> list[int]:
     return [k for k in range(drawn.project.count) if k not in drawn.undrawn]
 
 
-def _triangles(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
+def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     words, scale = CAPTIONS[language], drawn.scales[VIEW]
-    pivot = project.positions.point(project.structure.pivot)
+    plans = KINEMATICS.on(drawn)
+    pivot = plans.positions.point(plans.structure.pivot)
     views = [
         draw_triangles(
             drawn.reading,
@@ -79,11 +83,13 @@ def _triangles(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
     ]
 
 
-def _rotating(drawn: Work, made: Engine, lettered: bool) -> Drawing:
+def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
     project, language = drawn.project, drawn.scene.language
     words, scale = CAPTIONS[language], drawn.scales["harmonics"]
     there = _shown(drawn)
-    place = next((k for k in project.accelerated if k in there), there[min(1, len(there) - 1)])
+    place = next(
+        (k for k in KINEMATICS.on(drawn).accelerated if k in there), there[min(1, len(there) - 1)]
+    )
     title = f"{words['rotating']}, {words['position']} {escape(project.names[place])}"
     view = draw_rotating(
         drawn.reading, made, place, "rotating", title, scale.value, lettered=lettered
@@ -91,7 +97,7 @@ def _rotating(drawn: Work, made: Engine, lettered: bool) -> Drawing:
     return captioned(view, title, mu_text(scale, language))
 
 
-def _diagrams(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
+def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     """Return the diagrams over the turn in two columns."""
     project, language = drawn.project, drawn.scene.language
     words = CAPTIONS[language]
@@ -118,12 +124,12 @@ def _diagrams(drawn: Work, made: Engine, lettered: bool) -> list[Drawing]:
     return [stacked("engine-diagrams-1", views[:half]), stacked("engine-diagrams-2", views[half:])]
 
 
-def _results(drawn: Work) -> Drawing:
+def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
     words = CAPTIONS[language]
     rows = [
         [words[name], number(value, language), unit(of, language)]
-        for name, (value, of) in engine_results(drawn.project, drawn.reading).items()
+        for name, (value, of) in engine_results(drawn).items()
     ]
     heads = [words["value"], words["results of"], words["unit"]]
     align = ["left", "centre", "left"]

@@ -2,49 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import bezier
-from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Complexes
+from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
-from graphic_tmm.paper.axes import ASIDE, DOT, OVER, axes, finished, largest
+from graphic_tmm.paper.axes import ASIDE, DOT, NUMBER, OVER, SIZE, Spots, axes, finished, largest
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.placing import Wanted
 from graphic_tmm.paper.symbols.dimensions import dimension
-
-SIZE, NUMBER = 5.0, 3.5
-
-
-class _Sheet:
-    """The numbers of the log while they are inked: the first ``row`` positions."""
-
-    def __init__(self, construction: Construction, reading: Reading, row: int) -> None:
-        self.construction, self.reading, self.row = construction, reading, row
-
-    def all(self, mark: Mark) -> Complexes:
-        return np.broadcast_to(self.reading[mark][0], (self.reading.positions,))[: self.row]
-
-    def one(self, mark: Mark) -> complex:
-        return complex(self.reading[mark][0, 0])
-
-    def curve(self, mark: Mark) -> Iterator[Bezier]:
-        for controls in bezier(self.reading[mark]):
-            yield Bezier("main", tuple(complex(z) for z in controls), mark.name)
-
-    def dots(self, mark: Mark) -> Iterator[Stroke]:
-        for z in self.all(mark):
-            if np.isfinite(z):
-                yield circle("main", complex(z), DOT, filled=True)
-
-    def lines(self, starts: Complexes, ends: Complexes) -> Iterator[Stroke]:
-        for a, b in zip(starts, ends, strict=True):
-            if np.isfinite(a) and np.isfinite(b) and abs(b - a) > 0.3:
-                yield line("thin", complex(a), complex(b))
 
 
 def draw_energy_mass_ink(
@@ -62,7 +31,7 @@ def draw_energy_mass_ink(
 
     ``figure``: the length of the segment; ``along``: the letter of the base.
     """
-    ink = _Sheet(construction, reading, len(names))
+    ink = Spots(construction, reading, len(names))
     points = ink.all(made.points)
     right, low, high = largest(points.real), -largest(-points.imag), largest(points.imag)
     strokes: list[Stroke | Bezier] = []

@@ -35,14 +35,16 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.bounds import DELTA
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
-from graphic_tmm.chapters.flywheel.task import FlywheelOrder
-from graphic_tmm.chapters.forces.plan import Forces
-from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine
+from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelOrder
+from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
+from graphic_tmm.project import Bench
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 
@@ -64,6 +66,18 @@ class Flywheel:
     inertia: Mark
     energy_mass: EnergyMass | None
     rim: DrawnRim | None
+
+
+FLYWHEEL: Made[Flywheel] = Made("flywheel")
+
+
+def record(bench: Bench) -> Flywheel | None:
+    """Draw what the scene asks of a flywheel: by the gas of its cylinder, else by the loads of the links."""
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    cylinder = INDICATOR.of(bench) if order.indicator is not None else None
+    return draw_flywheel(bench.draft, machine_of(bench), order, cylinder, FORCES.of(bench))
 
 
 def draw_flywheel(

@@ -1,44 +1,34 @@
-"""The columns of kinematic diagrams and of the flywheel, and the flywheel's results."""
+"""The columns and the results of a flywheel."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import number
-from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, Row, row_of, segment_name
+from graphic_tmm.readers.columns import Column, ordinates, segment_name
+
+PLAN = FLYWHEEL.chapter
 
 
-def flywheel_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
-    """Return the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
-    if project.flywheel is None:
-        return ()
-    count, made = len(project.names), []
-    for chart in project.flywheel.charts:
+def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
+    """Yield the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
+    for chart in FLYWHEEL.on(drawn).charts:
         for mark in chart.ordinates:
             letter = mark.name.replace("y_", "p_") if chart.symbol == "p" else mark.name
-            if chart.view == "work":
+            if chart.view == VIEWS["work"]:
                 continue  # ΔT is laid off, and read, once more among the energies
-            rows = _rows(reading, mark, chart.mu, count)
-            made.append(Column("flywheel", segment_name(letter), letter, chart.unit, *rows))
-    return tuple(made)
+            rows = ordinates(drawn.reading, mark, chart.mu, len(drawn.names))
+            yield Column(PLAN, segment_name(letter), letter, chart.unit, *rows)
 
 
-def _rows(reading: Reading, mark: Mark, mu: Mark, count: int) -> tuple[Row, Row]:
-    """Return an ordinate along the positions: mm, and what it stands for."""
-    mm, value = (row_of(reading.figure(mark, by), range(count), count) for by in (None, mu))
-    return mm, value
-
-
-def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[float, str]]:
+def flywheel_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
     """Return the results of the flywheel by name: value and unit."""
-    found = project.flywheel
-    if found is None:
-        return {}
+    found, reading = FLYWHEEL.on(drawn), drawn.reading
     marks = {"cd": (found.segment, "mm"), "J_fly": (found.inertia, "kg·m²")}
     if found.energy_mass is not None:
         marks["J_fly_energy_mass"] = (found.energy_mass.inertia, "kg·m²")
@@ -56,9 +46,9 @@ def flywheel_results(project: Project, reading: Reading) -> dict[str, tuple[floa
     return {name: found for name, found in values.items() if math.isfinite(found[0])}
 
 
-def rim_too_wide(project: Project, reading: Reading, language: str) -> str:
+def rim_too_wide(drawn: Drawn, language: str) -> str:
     """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
-    results = flywheel_results(project, reading)
+    results = flywheel_results(drawn)
     if not {"D_max", "D_e", "rim_width"} <= set(results):
         return ""
     most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
+from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
 
 
@@ -46,3 +47,6 @@ class FlywheelOrder:
     integration: str = "areas"
     tangents: str | None = "curve"
     rim: Rim | None = None
+
+
+ASKED: Asked[FlywheelOrder] = Asked("flywheel")

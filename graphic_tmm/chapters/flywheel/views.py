@@ -4,36 +4,35 @@ from __future__ import annotations
 
 import math
 
-from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
-from graphic_tmm.chapters.flywheel.plan import VIEWS, Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
 from graphic_tmm.chapters.flywheel.table import (
+    PLAN,
     flywheel_columns,
     flywheel_results,
     rim_too_wide,
 )
-from graphic_tmm.chapters.indicator.ink import (
-    draw_indicator_ink,
-)
-from graphic_tmm.chapters.indicator.plan import Indicator
+from graphic_tmm.chapters.indicator.views import indicator_views
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language import symbols
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import flywheel_title, number, unit
-from graphic_tmm.paper.arranging import captioned, mu_text, stacked
+from graphic_tmm.paper.arranging import captioned, mu_text, pole_texts, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import (
     SIZE,
     result_table,
 )
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.work import Work
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -41,16 +40,15 @@ SYMBOLS = {"D_max": "D_{max}", "D_e": "D_{e}", "D_i": "D_{i}", "rim_width": "b"}
 """The letters of results that are the same in both languages."""
 
 
-def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
+def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the views of the flywheel, none if the scene asks for none."""
-    made = drawn.project.flywheel
+    made = FLYWHEEL.of(drawn)
     if made is None:
         return []
-    language, project = drawn.scene.language, drawn.project
+    language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
     words = CAPTIONS[language]
-    names = [escape(name) for name in project.names[: project.count]]
-    log, reading = project.construction, drawn.reading
-    views = [] if made.indicator is None else [indicator_view(drawn, made.indicator, lettered)]
+    names = [escape(name) for name in drawn.names[: drawn.project.count]]
+    views = indicator_views(drawn, lettered, FLYWHEEL.chapter)
     views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
         segment = number(_value(drawn, made.energy_mass.segment), language)
@@ -69,31 +67,11 @@ def flywheel_views(drawn: Work, lettered: bool) -> list[Drawing]:
         views.append(captioned(found, words["energy-mass"], ", ".join(scales), ", ".join(angles)))
     if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
         views.append(_sketch(drawn, made))
-    rows = flywheel_columns(project, reading)
-    return [*views, result_table("flywheel", rows, project.names, language), _results(drawn)]
+    rows = tuple(flywheel_columns(drawn))
+    return [*views, result_table(PLAN, rows, drawn.names, language), _results(drawn)]
 
 
-def cylinder_view(drawn: Work, lettered: bool) -> list[Drawing]:
-    """Return the indicator diagram of a cylinder, if there is one that the flywheel does not show."""
-    cylinder, flywheel = drawn.project.cylinder, drawn.project.flywheel
-    shown = flywheel is not None and flywheel.indicator is not None
-    if cylinder is None or shown:
-        return []
-    return [indicator_view(drawn, cylinder.indicator, lettered)]
-
-
-def indicator_view(drawn: Work, indicator: Indicator, lettered: bool) -> Drawing:
-    """Return the indicator diagram, captioned."""
-    project, language = drawn.project, drawn.scene.language
-    title = CAPTIONS[language]["indicator"]
-    names = [escape(name) for name in project.names[: project.count]]
-    view = draw_indicator_ink(
-        project.construction, drawn.reading, indicator, names, title, lettered=lettered
-    )
-    return captioned(view, title, mu_text(drawn.scales["indicator"], language))
-
-
-def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
+def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
     """Return the graphs of moment, works and energies with their captions."""
     language, project = drawn.scene.language, drawn.project
     words = CAPTIONS[language]
@@ -125,34 +103,23 @@ def _graphs(drawn: Work, made: Flywheel, lettered: bool) -> list[Drawing]:
         scales = [
             mu_text(drawn.scales[view], language),
             f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
-            *pole_texts(drawn, view),
+            *pole_texts(project.construction, drawn.reading, view, language),
         ]
         views.append(captioned(graph, title, ", ".join(scales)))
     return views
 
 
-def pole_texts(drawn: Work, view: str) -> list[str]:
-    """Return the pole distances of a view as they are written: H_V = 20 mm."""
-    language, found = drawn.scene.language, []
-    for step in drawn.project.construction.steps:
-        if step.it.view == view and step.op is lay_off and step.it.name == "P":
-            distance = step.uses[1]
-            value = number(_value(drawn, distance), language)
-            found.append(f"{distance.name} = {value} {unit('mm', language)}")
-    return found
-
-
-def _value(drawn: Work, mark: Mark) -> float:
+def _value(drawn: Drawn, mark: Mark) -> float:
     return float(drawn.reading[mark][0, 0])
 
 
-def _angle(drawn: Work, letter: str) -> str:
+def _angle(drawn: Drawn, letter: str) -> str:
     mark = drawn.project.construction.mark("energy-mass", letter)
     assert mark is not None
     return f"{letter} = {number(_value(drawn, mark), drawn.scene.language)}°"
 
 
-def _sketch(drawn: Work, made: Flywheel) -> Drawing:
+def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
     """Return the sketch of the flywheel to the largest standard scale that has room."""
     rim, language = made.rim, drawn.scene.language
     assert rim is not None
@@ -161,19 +128,19 @@ def _sketch(drawn: Work, made: Flywheel) -> Drawing:
     # made in whole millimetres: the thinnest rim is one
     width = max(round(width, 3), 0.001)
     sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
-    large, room = 1000 * max(outer, width), SKETCH * drawn.sizes.sketch
+    large, room = 1000 * max(outer, width), SKETCH * drawn.sizes["sketch"]
     reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
     title = CAPTIONS[language]["sketch"]
     drawing = draw_flywheel(sizes, reduction, title, language)
-    told = rim_too_wide(drawn.project, drawn.reading, language)
+    told = rim_too_wide(drawn, language)
     scale = f"1:{number(reduction, language)}"
     return captioned(drawing, title, scale, *(told.split(": ") if told else ()))
 
 
-def _results(drawn: Work) -> Drawing:
+def _results(drawn: Drawn) -> Drawing:
     """Return the table of results, both methods and what they differ by."""
     language = drawn.scene.language
-    words, found = CAPTIONS[language], flywheel_results(drawn.project, drawn.reading)
+    words, found = CAPTIONS[language], flywheel_results(drawn)
     rows = [
         [words.get(name, SYMBOLS.get(name, name)), number(value, language), unit(of, language)]
         for name, (value, of) in found.items()

@@ -12,9 +12,14 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.forces.ink_polygons import LEAST, bar, spot
 from graphic_tmm.chapters.forces.lever import Lever
-from graphic_tmm.chapters.kinematics.ink_plans import TOGETHER, markup
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    TOGETHER,
+)
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.paper.symbols.kinematic import pole

@@ -6,11 +6,13 @@ reactions of the pass before cause.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.forces.driving import Driven, Driver, solve_driver
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
@@ -18,8 +20,11 @@ from graphic_tmm.chapters.forces.loads import Couple, Force, Ground, Loads, draw
 from graphic_tmm.chapters.forces.moments import Acting, Moments
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
-from graphic_tmm.chapters.forces.task import ForcesOrder
-from graphic_tmm.chapters.indicator.cylinder import Cylinder
+from graphic_tmm.chapters.forces.task import ASKED, ForcesOrder
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, chosen
+from graphic_tmm.project import Bench
 
 VIEW = "forces"
 """Polygons are views "forces 4-5"; figures of detached groups "group 4-5", of the driving link "group 1"."""
@@ -31,7 +36,8 @@ class Forces:
 
     ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %.
     ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
-    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by letter.
+    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by letter;
+    ``places``: the positions (indices) at which forces are asked for.
     """
 
     order: ForcesOrder
@@ -45,6 +51,7 @@ class Forces:
     open: Mark | None = None
     efficiency: Mark | None = None
     circles: dict[str, Mark] | None = None
+    places: tuple[int, ...] = ()
 
     @staticmethod
     def owns(view: str) -> bool:
@@ -62,6 +69,51 @@ class Forces:
         """The reactions in the order in which they were found."""
         found = [reaction for group in self.groups for reaction in group.reactions]
         return (*found, self.driven.reaction)
+
+
+FORCES: Made[Forces] = Made("forces")
+
+
+def record(bench: Bench) -> Forces | None:
+    """Draw the forces that the scene asks for; they are told at the positions that it names."""
+    order, plans = ASKED.of(bench.scene), KINEMATICS.on(bench)
+    if order is None:
+        return None
+    machine = machine_of(bench)
+    cylinder = INDICATOR.of(bench) if order.gas is not None else None
+    ground = _ground(bench, machine, plans.accelerations)
+    made = draw_forces(ground, _driver(bench.draft, machine), order, machine.arm, cylinder)
+    places = chosen(order.positions, bench.names, ASKED.section)
+    log = bench.draft.board.construction()
+    for view in dict.fromkeys(step.it.view for step in log.steps):
+        if made.owns(view):
+            bench.tell(view, places)
+    if order.inertia:
+        bench.tell(ACCELERATIONS, places)
+    return replace(made, places=places)
+
+
+def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Ground:
+    drive, velocities, draft = machine.mechanism.drive, machine.velocities, bench.draft
+    image = velocities.images.by_letter[drive.link][machine.pin]
+    sense = 1 if drive.speed > 0 else -1
+    return Ground(
+        draft,
+        machine.mechanism,
+        machine.positions,
+        velocities,
+        accelerations,
+        sense if bench.scene.turned else 0,
+        draft.board.uses(image)[1],
+        machine.numbers,
+        machine.count,
+    )
+
+
+def _driver(draft: Draft, machine: Machine) -> Driver:
+    body = machine.positions.bodies[machine.mechanism.drive.link]
+    pin = body.marks[machine.pin]
+    return Driver(body, body.marks[machine.pivot], pin, draft.board.uses(pin)[1])
 
 
 class _Pass(NamedTuple):

@@ -6,15 +6,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
-from graphic_tmm.project import Project
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, Row, row_of, segment_name
 
-PLAN = "forces"
+PLAN = FORCES.chapter
 
 
 class _Row(NamedTuple):
@@ -32,12 +32,11 @@ class _Row(NamedTuple):
     size: bool = False
 
 
-def force_columns(project: Project, reading: Reading) -> tuple[Column, ...]:
+def force_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return the columns of forces at the positions whose forces are asked for."""
-    made, count, places = project.forces, len(project.names), project.forced
-    if made is None:
-        return ()
-    rows = [*_loads(made), *_reactions(made, project.mu_l), *_balance(made)]
+    made, count, reading = FORCES.on(drawn), len(drawn.names), drawn.reading
+    places = made.places
+    rows = [*_loads(made), *_reactions(made, KINEMATICS.on(drawn).mu_l), *_balance(made)]
     found = []
     for row in rows:
         value = _at(reading.figure(row.value, row.scale), places)

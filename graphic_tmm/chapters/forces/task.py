@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
 
 GRAVITY = 9.81
@@ -74,3 +75,6 @@ class ForcesOrder:
     limit: float = 5.0
     mu: float | None = None
     g: float = GRAVITY
+
+
+ASKED: Asked[ForcesOrder] = Asked("forces")

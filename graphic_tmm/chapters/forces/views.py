@@ -6,40 +6,43 @@ import math
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
-from graphic_tmm.chapters.flywheel.views import cylinder_view
 from graphic_tmm.chapters.forces.ink_groups import Detached, Reactive, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import force_columns
+from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.words import number, unit
+from graphic_tmm.language.words import number, plain, unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import (
     result_table,
 )
-from graphic_tmm.work import Work
 
 
-def force_views(drawn: Work, lettered: bool) -> list[Drawing]:
+def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return every detached group with its polygon, then the driving link with its own, by positions."""
-    made = drawn.project.forces
+    made = FORCES.of(drawn)
     if made is None:
         return []
-    gas = made.order.gas is not None and drawn.project.engine is None
-    views = cylinder_view(drawn, lettered) if gas else []
+    views = indicator_views(drawn, lettered, FORCES.chapter)
     for place in _places(drawn):
         for solved in made.groups:
             name = solved.closing.group.name
             shown = _group(drawn, made, solved)
             views += _pair(drawn, shown, solved.polygon, solved.reactions, name, place, lettered)
-        crank = str(drawn.project.structure.driver)
+        crank = str(KINEMATICS.on(drawn).structure.driver)
         reactions = (made.driven.reaction,)
         views += _pair(
             drawn, _driver(drawn, made), made.driven.polygon, reactions, crank, place, lettered
@@ -47,12 +50,12 @@ def force_views(drawn: Work, lettered: bool) -> list[Drawing]:
     return views
 
 
-def _places(drawn: Work) -> list[int]:
-    return [k for k in drawn.project.forced if k not in drawn.undrawn]
+def _places(drawn: Drawn) -> list[int]:
+    return [k for k in FORCES.on(drawn).places if k not in drawn.undrawn]
 
 
 def _pair(
-    drawn: Work,
+    drawn: Drawn,
     shown: Detached,
     polygon: Polygon,
     reactions: tuple[Reaction, ...],
@@ -75,12 +78,12 @@ def _pair(
     figure = draw_group(
         project.construction,
         drawn.reading,
-        drawn.reaches,
+        reaches(drawn),
         shown,
         place,
         f"group-{name}-{project.names[place]}",
         title,
-        project.mu_l,
+        KINEMATICS.on(drawn).mu_l,
         language,
         lettered=lettered,
     )
@@ -118,7 +121,7 @@ def _equation(polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(drawn: Work, made: Forces, solved: Solved) -> Detached:
+def _group(drawn: Drawn, made: Forces, solved: Solved) -> Detached:
     closing = solved.closing
     links = closing.group.links
     unknown = []
@@ -142,12 +145,12 @@ def _group(drawn: Work, made: Forces, solved: Solved) -> Detached:
     )
 
 
-def _arrows(drawn: Work, polygon: Polygon) -> float:
+def _arrows(drawn: Drawn, polygon: Polygon) -> float:
     """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them.
 
     Without end where the polygon has none, for its forces are nothing: then no arrow has a length.
     """
-    scale, size = drawn.scales.get(polygon.view), drawn.sizes.groups
+    scale, size = drawn.scales.get(polygon.view), drawn.sizes["groups"]
     if scale is None:
         return math.inf
     return standard(scale.value / size, 1.0) if size < 1.0 else scale.value
@@ -159,21 +162,22 @@ def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
     return [(pin, circles[pin.letter]) for pin in pins if pin.letter in circles]
 
 
-def _driver(drawn: Work, made: Forces) -> Detached:
-    crank = drawn.project.structure.driver
-    body = drawn.project.positions.bodies[crank]
+def _driver(drawn: Drawn, made: Forces) -> Detached:
+    plans = KINEMATICS.on(drawn)
+    crank = plans.structure.driver
+    body = plans.positions.bodies[crank]
     reaction, driven = made.driven.reaction, made.driven
     forces = [*made.acting.forces.get(crank, []), *([driven.force] if driven.force else [])]
-    pivot = body.marks[drawn.project.structure.pivot]
+    pivot = body.marks[plans.structure.pivot]
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
-    circles = _circles(made, [pivot, body.marks[drawn.project.structure.pin]])
+    circles = _circles(made, [pivot, body.marks[plans.structure.pin]])
     return Detached((crank,), forces, couples, [found], _arrows(drawn, driven.polygon), circles)
 
 
-def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
+def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the lever in every position whose forces are asked for."""
-    made, project, language = drawn.project.forces, drawn.project, drawn.scene.language
+    made, project, language = FORCES.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
     words, views = CAPTIONS[language], []
@@ -204,7 +208,7 @@ def lever_views(drawn: Work, lettered: bool) -> list[Drawing]:
     return views
 
 
-def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
+def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
     """Return what the two methods found and whether they agree within the limit."""
     language = drawn.scene.language
     words = CAPTIONS[language]
@@ -227,10 +231,19 @@ def _verdict(drawn: Work, made: Forces, place: int) -> list[str]:
     return [", ".join(both), judged]
 
 
-def force_table(drawn: Work, lettered: bool) -> list[Drawing]:
+def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
-    columns = force_columns(drawn.project, drawn.reading)
+    columns = force_columns(drawn) if FORCES.of(drawn) is not None else ()
     rows = [column.without(drawn.undrawn) for column in columns]
     if not rows:
         return []
     return [result_table("forces", rows, drawn.project.names, drawn.scene.language)]
+
+
+def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:
+    """Return the vector equation of the polygon drawn in a view, in plain text."""
+    return [
+        " + ".join(plain(symbol(letter, language)) for letter, _, _ in polygon.sides) + " = 0"
+        for polygon in FORCES.on(drawn).polygons
+        if polygon.view == view
+    ]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.gears.checks import Check, record_checks
 from graphic_tmm.chapters.gears.contact import Contact, draw_contact
 from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes
@@ -16,8 +17,10 @@ from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_sizes
 from graphic_tmm.chapters.gears.rows import Rows, choose_rows
 from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
 from graphic_tmm.chapters.gears.sliding import Sliding, draw_sliding
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import ASKED, GearOrder
 from graphic_tmm.chapters.gears.teeth import Wheel, draw_wheel
+from graphic_tmm.fitting.scales import Fitting
+from graphic_tmm.project import Bench
 
 ROOM = 430.0
 """Room for the centre distance, mm."""
@@ -37,6 +40,21 @@ class Gear:
     contact: Contact
     sliding: Sliding
     checks: tuple[Check, ...]
+
+
+GEARS: Made[Gear] = Made("gears")
+
+
+def record(bench: Bench) -> Gear | None:
+    """Draw the pair of gears that the scene asks for, at a share of its usual size where there is one."""
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    share = bench.sizes.get(GEARS.chapter, 1.0)
+    if bench.usual is not None and share < 1.0:
+        mu = float(bench.usual.reading[GEARS.on(bench.usual).line.mu][0, 0])
+        order = replace(order, mu=standard_length(mu / share, 1.0))
+    return draw_gear(bench.draft, order)
 
 
 def draw_gear(draft: Draft, order: GearOrder) -> Gear:
@@ -67,15 +85,16 @@ def draw_gear(draft: Draft, order: GearOrder) -> Gear:
     return Gear(order, sizes, rows, line, wheels, contact, sliding, checks)
 
 
-def gear_scales(draft: Draft, gear: Gear) -> dict[Mark, float]:
+def gear_scales(fitting: Fitting) -> dict[Mark, object]:
     """Return μ_l (m/mm) and the scale of the sliding (1/mm): what the order fixes, else standard ones.
 
     Both centres shall stand on the drawing; where the teeth would be too small for that, a larger scale is
     taken, as far as the line of action has room.
     """
+    gear = GEARS.on(fitting)
     sizes, free = gear.sizes, {gear.line.mu: 1.0}
     wanted = (sizes.a_w, sizes.h, gear.line.length)
-    exact = execute(draft.board.construction(), {**draft.given, **free}, wanted)
+    exact = execute(fitting.project.construction, {**fitting.given, **free}, wanted)
     distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
     larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
     mu = gear.order.mu or min(standard_length(distance, ROOM), larger)

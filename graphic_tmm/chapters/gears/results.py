@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.drawn import Drawn
 
 
-def gear_results(gear: Gear, reading: Reading) -> dict[str, tuple[float, str]]:
+def gear_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
     """Return each result with its unit: those of the pair, those of each wheel with its number behind them.
 
     ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
     """
+    gear, reading = GEARS.on(drawn), drawn.reading
     sizes, contact = gear.sizes, gear.contact
     marks: dict[str, Mark] = {
         "alpha_w": sizes.alpha_w,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from graphic_tmm.chapter import Asked
+
 
 @dataclass(frozen=True)
 class GearOrder:
@@ -30,3 +32,6 @@ class GearOrder:
     stations: tuple[float, ...] = ()
     mu: float | None = None
     mu_sliding: float | None = None
+
+
+ASKED: Asked[GearOrder] = Asked("gears")

@@ -1,4 +1,4 @@
-"""What a sheet shows of gears and planetary trains."""
+"""What a sheet shows of a pair of gears."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from graphic_tmm.chapters.gears.checks import verdicts
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.chapters.gears.plan import GEARS, Gear
+from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.paper.arranging import captioned, mu_text
@@ -16,48 +18,46 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.result_table import (
     SIZE,
 )
-from graphic_tmm.parts import Part
 
 
-def gear_views(part: Part, lettered: bool) -> list[Drawing]:
+def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the meshing above its diagram of sliding, the rolled flanks, the tables."""
-    made, language, reading = part.made, part.scene.language, part.reading
-    assert isinstance(made, Gear)
-    words, scales = CAPTIONS[language], part.scales()
+    made, language, reading = GEARS.on(drawn), drawn.scene.language, drawn.reading
+    words, scales = CAPTIONS[language], drawn.scales
     mu_l = mu_text(scales["gear"], language)
     mesh = draw_gear_ink(reading, made, language, words["gear"], lettered=lettered)
     sliding = draw_sliding_ink(reading, made, language, words["sliding"], lettered=lettered)
     mu_theta = mu_text(scales["sliding"], language)
     found = [
-        captioned(mesh, words["gear"], ", ".join([mu_l, *_ratios(part)])),
+        captioned(mesh, words["gear"], ", ".join([mu_l, *_ratios(drawn)])),
         captioned(sliding, words["sliding"], mu_theta),
     ]
     for k in (0, 1):
         title = words["gear-rolling"].format(number=k + 1)
-        view = draw_rolling_ink(part.construction, reading, made, k, title, lettered=lettered)
+        view = draw_rolling_ink(drawn.construction, reading, made, k, title, lettered=lettered)
         found.append(captioned(view, title, mu_l))
     found.append(dimension_table(reading, made, language, words["gear-dimensions"]))
     found.append(sliding_table(reading, made, language, words["sliding"]))
-    return [*found, _checks(part, made)]
+    return [*found, _checks(drawn, made)]
 
 
-def _ratios(part: Part) -> list[str]:
+def _ratios(drawn: Drawn) -> list[str]:
     """Return the contact ratio by formula and as drawn, and by how much they differ."""
-    language, found = part.scene.language, part.results()
-    formula, drawn, apart = (
+    language, found = drawn.scene.language, gear_results(drawn)
+    formula, measured, apart = (
         found[name][0]
         for name in ("contact_ratio", "contact_ratio_drawn", "contact_ratio_difference")
     )
     return [
         f"ε_{{α}} = {fixed(formula, 3, language)}",
-        f"ab/p_{{b}} = {fixed(drawn, 3, language)} ({number(apart, language, 2)} %)",
+        f"ab/p_{{b}} = {fixed(measured, 3, language)} ({number(apart, language, 2)} %)",
     ]
 
 
-def _checks(part: Part, made: Gear) -> Drawing:
-    language = part.scene.language
+def _checks(drawn: Drawn, made: Gear) -> Drawing:
+    language = drawn.scene.language
     words, rows = CAPTIONS[language], []
-    for found in verdicts(made.checks, part.reading):
+    for found in verdicts(made.checks, drawn.reading):
         in_mm = found.unit == "m"
         factor, places = (1000.0, 2) if in_mm else (1.0, 3)
         cells = [fixed(factor * x, places, language) for x in (found.value, found.least)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,15 +11,18 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.operations.instruments import measure
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.indicator.plan import Indicator, draw_indicator
-from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.chapters.indicator.task import IndicatorOrder, Wish
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.project import Bench
 
 STANDS = 1e-6
 """A piston slower than this share of its fastest stands."""
@@ -41,11 +44,37 @@ class Machine:
 
 @dataclass(frozen=True)
 class Cylinder:
-    """A cylinder: its indicator diagram, the leg of its piston, the sense of the guide to its cover."""
+    """A cylinder: its indicator diagram, the leg of its piston, the sense of the guide to its cover.
+
+    ``shown_by``: the chapter with whose views its diagram stands.
+    """
 
     indicator: Indicator
     leg: GuideLeg
     outward: float
+    shown_by: str = ""
+
+
+INDICATOR: Made[Cylinder] = Made("indicator")
+
+
+def machine_of(bench: Bench) -> Machine:
+    """Return the machine on a board, once its plans are drawn."""
+    plans = KINEMATICS.on(bench)
+    assert plans.velocities is not None
+    pivot, pin = plans.structure.pivot, plans.structure.pin
+    arm = crank_length(bench, plans)
+    drawn = (plans.positions, plans.velocities)
+    return Machine(plans.mechanism, *drawn, pivot, pin, arm, plans.numbers, plans.count)
+
+
+def record(bench: Bench) -> Cylinder | None:
+    """Draw the indicator diagram that another chapter needs."""
+    wish: Wish | None = bench.needed.get(INDICATOR.chapter)
+    if wish is None:
+        return None
+    drawn = draw_cylinder(bench.draft, machine_of(bench), wish.order, INDICATOR.chapter)
+    return replace(drawn, shown_by=wish.by)
 
 
 def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorOrder, section: str) -> Cylinder:

@@ -8,10 +8,17 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction
-from graphic_tmm.chapters.flywheel.ink_energy import NUMBER, SIZE, _Sheet
 from graphic_tmm.chapters.indicator.plan import VIEW as INDICATOR
 from graphic_tmm.chapters.indicator.plan import Indicator
-from graphic_tmm.paper.axes import OVER, axes, finished, largest
+from graphic_tmm.paper.axes import (
+    NUMBER,
+    OVER,
+    SIZE,
+    Spots,
+    axes,
+    finished,
+    largest,
+)
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
 from graphic_tmm.paper.placing import Wanted
 
@@ -26,7 +33,7 @@ def draw_indicator_ink(
     lettered: bool = True,
 ) -> Drawing:
     """Return the indicator diagram with the division of its base; ``names``: of the positions of the row."""
-    ink = _Sheet(construction, reading, len(names))
+    ink = Spots(construction, reading, len(names))
     origin, end, feet = ink.one(made.origin), ink.one(made.end), ink.all(made.feet)
     auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.name == "q")
     spots = ink.all(auxiliary.it)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 
 @dataclass(frozen=True)
@@ -52,3 +53,11 @@ class IndicatorOrder:
     base: float = 100.0
     height: float = 100.0
     mu: float | None = None
+
+
+class Wish(NamedTuple):
+    """A cylinder that a chapter needs; of several the one of the highest ``rank`` shows its diagram."""
+
+    rank: int
+    by: str
+    order: IndicatorOrder

@@ -17,20 +17,24 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Complexes, Reals
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, PLANS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.positions import (
     draw_frame,
     draw_positions,
     side_record,
     side_values,
 )
+from graphic_tmm.chapters.kinematics.scales import ROOM
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
+from graphic_tmm.drawn import doubted, hand_of
 from graphic_tmm.errors import ConstructionError
+from graphic_tmm.fitting.scales import Fitting, reach_of
 from graphic_tmm.mechanism.structure import dissect
-from graphic_tmm.scaling import Sizes, extents
+from graphic_tmm.project import record as recorded
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.work import doubted, executed, hand_of, record
 
-PLANS = ("positions", "velocities", "accelerations")
+SIZES = {POSITIONS: ROOM, VELOCITIES: 80.0, ACCELERATIONS: 80.0}
+"""Usual sizes."""
 
 
 @dataclass(frozen=True)
@@ -85,12 +89,11 @@ def motion(
         If a point is unknown, or ``fast`` is asked for without numba.
     """
     plain = _plain(scene)
-    project = record(plain)
+    project = recorded(plain)
     # read exactly, the same comes out to any scale: then nobody asks what sets it
     doubts = Doubts((), {}) if exact else doubted(project)
-    reach = extents(project, doubts)
-    scales = executed(plain, project, Sizes(), reach, doubts, exact=True).scales
-    mu = [scales[plan].value for plan in PLANS]
+    fitting = Fitting(project, SIZES, doubts, reach_of(project, doubts))
+    mu = [fitting.plan_scales()[plan].value for plan in PLANS]
     row = np.atleast_1d(np.asarray(angles, dtype=np.float64))
     drawn = _drawn(scene, row, mu)
     names = [name for name in drawn.marks[0] if points is None or name[0] in points]

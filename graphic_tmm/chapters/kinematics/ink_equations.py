@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.record import Construction
-from graphic_tmm.chapters.kinematics.equations import Equation
 from graphic_tmm.paper.drawing import Drawing, Label
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
+from graphic_tmm.readers.equations import Equation
 
 HEAD = 5.0
 SIZE = 5.0

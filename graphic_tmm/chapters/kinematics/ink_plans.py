@@ -7,7 +7,6 @@ arrow.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -18,6 +17,9 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, measure_a
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
@@ -184,16 +186,3 @@ def _letters(
             near.append(text)
     for spot, names in groups:
         yield Wanted(", ".join(names), spot, SMALL if common else SIZE, 1.0, spot - middle)
-
-
-def markup(letter: str, number: str = "") -> str:
-    """Return a letter of the log as lettered on the sheet: figures become indices, d3d -> d_{3}d.
-
-    The number of a position follows in the last index: a_{3,5}.
-    """
-    if "_" in letter:
-        return letter
-    text = re.sub(r"([^\W\d])(\d+)", r"\1_{\2}", letter)
-    if not number:
-        return text
-    return f"{text[:-1]},{number}}}" if text.endswith("}") else f"{text}_{{{number}}}"

@@ -10,7 +10,11 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.paper.drawing import Drawing, Label, line
 from graphic_tmm.paper.lettering.glyphs import characters
-from graphic_tmm.paper.lettering.letters import SIZES, escape, letter
+from graphic_tmm.paper.lettering.letters import (
+    SIZES,
+    escape,
+    letter,
+)
 from graphic_tmm.paper.lettering.notation import SLANT
 
 SHOWN = 10.0

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.bounds import PLANETARY
+from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
 from graphic_tmm.chapters.planetary.formulas import overall_ratio
 from graphic_tmm.chapters.planetary.pictures import (
@@ -20,8 +21,9 @@ from graphic_tmm.chapters.planetary.pictures import (
 )
 from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
 from graphic_tmm.chapters.planetary.scales import Drawn, choose_scales
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Train
+from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryOrder, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
+from graphic_tmm.project import Bench
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,7 @@ class Planetary:
     """The train as drawn: what was asked and settled, μ_l, its sizes, views, picture and plan.
 
     ``results``: marks (Number) by the names under which tables give them: planetary_z1 …, planetary_satellites,
-    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%).
+    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where wheels stand ``overall``.
     """
 
     order: PlanetaryOrder
@@ -41,6 +43,23 @@ class Planetary:
     picture: Picture
     rates: Rates
     results: Mapping[str, Mark]
+    overall: Mark | None = None
+
+
+PLANETARY_TRAIN: Made[Planetary] = Made("planetary")
+
+
+def record(bench: Bench) -> Planetary | None:
+    """Draw the train that the scene asks for, with the pair of wheels behind it."""
+    order, behind = ASKED.of(bench.scene), bench.scene.behind
+    if order is None:
+        return None
+    share = bench.sizes.get(PLANETARY_TRAIN.chapter, 1.0)
+    made = draw_planetary(bench.draft, order, share)
+    if len(behind) != 2:
+        return made
+    overall = draw_overall(bench.draft, made, *behind)
+    return replace(made, overall=overall, results={**made.results, "overall_ratio": overall})
 
 
 def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Planetary:

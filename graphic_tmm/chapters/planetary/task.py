@@ -14,6 +14,7 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from graphic_tmm.bounds import PLANETARY, POSITIVE, Bound, OrderError
+from graphic_tmm.chapter import Asked
 
 
 @dataclass(frozen=True)
@@ -226,3 +227,6 @@ def _refuse_ratio(order: PlanetaryOrder) -> None:
     if order.ratio == 0.0:
         raise _refuse("ratio", "a ratio of 0 is none")
     _bounded("tolerance", order.tolerance)
+
+
+ASKED: Asked[PlanetaryOrder] = Asked("planetary")

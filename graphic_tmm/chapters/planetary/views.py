@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
-from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.tables import (
     condition_table,
     rate_table,
@@ -14,24 +14,23 @@ from graphic_tmm.chapters.planetary.tables import (
     train_table,
 )
 from graphic_tmm.chapters.planetary.tooth_search import search
+from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import number
 from graphic_tmm.paper.arranging import mu_text
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.parts import Part
 
 
-def planetary_views(part: Part, lettered: bool) -> list[Drawing]:
+def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the train in two views with its velocities, the tables of conditions, rates and trains."""
-    made, language, reading = part.made, part.scene.language, part.reading
-    assert isinstance(made, Planetary)
-    words, scales, log = CAPTIONS[language], part.scales(), part.construction
+    made, language, reading = PLANETARY_TRAIN.on(drawn), drawn.scene.language, drawn.reading
+    words, scales, log = CAPTIONS[language], drawn.scales, drawn.construction
     lines = ratio_lines(log, reading, made, language)
     texts = {name: mu_text(scale, language) for name, scale in scales.items()}
     captions = Captions(
         (words["planetary"], texts["planetary"]),
         (words["planetary-velocities"], texts.get("planetary-velocities", "")),
-        (words["planetary-rates"], texts.get("planetary-rates", ""), *lines, *_overall(part)),
+        (words["planetary-rates"], texts.get("planetary-rates", ""), *lines, *_overall(drawn)),
     )
     shown = Captions(*(tuple(text for text in group if text) for group in captions))
     view = draw_planetary_ink(reading, made, shown, words["planetary"], lettered=lettered)
@@ -43,17 +42,19 @@ def planetary_views(part: Part, lettered: bool) -> list[Drawing]:
     return found
 
 
-def _overall(part: Part) -> list[str]:
+def _overall(drawn: Drawn) -> list[str]:
     """Return the overall ratio and the speed of the last wheel."""
-    mark = part.extra.get("overall_ratio")
-    if mark is None or not isinstance(part.made, Planetary):
+    made = PLANETARY_TRAIN.on(drawn)
+    mark = made.overall
+    if mark is None:
         return []
-    language = part.scene.language
-    ratio = float(part.reading[mark].ravel()[0])
-    first, last = part.scene.behind
-    rpm = abs(part.made.order.speed) * 30.0 / math.pi
+    language = drawn.scene.language
+    ratio = float(drawn.reading[mark].ravel()[0])
+    first, last = drawn.scene.behind
+    rpm = abs(made.order.speed) * 30.0 / math.pi
     speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
-    text = f"{number(float(part.results()['planetary_ratio'][0]), language)}·{last}/{first}"
+    ratios = results_of(drawn, made.results)
+    text = f"{number(ratios['planetary_ratio'][0], language)}·{last}/{first}"
     return [
         f"U_{{0}} = {text} = {number(ratio, language)}",
         f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {CAPTIONS[language]['rpm']}",

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import SIZE
 
 
@@ -53,3 +57,15 @@ def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
     n, p = structure.moving, len(structure.pairs)
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
     return (mobility, f"{words['formula']}: {structure.formula}", *groups)
+
+
+def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the table of links, and that of pairs with the formula of structure below it."""
+    mechanism, language = drawn.scene.mechanism, drawn.scene.language
+    assert mechanism is not None
+    structure = dissect(mechanism)
+    pairs = pair_table(mechanism, structure, language)
+    return [
+        link_table(mechanism, structure, language),
+        captioned(pairs, *structure_lines(structure, language)),
+    ]

@@ -22,6 +22,13 @@ def taken_figure(taken: Taken, cell: Cell) -> float:
     return taken.value * _factor(taken, cell)
 
 
+def due_figure(cell: Cell, taken: Taken) -> float:
+    """Return the figure that a reading is compared with: mm where it is given in mm."""
+    due = cell.mm if taken.mm is not None else cell.value
+    assert due is not None
+    return due
+
+
 def half_of(taken: Taken, cell: Cell) -> float:
     """Return half a unit of the last digit that was written of a reading, in the unit of its figure."""
     return taken.last.mm if taken.mm is not None else taken.last.value * _factor(taken, cell)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from html import escape
+from collections.abc import Iterator, Sequence
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged
+from graphic_tmm.checking.report.rendering import render
 from graphic_tmm.checking.report.rows import signed
 from graphic_tmm.checking.report.words import WORDS, plan_name, shown
 from graphic_tmm.language.words import number
 
-WIDTH, HEIGHT = 180.0, 46.0
+WIDTH, HEIGHT = 180, 46
 """The chart, mm: as wide as an A4 page between its margins."""
-LEFT, RIGHT, TOP, BOTTOM = 14.0, 178.0, 3.0, 39.0
+LEFT, RIGHT, TOP, BOTTOM = 14, 178, 3, 39
 """The field of the chart, mm from its upper left corner."""
 COLOURS = {FINE: "#1b7837", DOUBTFUL: "#9a4a00", WRONG: "#b2001d"}
 SHAPES = {
@@ -44,17 +44,17 @@ def chart(plan: str, readings: Sequence[Judged], language: str) -> str:
     order = {name: k for k, name in enumerate(dict.fromkeys(map(_place, drawn)))}
     drawn.sort(key=lambda one: order[_place(one)])
     limit, step = axis(drawn)
-    label = f"{plan_name(plan, language)}. {WORDS[language]['chart']}"
-    parts = [
-        f'<svg class="chart" role="img" aria-label="{escape(label)}" width="{WIDTH:g}mm" '
-        f'height="{HEIGHT:g}mm" viewBox="0 0 {WIDTH:g} {HEIGHT:g}">',
-        f"<title>{escape(label)}</title>",
-        _rulings(limit, step, language),
-        _positions(list(map(_place, drawn))),
-        *(_marks(verdict, drawn, limit, language) for verdict in VERDICTS),
-        "</svg>",
-    ]
-    return "\n".join(part for part in parts if part)
+    return render(
+        "chart.svg",
+        label=f"{plan_name(plan, language)}. {WORDS[language]['chart']}",
+        size=(WIDTH, HEIGHT),
+        field=(LEFT, RIGHT, TOP, BOTTOM),
+        rulings=list(_rulings(limit, step, language)),
+        positions=list(_positions(list(map(_place, drawn)))),
+        groups=[
+            (SHAPES[v], v, COLOURS[v], list(_marks(v, drawn, limit, language))) for v in VERDICTS
+        ],
+    )
 
 
 def axis(readings: Sequence[Judged]) -> tuple[float, float]:
@@ -67,52 +67,34 @@ def axis(readings: Sequence[Judged]) -> tuple[float, float]:
     return math.ceil(reach / step * (1 - 1e-9)) * step, step
 
 
-def _rulings(limit: float, step: float, language: str) -> str:
+def _rulings(limit: float, step: float, language: str) -> Iterator[tuple[float, str]]:
+    """Yield the height of each ruling, mm from above, and what stands beside it."""
     count = round(limit / step)
-    lines, texts = [], []
     for k in range(-count, count + 1):
-        y = _y(k * step, limit)
-        lines.append(f"M{LEFT:g} {y:.2f}H{RIGHT:g}")
         text = "0 %" if k == 0 else f"{'+' if k > 0 else ''}{number(k * step, language)}"
-        texts.append(f'<text x="{LEFT - 1:g}" y="{y + 0.9:.2f}">{text}</text>')
-    zero = f'<path d="{lines[count]}" stroke="#444" stroke-width="0.3"/>'
-    ruled = f'<path d="{"".join(lines)}" stroke="#ccc" stroke-width="0.15"/>'
-    return f'{ruled}{zero}<g font-size="2.6" text-anchor="end" fill="#333">{"".join(texts)}</g>'
+        yield _y(k * step, limit), text
 
 
-def _positions(names: Sequence[str]) -> str:
-    """Return the names of the positions under the field, and lines between them."""
+def _positions(names: Sequence[str]) -> Iterator[tuple[float, float, str]]:
+    """Yield where a position begins and has its middle, mm from the left, and its name; some only, of many."""
     starts = [k for k, name in enumerate(names) if k == 0 or name != names[k - 1]]
     ends = [*starts[1:], len(names)]
     every = -(-len(starts) // LABELS)
-    lines, texts = [], []
     for start, end in list(zip(starts, ends, strict=True))[::every]:
-        lines.append(f"M{_x(start - 0.5, len(names)):.2f} {TOP:g}V{BOTTOM:g}")
         middle = _x((start + end - 1) / 2, len(names))
-        text = escape(shown(names[start], 8))
-        texts.append(f'<text x="{middle:.2f}" y="{BOTTOM + 4:g}">{text}</text>')
-    ruled = f'<path d="{"".join(lines)}" stroke="#ccc" stroke-width="0.15"/>'
-    return f'{ruled}<g font-size="2.6" text-anchor="middle" fill="#333">{"".join(texts)}</g>'
+        yield _x(start - 0.5, len(names)), middle, shown(names[start], 8)
 
 
-def _marks(verdict: str, readings: Sequence[Judged], limit: float, language: str) -> str:
-    """Return the readings of one verdict: shapes that bear what they are as their titles."""
-    parts = []
+def _marks(
+    verdict: str, readings: Sequence[Judged], limit: float, language: str
+) -> Iterator[tuple[float, float, str, str]]:
+    """Yield the readings of one verdict: where each stands, the arrow of one beyond the axis, what it is."""
     for k, one in enumerate(readings):
         if one.verdict == verdict:
             percent = math.copysign(one.percent, one.deviation)
-            at = f"M{_x(k, len(readings)):.2f} {_y(percent, limit):.2f}"
             beyond = abs(percent) > limit * (1 + 1e-9)
-            arrow = f"{at}{ARROWS[1 if percent > 0 else -1]}" if beyond else ""
-            told = escape(_told(one, percent, language))
-            parts.append(f'<path d="{at}{SHAPES[verdict]}{arrow}"><title>{told}</title></path>')
-    if not parts:
-        return ""
-    fill = "none" if verdict == WRONG else COLOURS[verdict]
-    style = (
-        f'fill="{fill}" stroke="{COLOURS[verdict]}" stroke-width="{0.5 if fill == "none" else 0.2}"'
-    )
-    return "\n".join([f'<g class="{verdict}" {style}>', *parts, "</g>"])
+            arrow = ARROWS[1 if percent > 0 else -1] if beyond else ""
+            yield _x(k, len(readings)), _y(percent, limit), arrow, _told(one, percent, language)
 
 
 def _told(one: Judged, percent: float, language: str) -> str:

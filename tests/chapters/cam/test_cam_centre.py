@@ -22,6 +22,7 @@ from support.cams import (
     motion,
     pressure_angles,
 )
+from support.each import each
 
 from graphic_tmm.chapters.cam.task import (
     CamOrder,
@@ -98,7 +99,7 @@ def test_the_document_s_radius_passes(turns: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FOLLOWERS)
-@pytest.mark.parametrize("law", SHAPES)
+@each("law", SHAPES)
 def test_the_least_r0_by_brute_force(name: str, law: str) -> None:
     found = drawn(name, law)
     due = least_radius(found.cam.order)
@@ -138,7 +139,7 @@ def test_the_pressure_angle_is_that_of_velocities(name: str, turns: str) -> None
 
 
 @pytest.mark.parametrize("name", FOLLOWERS)
-@pytest.mark.parametrize("law", SHAPES)
+@each("law", SHAPES)
 def test_the_pressure_angle_never_passes_the_limit(name: str, law: str) -> None:
     """With r0 in whole millimetres above the least one; the drawn extremes are those of the turn."""
     found = drawn(name, law)

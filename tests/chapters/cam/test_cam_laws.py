@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 from support.cams import C6, SHAPES, Made, made, motion
+from support.each import each
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.phases import divide
@@ -55,8 +56,8 @@ LAWS = [Law(name) for name in SHAPES]
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
-@pytest.mark.parametrize("which", ["S", "V", "A"])
-@pytest.mark.parametrize("divisions", [8, 12, 30])
+@each("which", ["S", "V", "A"])
+@each("divisions", [8, 12, 30])
 def test_the_ordinates_are_those_of_the_law(law: Law, which: str, divisions: int) -> None:
     found = drawn(law, law, divisions)
     for angles, values in by_stretch(found, which):
@@ -72,9 +73,9 @@ def test_rise_and_return_may_follow_different_laws(which: str) -> None:
         np.testing.assert_allclose(values, right, atol=1e-9 * np.abs(right).max())
 
 
-@pytest.mark.parametrize("name", DIAGRAMS)
-@pytest.mark.parametrize("which", ["S", "V", "A"])
-@pytest.mark.parametrize("divisions", [8, 16])
+@each("name", DIAGRAMS)
+@each("which", ["S", "V", "A"])
+@each("divisions", [8, 16])
 def test_straight_accelerations_are_integrated_exactly(
     name: str, which: str, divisions: int
 ) -> None:
@@ -230,7 +231,7 @@ NONSENSE = [
 ]
 
 
-@pytest.mark.parametrize(("change", "says"), NONSENSE)
+@each("change, says", NONSENSE)
 def test_nonsense_is_refused_with_a_remedy(change: dict[str, object], says: str) -> None:
     with pytest.raises(StructureError, match=says):
         made(CamOrder(**{**C6, **change}))  # type: ignore[arg-type]

@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.engine.formulas import KGF
@@ -16,7 +17,6 @@ from graphic_tmm.chapters.engine.task import EngineOrder
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import Work, work
 
 SCENE = read(SHEETS / "locomobile")
 R, LAMBDA, OMEGA, M = 0.115, 0.182, 10 * math.pi, 2.18

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from hypothesis import given
 from hypothesis import strategies as st
 from support.flywheels import along, graphs, slopes
@@ -22,7 +23,6 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import warnings
-from graphic_tmm.work import Work, work
 
 R, L, S2, W, DELTA = 0.3, 0.64, 0.22, 50.0, 0.23
 BORE = 0.12

@@ -4,26 +4,20 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
-from support.gallery import SHEETS
+from graphic_tmm.work import work
+from support.gallery import SHEETS, drawn
 
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted, table, warnings
-from graphic_tmm.work import Work, work
-
-
-@cache
-def drawn() -> Work:
-    return fitted(read(SHEETS / "engine"), exact=True)
+from graphic_tmm.studio import table, warnings
 
 
 def test_columns_are_what_the_ruler_reads_times_their_scale() -> None:
-    document = json.loads(table(drawn(), "json"))
+    document = json.loads(table(drawn("engine", exact=True), "json"))
     found = {c["segment"]: c for c in document["columns"] if c["plan"] == "flywheel"}
     assert list(found) == ["p_k".replace("_", ""), "M", "ΔT", "TL", "TF", "Jr"]
     keys = {"pk": "mu_p", "M": "mu_M", "ΔT": "mu_T", "TL": "mu_T", "TF": "mu_T", "Jr": "mu_J"}
@@ -38,7 +32,7 @@ def test_columns_are_what_the_ruler_reads_times_their_scale() -> None:
 
 
 def test_results_carry_their_units() -> None:
-    results = json.loads(table(drawn(), "json"))["results"]
+    results = json.loads(table(drawn("engine", exact=True), "json"))["results"]
     assert results["cd"] == {"value": pytest.approx(60.77, abs=0.005), "unit": "mm"}
     assert results["J_fly"] == {"value": pytest.approx(1.7707, abs=0.0001), "unit": "kg·m²"}
     assert results["J_fly_energy_mass"]["value"] == pytest.approx(1.6245, abs=0.0001)
@@ -47,12 +41,12 @@ def test_results_carry_their_units() -> None:
 
 
 def test_the_ruler_stays_within_what_it_is_worth() -> None:
-    read_off = json.loads(table(fitted(read(SHEETS / "engine")), "json"))["results"]
+    read_off = json.loads(table(drawn("engine"), "json"))["results"]
     assert read_off["J_fly"]["value"] == pytest.approx(1.7707, rel=0.01)
 
 
 def test_the_protocol_tells_the_flywheel_as_a_student_would_do_it() -> None:
-    text = "\n".join(protocol(drawn(), ("flywheel",), "3", "ru"))
+    text = "\n".join(protocol(drawn("engine", exact=True), ("flywheel",), "3", "ru"))
     for part in (
         "Индикаторная диаграмма, положение 3",
         "μ_A = μ_M·μ_φ·H = 8·0,05236·40 = 16,76 Дж/мм",
@@ -62,7 +56,7 @@ def test_the_protocol_tells_the_flywheel_as_a_student_would_do_it() -> None:
         "b = 16·J_м/(π·ρ·(D_e² − D_i²)·D_ср²)",
     ):
         assert part in text, part
-    english = "\n".join(protocol(drawn(), ("flywheel",), "3", "en"))
+    english = "\n".join(protocol(drawn("engine", exact=True), ("flywheel",), "3", "en"))
     assert "Indicator diagram, position 3" in english
 
 
@@ -79,9 +73,9 @@ def test_a_machine_that_locks_part_of_the_turn_has_no_flywheel_and_says_so() -> 
 
 
 def test_a_scene_without_a_flywheel_has_no_column_of_it() -> None:
-    made = fitted(read(SHEETS / "offset-slider"))
+    made = drawn("offset-slider")
     assert made.scene.flywheel is None
     document = json.loads(table(made, "json"))
     assert not [c for c in document["columns"] if c["plan"] == "flywheel"]
     assert set(document["results"]) == {"W", "formula"}
-    assert isinstance(drawn().scene.flywheel, FlywheelOrder)
+    assert isinstance(drawn("engine", exact=True).scene.flywheel, FlywheelOrder)

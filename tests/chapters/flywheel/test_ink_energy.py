@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cache
 from itertools import combinations
 
 import numpy as np
 import pytest
 import shapely
-from support.gallery import SHEETS
+from support.gallery import drawn, paper
 
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
@@ -19,24 +18,16 @@ from graphic_tmm.chapters.indicator.ink import (
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.placing import box, flat, shape
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted, sheets
-from graphic_tmm.work import Work
-
-
-@cache
-def drawn() -> Work:
-    return fitted(read(SHEETS / "engine"), exact=True)
 
 
 def flywheel() -> Flywheel:
-    made = drawn().project.flywheel
+    made = drawn("engine", exact=True).project.flywheel
     assert made is not None
     return made
 
 
 def view(which: str, lettered: bool = True) -> Drawing:
-    work, names = drawn(), drawn().project.names
+    work, names = drawn("engine", exact=True), drawn("engine", exact=True).project.names
     log = work.project.construction
     if which == "indicator":
         made = flywheel().indicator
@@ -57,7 +48,7 @@ def test_the_curve_passes_through_its_points(which: str) -> None:
     assert second is not None
     mark = flywheel().indicator.sides[0].points if which == "indicator" else second.points
     (curve,) = curves(view(which))
-    for spot in drawn().reading[mark][0]:
+    for spot in drawn("engine", exact=True).reading[mark][0]:
         assert curve.distance(shapely.Point(spot.real, spot.imag)) < 1e-9
 
 
@@ -67,7 +58,7 @@ def test_letters_stand_clear_and_every_position_is_numbered(which: str) -> None:
     boxes = [box(label) for label in made.labels]
     assert all(a.disjoint(b) for a, b in combinations(boxes, 2))
     texts = ", ".join(label.text for label in made.labels).split(", ")
-    assert all(name in texts for name in drawn().project.names)
+    assert all(name in texts for name in drawn("engine", exact=True).project.names)
 
 
 @pytest.mark.parametrize("which", ["indicator", "energy-mass"])
@@ -114,14 +105,13 @@ def test_the_tangents_leave_the_curve_on_one_side_and_end_in_a_and_b() -> None:
 
 @pytest.mark.slow
 def test_the_engine_stands_complete_on_one_sheet() -> None:
-    _, paper = sheets(read(SHEETS / "engine"))
-    assert len(paper) == 1
-    names = {d.name for d in paper[0].drawings}
+    _, (sheet,) = paper("engine")
+    names = {d.name for d in sheet.drawings}
     assert {
         "positions", "velocities", "indicator", "flywheel-graphs", "energy-mass", "flywheel",
         "table-flywheel", "table-results",
     } <= names  # fmt: skip
-    texts = {label.text for d in paper[0].drawings for label in d.labels}
+    texts = {label.text for d in sheet.drawings for label in d.labels}
     assert {
         "A_{дс}",
         "A_{пс}",

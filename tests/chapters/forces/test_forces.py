@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, record, work
 from support.dynamics import Loaded
 from support.gallery import SHEETS
 from support.loaded import errors, order_of, solve, weighed
@@ -23,7 +24,6 @@ from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import sheets
-from graphic_tmm.work import Work, record, work
 
 WINDROWER = read(SHEETS / "windrower")
 

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner
-
-from graphic_tmm.__main__ import main
-from graphic_tmm.scene.read import read
 from graphic_tmm.work import work
+from support.command import invoke
+from support.scenes import written
+
+from graphic_tmm.scene.read import read
 
 SLIDER = """
 title = "slider-crank"
@@ -87,9 +87,8 @@ place = ["forces", "lever", "force table"]
 
 
 def _run(tmp_path: Path, text: str, *options: str) -> tuple[str, str]:
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    result = CliRunner().invoke(main, [options[0], str(path), *options[1:]])
+    path = written(tmp_path, text)
+    result = invoke(options[0], path, *options[1:])
     assert result.exit_code == 0, result.output
     return result.stdout, result.stderr
 
@@ -187,9 +186,8 @@ def test_that_kgf_and_weights_differ_is_told_once_if_nobody_decides(tmp_path: Pa
 
 @pytest.mark.parametrize("value", ["0", "-9.81", '"9.81 m"', "true"])
 def test_a_g_that_is_none_is_refused(tmp_path: Path, value: str) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(SLIDER.replace("[effects]", f"[effects]\ng = {value}"), encoding="utf-8")
-    result = CliRunner().invoke(main, ["table", str(path)])
+    path = written(tmp_path, SLIDER.replace("[effects]", f"[effects]\ng = {value}"))
+    result = invoke("table", path)
     assert result.exit_code == 2
     assert "effects.g" in result.stderr
 

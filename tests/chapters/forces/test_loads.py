@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.forces.task import ForcesOrder, Load, Travel
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.work import Work, work
 
 ENGINE = read(SHEETS / "engine")
 WINDROWER = read(SHEETS / "windrower")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from support.each import each
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.chapters.gears.plan import draw_gear
@@ -15,8 +16,8 @@ GOOD = GearOrder(15, 25, 0.008, 0.83, 0.445)
 NAN = float("nan")
 
 
-@pytest.mark.parametrize(
-    ("changes", "says"),
+@each(
+    "changes, says",
     [
         ({"z1": 4}, "z1 = 4: a whole number 5 to 2000 is wanted"),
         ({"z2": -20}, "z2 = -20: a whole number 5"),
@@ -39,11 +40,14 @@ NAN = float("nan")
         ({"x1": -1.0, "x2": -1.0}, r"no working angle .* must be greater than -0.819"),
         ({"z1": 5, "x1": -1.4, "x2": 1.5}, "wheel 1 has no body.* raise x1 or z1"),
         ({"delta_y": 2.0, "x1": 0.4}, "tip circle of wheel 1 .* inside its base circle"),
-        ({"z1": 60, "x1": 2.0, "delta_y": 2.9}, "lies inside its root circle|inside its base circle"),
+        (
+            {"z1": 60, "x1": 2.0, "delta_y": 2.9},
+            "lies inside its root circle|inside its base circle",
+        ),
         ({"z1": 60, "x1": -3.0, "x2": 3.5}, "inside its base circle .* raise x1"),
         ({"z1": 5, "x1": 5.0}, "leaves wheel 1 no tooth"),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_a_gear_is_refused_with_a_remedy(changes: dict, says: str) -> None:
     with pytest.raises(StructureError, match=says):
         draw_gear(Draft(), replace(GOOD, **changes))

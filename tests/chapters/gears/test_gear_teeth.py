@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 from support.teeth import Pair, dense, flank, meshing, pair, profile, wheel
 
 from graphic_tmm.board.findings import examine
@@ -34,8 +35,8 @@ def drawn(order: GearOrder) -> Pair:
     return pair(order)
 
 
-@pytest.mark.parametrize("order", CASES)
-@pytest.mark.parametrize("k", [0, 1])
+@each("order", CASES)
+@each("k", [0, 1])
 def test_rolled_points_are_those_of_the_involute_through_the_pitch_point(
     order: GearOrder, k: int
 ) -> None:
@@ -56,8 +57,8 @@ def test_rolled_points_are_those_of_the_involute_through_the_pitch_point(
     np.testing.assert_allclose(np.angle(points / pole), inv(reach) - inv(np.abs(pole)), atol=1e-9)
 
 
-@pytest.mark.parametrize("order", CASES)
-@pytest.mark.parametrize("k", [0, 1])
+@each("order", CASES)
+@each("k", [0, 1])
 def test_a_flank_between_its_points_is_the_involute_to_a_ten_thousandth_of_a_module(
     order: GearOrder, k: int
 ) -> None:
@@ -73,8 +74,8 @@ def test_a_flank_between_its_points_is_the_involute_to_a_ten_thousandth_of_a_mod
     assert np.abs(spots - due).max() < 1e-4 * M
 
 
-@pytest.mark.parametrize("order", CASES)
-@pytest.mark.parametrize("k", [0, 1])
+@each("order", CASES)
+@each("k", [0, 1])
 def test_the_tooth_is_as_thick_as_calculated_at_the_pitch_circle_and_at_the_tip(
     order: GearOrder, k: int
 ) -> None:
@@ -90,8 +91,8 @@ def test_the_tooth_is_as_thick_as_calculated_at_the_pitch_circle_and_at_the_tip(
     assert abs(right) * of.mm == pytest.approx(1000 * of.real(sizes.r_a), rel=1e-12)
 
 
-@pytest.mark.parametrize("order", CASES)
-@pytest.mark.parametrize("k", [0, 1])
+@each("order", CASES)
+@each("k", [0, 1])
 def test_teeth_stand_one_pitch_apart_and_are_symmetrical(order: GearOrder, k: int) -> None:
     of = drawn(order)
     made = of.gear.wheels[k]

@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 from support.teeth import Pair, dense, pair, profile
 
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
@@ -52,7 +53,7 @@ def main(of: Drawing) -> list[shapely.Geometry]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS)
-@pytest.mark.parametrize("name", VIEWS)
+@each("name", VIEWS)
 def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: GearOrder) -> None:
     made = view(name, order)
     boxes = [box(label) for label in made.labels]

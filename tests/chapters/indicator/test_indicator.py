@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.board.operations.curve import bezier
@@ -17,7 +18,6 @@ from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.placing import flat
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.work import Work, work
 
 R, L, BORE, ROD = 0.3, 0.64, 0.12, 0.04
 COVER = (300e3, 300e3, 240e3, 159e3, 121.5e3, 87e3, 30e3, 34.5e3, 42e3, 64.5e3, 100.5e3, 144e3)

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder, Stretch
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.work import Work, work
 
 BORE, C = 0.12, 0.08
 STEAM = (

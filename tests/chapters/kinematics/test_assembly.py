@@ -10,78 +10,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.assemblies import assembly, message, ranges
+from support.linkages import coulisse, four_bar, slider_crank
 
-from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
-from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
-from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side, Slide
 
-Flips = tuple[float, ...] | None
 Pose = tuple[float, float, float]
-
-
-def four_bar(
-    r: float,
-    rod: float,
-    s: float,
-    d: float,
-    *,
-    sign: int = 1,
-    flips: Flips = None,
-    speed: float = 1.0,
-) -> Mechanism:
-    """Crank r, coupler ``rod``, rocker s, frame d along x; B to the left of AC for +1."""
-    return Mechanism(
-        Link(0, {"O": 0j, "C": complex(d, 0)}),
-        (
-            Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j, "B": complex(rod, 0)}, side=Side(sign, ("A", "C"), flips)),
-            Link(3, {"C": 0j, "B": complex(s, 0)}),
-        ),
-        Drive(1, speed),
-    )
-
-
-def slider_crank(
-    r: float, rod: float, e: float = 0.0, *, sign: int = 1, flips: Flips = None, speed: float = 1.0
-) -> Mechanism:
-    guide = Guide("x", complex(0, e), 0.0)
-    return Mechanism(
-        Link(0, {"O": 0j}, (guide,)),
-        (
-            Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j, "B": complex(rod, 0)}),
-            Link(3, {"B": 0j}, slides=(Slide(0, guide, side=Side(sign, flips_at=flips)),)),
-        ),
-        Drive(1, speed),
-    )
-
-
-def coulisse(
-    r: float, c: complex, h: float = 0.0, *, sign: int = 1, flips: Flips = None, speed: float = 1.0
-) -> Mechanism:
-    """Crank r, rocker about c, its guide h off the pivot."""
-    guide = Guide("z", complex(0, h), 0.0)
-    return Mechanism(
-        Link(0, {"O": 0j, "C": c}),
-        (
-            Link(1, {"O": 0j, "A": complex(r, 0)}),
-            Link(2, {"A": 0j}, slides=(Slide(3, guide, side=Side(sign, flips_at=flips)),)),
-            Link(3, {"C": 0j, "D": 0.5 + 0.1j}, (guide,)),
-        ),
-        Drive(1, speed),
-    )
-
-
-def assembly(mechanism: Mechanism) -> Assembly:
-    return check_assembly(survey(mechanism, dissect(mechanism)))
-
-
-def message(mechanism: Mechanism) -> str:
-    with pytest.raises(StructureError) as caught:
-        assembly(mechanism)
-    return str(caught.value)
 
 
 # lengths that never assemble
@@ -166,21 +101,6 @@ def test_what_is_short_equals_brute_force(r: float, rod: float, s: float, d: flo
 # lengths that assemble over a part of the turn
 
 
-def brute(
-    mechanism: Mechanism, r: float, rod: float, s: float, d: float
-) -> list[tuple[float, float]]:
-    """The ranges of a four-bar's crank by law of cosines: cos φ between two bounds."""
-    far = (r * r + d * d - (rod + s) ** 2) / (2 * r * d)
-    near = (r * r + d * d - (rod - s) ** 2) / (2 * r * d)
-    low = 0.0 if near >= 1 else math.degrees(math.acos(near))
-    high = 180.0 if far <= -1 else math.degrees(math.acos(far))
-    if low == 0.0:
-        return [(360 - high, 360 + high)]
-    if high == 180.0:
-        return [(low, 360 - low)]
-    return [(low, high), (360 - high, 360 - low)]
-
-
 @pytest.mark.parametrize(
     "lengths",
     [
@@ -196,7 +116,7 @@ def test_the_range_of_the_crank_is_right_to_a_hundredth_of_a_degree(
 ) -> None:
     mechanism = four_bar(*lengths)
     found = assembly(mechanism)
-    due = brute(mechanism, *lengths)
+    due = ranges(*lengths)
     assert found.groups == ("2-3",)
     assert len(found.ranges) == len(due)
     for ours, theirs in zip(sorted(found.ranges), sorted(due), strict=True):
@@ -219,7 +139,7 @@ def test_a_range_narrower_than_the_angles_tried_is_found() -> None:
     mechanism = four_bar(r, rod, s, d)
     turned = Link(0, {"O": 0j, "C": cmath.rect(d, math.radians(33.1))})
     found = assembly(Mechanism(turned, mechanism.links, mechanism.drive))
-    half = brute(mechanism, r, rod, s, d)[0][1] - 360.0
+    half = ranges(r, rod, s, d)[0][1] - 360.0
     assert half < 0.125
     assert len(found.ranges) == 1
     assert found.ranges[0] == pytest.approx((33.1 - half, 33.1 + half), abs=1e-5)
@@ -232,7 +152,7 @@ def test_a_gap_narrower_than_the_angles_tried_is_found() -> None:
     turned = Link(0, {"O": 0j, "C": cmath.rect(d, math.radians(33.1))})
     found = assembly(Mechanism(turned, mechanism.links, mechanism.drive))
     assert found.groups == ("2-3",)
-    half = 180.0 - brute(mechanism, r, rod, s, d)[0][1] % 360.0
+    half = 180.0 - ranges(r, rod, s, d)[0][1] % 360.0
     assert 0 < half < 0.125
     assert found.ranges[0] == pytest.approx((213.1 + half, 573.1 - half), abs=1e-5)
 

@@ -3,27 +3,19 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 
 import numpy as np
 import pytest
-from support.gallery import PLANS, SHEETS
+from support.each import each
+from support.gallery import PLANS, drawn
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics.equations import Equation, ends_of, equations, quantity
 from graphic_tmm.readers.columns import segment_name
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
-
-
-@cache
-def drawn(name: str) -> Work:
-    return fitted(read(SHEETS / name), exact=True)
+from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 
 
 def found(name: str, plan: str) -> list[Equation]:
-    work = drawn(name)
+    work = drawn(name, exact=True)
     turned = work.scene.turned and plan == "velocities"
     return list(equations(work.project.construction, plan, turned=turned))
 
@@ -64,20 +56,20 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
     assert list(equations(log, "nothing")) == []
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS)
+@each("name, plan", PLANS)
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    groups = [f"II({g.name})" for g in drawn(name).project.structure.groups]
+    groups = [f"II({g.name})" for g in drawn(name, exact=True).project.structure.groups]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
 
 
-@pytest.mark.parametrize(("name", "plan"), PLANS)
+@each("name, plan", PLANS)
 def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) -> None:
     """Along its known direction, the unknown vector is what the rest of the side leaves."""
-    work = drawn(name)
+    work = drawn(name, exact=True)
     reading = work.reading if plan == "velocities" else work.accelerated
     assert reading is not None
     log = work.project.construction

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from support.drawn import board
+from support.each import each
 from support.mechanisms import Drawn, sample
 
 from graphic_tmm.board.execute import execute
@@ -30,7 +31,7 @@ def _same(first: dict[str, Any], second: dict[str, Any], places: Any = slice(Non
             np.testing.assert_allclose(a, b, rtol=0, atol=1e-12 * size, err_msg=f"{name} {key}")
 
 
-@pytest.mark.parametrize("drawn", DRAWN, ids=lambda d: "-".join(d.kinds))
+@each("drawn", DRAWN)
 def test_twelve_at_once_are_twelve_times_one(drawn: Drawn) -> None:
     sheet, angles = board(drawn.mechanism), ANGLES + drawn.phi
     whole = sheet.read(angles)

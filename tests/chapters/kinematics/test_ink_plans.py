@@ -8,25 +8,26 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from support.gallery import NAMES, PLANS, SHEETS
+from support.each import each
+from support.gallery import NAMES, PLANS, drawn
 
-from graphic_tmm.chapters.kinematics.ink_plans import BEYOND, Place, draw_plan, markup, vectors
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    BEYOND,
+    Place,
+    draw_plan,
+    vectors,
+)
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
-
-
-@cache
-def drawn(name: str) -> Work:
-    return fitted(read(SHEETS / name), exact=True)
 
 
 @cache
 def plan(name: str, which: str, index: int, lettered: bool = True) -> Drawing:
-    work = drawn(name)
+    work = drawn(name, exact=True)
     reading = work.accelerated if which == "accelerations" else work.reading
     assert reading is not None
     log, mu = work.project.construction, work.scales[which].value
@@ -58,9 +59,9 @@ def test_vectors_of_the_engine_are_those_of_its_plans() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "which"), PLANS)
+@each("name, which", PLANS)
 def test_a_vector_runs_between_its_points_as_long_as_its_segment(name: str, which: str) -> None:
-    work = drawn(name)
+    work = drawn(name, exact=True)
     reading = work.accelerated if which == "accelerations" else work.reading
     assert reading is not None
     log = work.project.construction
@@ -110,7 +111,7 @@ def test_a_vector_of_no_length_has_no_arrow_and_its_ends_share_a_letter() -> Non
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_point_of_a_plan_is_lettered_once(name: str) -> None:
-    work = drawn(name)
+    work = drawn(name, exact=True)
     points = [m for m in work.project.marks("velocities") if m.kind.__name__ == "Point"]
     for index in range(len(work.project.names)):
         texts = ", ".join(label.text for label in plan(name, "velocities", index).labels).split(
@@ -121,7 +122,7 @@ def test_every_point_of_a_plan_is_lettered_once(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_construction_lines_go_on_behind_their_intersection(name: str) -> None:
-    work, view = drawn(name), plan(name, "velocities", 1)
+    work, view = drawn(name, exact=True), plan(name, "velocities", 1)
     log = work.project.construction
     thin = shapely.union_all(
         [
@@ -172,8 +173,8 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
         assert all(room.covers(one) for one in arrows_only)
 
 
-@pytest.mark.parametrize(
-    ("letter", "due"),
+@each(
+    "letter, due",
     [
         ("a", "a"),
         ("s2", "s_{2}"),

@@ -9,7 +9,8 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from support.gallery import NAMES, SHEETS
+from support.each import each
+from support.gallery import NAMES, drawn
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_positions import (
@@ -22,18 +23,10 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
-
-
-@cache
-def drawn(name: str) -> Work:
-    return fitted(read(SHEETS / name), exact=True)
 
 
 def crank(name: str) -> tuple[Mark, Mark]:
-    project = drawn(name).project
+    project = drawn(name, exact=True).project
     marks = project.positions.bodies[project.structure.driver].marks
     return marks[project.structure.pivot], marks[project.structure.pin]
 
@@ -42,7 +35,7 @@ def crank(name: str) -> tuple[Mark, Mark]:
 def plan(
     name: str, main: int = 1, skipped: tuple[int, ...] = (), sense: int = 1, lettered: bool = True
 ) -> Drawing:
-    work = drawn(name)
+    work = drawn(name, exact=True)
     return draw_positions_ink(
         work.project.construction,
         work.reading,
@@ -58,7 +51,7 @@ def plan(
 
 
 def at(name: str, mark: Mark, index: int) -> complex:
-    row = np.ravel(drawn(name).reading[mark])
+    row = np.ravel(drawn(name, exact=True).reading[mark])
     return complex(row[index if row.size > 1 else 0])
 
 
@@ -98,7 +91,7 @@ def test_the_main_position_is_drawn_with_rods_and_the_others_thin(main: int) -> 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> None:
-    view, names = plan(name), drawn(name).project.names
+    view, names = plan(name), drawn(name, exact=True).project.names
     o, a = crank(name)
     centre = at(name, o, 0)
     radius = abs(at(name, a, 0) - centre)
@@ -113,7 +106,7 @@ def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> No
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_of_the_mechanism_stands_once(name: str) -> None:
-    mechanism = drawn(name).project.mechanism
+    mechanism = drawn(name, exact=True).project.mechanism
     texts = [label.text for label in plan(name).labels if label.size == 5.0]
     found = [part.replace("_{", "").replace("}", "") for t in texts for part in t.split(", ")]
     due = {letter for link in mechanism.links for letter in link.points}
@@ -203,8 +196,8 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
     assert all(abs(x - y) < 2 * MARGIN for x, y in zip(full, bare, strict=True))
 
 
-@pytest.mark.parametrize("sense", [1, -1])
-@pytest.mark.parametrize("bearing", range(-180, 180, 15))
+@each("sense", [1, -1])
+@each("bearing", range(-180, 180, 15))
 def test_the_arrow_of_the_crank_stands_clear_of_the_foot_of_its_pivot(
     bearing: int, sense: int
 ) -> None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
-from test_extremes import apart, places, project_of, slider_crank
+from support.gallery import SHEETS
+from support.linkages import slider_crank
+from support.rows import apart, places, project_of
 
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import StructureError
@@ -14,13 +15,13 @@ from graphic_tmm.mechanism.records import Row
 from graphic_tmm.project import draw_project
 from graphic_tmm.scene.read import read
 
-SHEETS = Path(__file__).parents[2] / "sheets"
-
 
 @pytest.mark.parametrize("first", [0, 1])
 @pytest.mark.parametrize("speed", [1.0, -1.0])
 def test_the_row_goes_with_the_crank_in_equal_steps(first: int, speed: float) -> None:
-    project = project_of(slider_crank(0.045, 0.18, -0.018, 1, speed), "B", "right", first=first)
+    project = project_of(
+        slider_crank(0.045, 0.18, -0.018, drive=(speed, 0.0)), "B", "right", first=first
+    )
     assert project.names == tuple(str(first + k) for k in range(12))
     for place, angle in enumerate(project.angles):
         assert apart(angle, project.angles[0] + speed * 30 * place) < 1e-9
@@ -39,20 +40,24 @@ def test_the_engine_keeps_an_exact_right_angle() -> None:
 def test_the_other_extreme_is_named_after_the_position_it_follows(
     speed: float, first: int, name: str
 ) -> None:
-    project = project_of(slider_crank(0.1, 0.3, 0.05, 1, speed), "B", "right", OTHER, first=first)
+    project = project_of(
+        slider_crank(0.1, 0.3, 0.05, drive=(speed, 0.0)), "B", "right", OTHER, first=first
+    )
     travelled = (speed * (project.angles[-1] - project.angles[0])) % 360
     assert project.names[-1] == name
     assert math.floor(travelled / 30) + first == int(name[:-1])
 
 
 def test_an_extreme_exactly_on_a_position_is_named_after_it() -> None:
-    project = project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", OTHER)
+    project = project_of(slider_crank(0.3, 0.64), "B", "right", OTHER)
     assert project.names[-1] == "6*"
     assert project.angles[-1] == pytest.approx(180.0, abs=1e-12)
 
 
 def test_extra_angles_stand_as_given_outside_the_row() -> None:
-    project = project_of(slider_crank(0.3, 0.64, 0.0, 1, -1.0), "B", "right", 105.0, OTHER, -30.0)
+    project = project_of(
+        slider_crank(0.3, 0.64, drive=(-1.0, 0.0)), "B", "right", 105.0, OTHER, -30.0
+    )
     assert project.names[12:] == ("105°", "6*", "-30°")
     assert project.angles[12] == 105.0
     assert project.angles[14] == 330.0
@@ -60,7 +65,7 @@ def test_extra_angles_stand_as_given_outside_the_row() -> None:
 
 def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
     project = draw_project(
-        slider_crank(0.3, 0.64, 0.0), Row(4, zero=10.0, extra=(77.5,)), plans=["positions"]
+        slider_crank(0.3, 0.64), Row(4, zero=10.0, extra=(77.5,)), plans=["positions"]
     )
     assert project.angles == (10.0, 100.0, 190.0, 280.0, 77.5)
     phi = math.radians(77.5)
@@ -70,23 +75,23 @@ def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
 
 def test_the_other_extreme_needs_a_zero_that_is_one() -> None:
     with pytest.raises(StructureError, match="needs a zero position that is an extreme itself"):
-        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12, extra=(OTHER,)))
+        draw_project(slider_crank(0.3, 0.64), Row(12, extra=(OTHER,)))
 
 
 @pytest.mark.parametrize("letter", ["O", "Q"])
 def test_a_point_that_does_not_move_has_no_extreme(letter: str) -> None:
     with pytest.raises(StructureError, match=f"zero: {letter} is not a moving point.*A, B"):
-        project_of(slider_crank(0.3, 0.64, 0.0), letter, "left")
+        project_of(slider_crank(0.3, 0.64), letter, "left")
 
 
 def test_an_acceleration_plan_for_a_position_that_is_not_there_is_refused() -> None:
     with pytest.raises(StructureError, match=r"no position 13; there are 0, 1"):
-        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12, accelerations=("13",)))
+        draw_project(slider_crank(0.3, 0.64), Row(12, accelerations=("13",)))
 
 
 def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
     with pytest.raises(StructureError, match="no point Q"):
-        draw_project(slider_crank(0.3, 0.64, 0.0), Row(12), trajectories=["Q"])
+        draw_project(slider_crank(0.3, 0.64), Row(12), trajectories=["Q"])
 
 
 @pytest.mark.parametrize(
@@ -94,7 +99,7 @@ def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
 )
 def test_an_extra_named_twice_is_refused(extra: tuple[float | str, ...], said: str) -> None:
     with pytest.raises(StructureError, match="named twice") as caught:
-        project_of(slider_crank(0.3, 0.64, 0.0), "B", "right", *extra)
+        project_of(slider_crank(0.3, 0.64), "B", "right", *extra)
     assert said in str(caught.value)
 
 

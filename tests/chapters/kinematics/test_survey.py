@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from test_assembly import coulisse, four_bar, message, slider_crank
-from test_extremes import places
+from support.assemblies import message
+from support.linkages import coulisse, four_bar, slider_crank
+from support.rows import places
 
 from graphic_tmm.mechanism.records import Link, Mechanism, Row, Side, Slide
 from graphic_tmm.project import draw_project

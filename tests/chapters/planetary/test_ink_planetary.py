@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
@@ -25,7 +26,9 @@ from graphic_tmm.chapters.planetary.tables import (
 from graphic_tmm.chapters.planetary.task import PlanetaryOrder
 from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.write.svg import svg
 
@@ -162,8 +165,8 @@ def test_what_was_read_can_be_read_off_the_sheet() -> None:
     assert float(reading[made.mu][0, 0]) == 0.005
 
 
-@pytest.mark.parametrize("language", ["ru", "en"])
-@pytest.mark.parametrize("name", ORDERS)
+@each("language", ["ru", "en"])
+@each("name", ORDERS)
 def test_tables_are_those_of_the_log(name: str, language: str) -> None:
     made, log, reading, _ = inked(name)
     conditions = condition_table(log, reading, made, language)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from support.each import each
 
 from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder, module_ratio, scheme_of
 from graphic_tmm.chapters.planetary.tooth_search import choose, search
@@ -16,8 +17,8 @@ TWO = replace(C7, scheme="external-internal", teeth=(), ratio=12.0)
 NAN = float("nan")
 
 
-@pytest.mark.parametrize(
-    ("change", "says"),
+@each(
+    "change, says",
     [
         ({"scheme": "planet"}, 'no scheme "planet"'),
         ({"module": 0.0}, "module = 0: a number greater than 0"),

@@ -1,0 +1,61 @@
+"""What is found of forces: nothing to compare, polygons of no forces; which digits of a difference are sure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import needed
+from graphic_tmm.board.findings import Finding, step_number
+from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.project import Project
+
+
+def balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
+    """Return, by the slot of their difference, where both methods find that nothing balances the crank.
+
+    There is nothing to compare then.
+    """
+    made = FORCES.on(project)
+    none = doubts.nothing(made.balance) & doubts.nothing(made.lever.balance)
+    return {made.difference.slot: np.broadcast_to(none, (1, len(project.names)))}
+
+
+def ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[int, Doubts]:
+    """Return what the ruler leaves of the difference of the two methods: its digits follow from readings."""
+    if hand.ruler is None:
+        return {}
+    difference = FORCES.on(project).difference
+    steps = needed(project.construction, [difference])
+    return {difference.slot: Doubts(steps, given, ruler=hand.ruler)}
+
+
+def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
+    """Return a finding without what it says of comparing nothing with nothing; its places are cut down."""
+    made, doubts = FORCES.on(drawn), drawn.doubts
+    if not made.owns(one.step.it.view):
+        return one
+    difference = made.difference
+    (none,) = balanced(drawn.project, doubts).values()
+    nothing = set(np.flatnonzero(none[0]).tolist())
+    if one.kind == "undrawn" and one.step.it == difference:
+        # of what is lost there is nothing to compare either: that it is lost is told
+        lost = [doubts.lost[use.slot] for use in one.step.uses if use.slot in doubts.lost]
+        places -= nothing.union(*(np.flatnonzero(mask[0]).tolist() for mask in lost))
+    if one.kind == "lost" and places <= nothing:
+        return one._replace(letters=tuple(k for k in one.letters if k != difference.letter))
+    return one
+
+
+def idle(drawn: Drawn) -> Iterator[Finding]:
+    """Yield the polygons that have no scale, for all their forces are nothing."""
+    made, log = FORCES.on(drawn), drawn.construction
+    for polygon in made.polygons:
+        if polygon.view not in drawn.scales:
+            step = next(step for step in log.steps if step.it.view == polygon.view)
+            yield Finding("idle", step, step_number(log, step), made.places, 0.0)

@@ -1,0 +1,107 @@
+"""μ_F of the polygons, how much larger than the velocity plan the lever is, what cannot be compared."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping
+
+import numpy as np
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale, standard
+from graphic_tmm.board.values import Point
+from graphic_tmm.chapter import Size
+from graphic_tmm.chapters.forces.plan import FORCES, VIEW
+from graphic_tmm.chapters.forces.task import ASKED
+from graphic_tmm.fitting.scales import Fitting, extent
+from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scene
+
+LEVER = 150.0
+"""Room for the lever, mm."""
+ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 0.5, 0.4, 0.25, 0.2, 0.1)
+"""How many times the lever may be larger than the velocity plan."""
+POLYGON = 200.0
+"""Room for a polygon of forces, mm."""
+
+
+def _fixed(scene: Scene) -> str:
+    order = ASKED.of(scene)
+    return "forces.mu_F" if order is not None and order.mu is not None else ""
+
+
+SIZES = (
+    Size("forces", least=0.1, fixed=_fixed),
+    Size("groups", least=0.25),
+    Size("lever", least=0.05),
+)
+"""Of polygons, of the arrows on detached groups, of the lever: shares of the usual room."""
+
+
+def polygon_scales(project: Project) -> list[Mark]:
+    """Return the marks of μ of every polygon of forces."""
+    views = project.construction.views
+    return [view.scale for view in views if view.scale is not None and view.name.startswith(VIEW)]
+
+
+def force_scales(fitting: Fitting) -> dict[Mark, object]:
+    """Return μ of every polygon of forces: what the scene fixes, else a standard one.
+
+    The largest side of a polygon in any position whose forces are asked for takes its share of `POLYGON` mm at
+    most. A polygon whose forces are all nothing has no μ but the scene's.
+    """
+    project, doubts, made = fitting.project, fitting.doubts, FORCES.on(fitting)
+    log, scales = project.construction, polygon_scales(project)
+    ones = {**fitting.ones, **dict.fromkeys(scales, 1.0)}
+    marks = [
+        step.it for step in log.steps if step.it.view.startswith(VIEW) and step.it.kind is Point
+    ]
+    reading = execute(log, ones, marks).without(doubts.lost)
+    found: dict[Mark, object] = {}
+    for mu in scales:
+        spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
+        reach = extent([np.concatenate([[0j], *spots])])
+        if made.order.mu or reach > 0.0:
+            found[mu] = made.order.mu or standard(reach, POLYGON * fitting.sizes["forces"])
+    room = LEVER * fitting.sizes["lever"]
+    return found | {made.lever.times: _enlarged(fitting, {**ones, **found}, room)}
+
+
+def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
+    """Return where a point is, with all scales 1; what is nothing but rounding is at the beginning."""
+    return np.asarray(doubts.figure(mark, reading[mark]))
+
+
+def _enlarged(fitting: Fitting, given: Mapping[Mark, object], room: float) -> float:
+    """Return how many times the lever is larger than the velocity plan, so that arms can be measured."""
+    made = FORCES.on(fitting)
+    lever = made.lever
+    images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
+    wanted = [*images, lever.pole]
+    reading = execute(fitting.project.construction, {**given, lever.times: 1.0}, wanted)
+    reading = reading.without(fitting.doubts.lost)
+    reach = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
+    return next((k for k in ENLARGED if k * reach <= room), ENLARGED[-1])
+
+
+def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
+    return np.asarray(values[0, list(places)] if values.shape[1] > 1 else values[0])
+
+
+def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
+    """Return the scales of the lever, and of the polygons that have one ``given``."""
+    made = FORCES.on(project)
+    mu = made.lever.mu
+    found = {mu.view: Scale("μ_v", float(reading[mu][0, 0]), mu.unit)}
+    for polygon in made.polygons:
+        if polygon.mu in given:
+            found[polygon.view] = Scale("μ_F", float(reading[polygon.mu][0, 0]), "N/mm")
+    return found
+
+
+def scale_key(view: str) -> str:
+    """Return what machines call the scale factor of a view: forces 4-5 -> mu_F_4_5."""
+    if view.startswith(f"{VIEW} "):
+        return "mu_F_" + view.removeprefix(f"{VIEW} ").replace("-", "_").replace(" ", "_pass_")
+    return "mu_lever" if view == "lever" else ""

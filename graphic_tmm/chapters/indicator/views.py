@@ -1,0 +1,27 @@
+"""What a sheet shows of a cylinder: its indicator diagram."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
+from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.paper.arranging import captioned, mu_text
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
+
+
+def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
+    """Return the indicator diagram, captioned, if it stands with the views of the chapter ``by``."""
+    cylinder, language = INDICATOR.of(drawn), drawn.scene.language
+    if cylinder is None or cylinder.shown_by != by:
+        return []
+    title = CAPTIONS[language]["indicator"]
+    names = [escape(name) for name in drawn.names[: drawn.project.count]]
+    view = draw_indicator_ink(
+        drawn.construction, drawn.reading, cylinder.indicator, names, title, lettered=lettered
+    )
+    return [captioned(view, title, mu_text(drawn.scales[VIEW], language))]

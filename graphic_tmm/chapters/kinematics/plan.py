@@ -1,0 +1,204 @@
+"""The plans of a mechanism: where the crank stands, positions, velocities, accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
+from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.positions import (
+    Positions,
+    draw_frame,
+    draw_positions,
+    side_record,
+    side_values,
+)
+from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
+from graphic_tmm.chapters.kinematics.row import draw_row
+from graphic_tmm.chapters.kinematics.survey import Survey, survey
+from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.records import Drive, Mechanism, Side
+from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.project import Bench
+
+LAST = 12
+"""Decimals of an angle in degrees that are not rounding."""
+POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
+"""The plans: places of sheets, views of the board, and what other chapters need."""
+PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+
+
+@dataclass(frozen=True)
+class KinematicPlans:
+    """The plans of a mechanism as recorded.
+
+    ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the positions
+    (indices) that get an acceleration plan; ``numbers``: where each position stands in the row, in intervals of
+    it; ``count`` of the positions make the closed row.
+    """
+
+    mechanism: Mechanism
+    structure: Structure
+    assembly: Assembly
+    tried: Survey
+    mu_l: Mark
+    positions: Positions
+    velocities: Motion | None
+    accelerations: Motion | None
+    accelerated: tuple[int, ...]
+    guides: tuple[Figure, ...]
+    numbers: np.ndarray
+    count: int
+
+    @property
+    def crank(self) -> tuple[Mark, Mark]:
+        """The pivot of the crank and its pin."""
+        body = self.positions.bodies[self.structure.driver]
+        return body.marks[self.structure.pivot], body.marks[self.structure.pin]
+
+    @property
+    def sense(self) -> int:
+        """Which way the crank turns: 1 counter-clockwise, −1 clockwise."""
+        return 1 if self.mechanism.drive.speed > 0 else -1
+
+    @cached_property
+    def reaches(self) -> Mapping[Figure, Reach]:
+        """How far every guide is used over the whole turn of the crank, m."""
+        return dict(zip(self.guides, reaches(self.tried), strict=True))
+
+    def motion(self, plan: str) -> Motion | None:
+        """Return the plan of velocities or of accelerations, if there is one."""
+        return {VELOCITIES: self.velocities, ACCELERATIONS: self.accelerations}.get(plan)
+
+
+KINEMATICS: Made[KinematicPlans] = Made("kinematics")
+
+
+def record(bench: Bench) -> KinematicPlans:
+    """Record the plans of a mechanism; a plan that is not asked for records no step.
+
+    Raises
+    ------
+    StructureError
+        If the mechanism cannot be drawn, or a position or point is named that does not exist.
+    """
+    scene, draft = bench.scene, bench.draft
+    mechanism, row = scene.mechanism, scene.row
+    assert mechanism is not None
+    structure = dissect(mechanism)
+    tried = survey(mechanism, structure)
+    assembly = check_assembly(tried)
+    frame = draw_frame(draft, mechanism, structure)
+    numbered = draw_row(draft, tried, frame, row)
+    angles = numbered.angles
+    bench.stand(numbered.names, (_angle(a) for a in np.ravel(angles)), row.count)
+    positions = draw_positions(draft, mechanism, structure, frame, numbered.phi)
+    if scene.trajectories and tried.returning_late:
+        raise StructureError(
+            f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
+            "number of times in it: leave trajectories out"
+        )
+    _draw_trajectories(draft, positions, scene.trajectories, row.count)
+    velocities = accelerations = None
+    called = bench.wanted | bench.needed.keys()
+    if VELOCITIES in called or ACCELERATIONS in called:
+        velocities = draw_velocities(draft, mechanism, structure, positions, turned=scene.turned)
+    gained = ACCELERATIONS in bench.wanted
+    accelerated = chosen(row.accelerations, bench.names, ACCELERATIONS) if gained else ()
+    if (accelerated or ACCELERATIONS in bench.needed) and velocities is not None:
+        accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
+        bench.rows[ACCELERATIONS] = accelerated
+        bench.tell(ACCELERATIONS, accelerated)
+    for group in structure.groups:
+        side = side_record(mechanism, group)
+        if group.name in positions.sides and side is not None:
+            draft.given[positions.sides[group.name]] = _sides(side, angles, mechanism.drive)
+    assert draft.mu_l is not None
+    return KinematicPlans(
+        mechanism,
+        structure,
+        assembly,
+        tried,
+        draft.mu_l,
+        positions,
+        velocities,
+        accelerations,
+        accelerated,
+        guides(draft.board.construction()),
+        _numbers(angles, row.count, mechanism.drive),
+        row.count,
+    )
+
+
+def crank_length(bench: Bench, made: KinematicPlans) -> Mark:
+    """Return the crank's real length (m) on a board; taken once."""
+    return crank_arm(bench.draft, made.positions, made.structure)
+
+
+def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tuple[int, ...]:
+    """Return the indices of the positions that a section names, or of all.
+
+    Raises
+    ------
+    StructureError
+        If there is no such position.
+    """
+    if wanted == ("all",):
+        return tuple(range(len(names)))
+    missing = [name for name in wanted if name not in names]
+    if missing:
+        raise StructureError(
+            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+        )
+    return tuple(sorted(names.index(name) for name in set(wanted)))
+
+
+def _numbers(angles: np.ndarray, count: int, drive: Drive) -> np.ndarray:
+    """Return where each position stands in the row, in intervals of it; extras stand between."""
+    travelled = (angles[0] - angles[0, 0]) * (1.0 if drive.speed > 0 else -1.0)
+    numbers = (np.round(travelled, LAST) % 360.0) * count / 360.0
+    numbers[:count] = np.arange(count)
+    return np.asarray(numbers)
+
+
+def _angle(degrees: float) -> float:
+    """Return an angle in [0, 360), free of the last bits."""
+    return round(float(degrees), LAST) % 360.0 + 0.0
+
+
+def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
+    """Return the side in every position, carried on from the zero position in the sense of the drive.
+
+    With an odd number of flips (a pin that passes over another once a turn) the mechanism comes back to
+    its zero position only after two turns; the one turn drawn then ends on the other side.
+    """
+    if len(side.flips_at or ()) % 2 == 0:
+        return side_values(side, angles)
+    sense = 1.0 if drive.speed > 0 else -1.0
+    start = angles[0, 0]
+    travelled = np.round((angles - start) * sense, LAST) % 360.0
+    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, LAST) % 360.0
+    passed = (flips[:, None, None] <= travelled[None]) & (travelled[None] > 0.0)
+    if sense > 0:
+        passed &= flips[:, None, None] > 0.0
+    return side_values(side, start) * np.where(passed.sum(axis=0) % 2 == 0, 1.0, -1.0)
+
+
+def _draw_trajectories(
+    draft: Draft, positions: Positions, letters: Sequence[str], count: int
+) -> None:
+    for letter in letters:
+        if not any(letter in body.marks for body in positions.bodies.values()):
+            raise StructureError(f"trajectories: there is no point {letter} on the plan")
+        name = draft.board.free(f"({letter}–{letter})")
+        draft.board.draw(french_curve, name, positions.point(letter), row=count)

@@ -1,0 +1,199 @@
+"""μ_l, μ_v, μ_a: what the scene fixes, else standard ones that give the plans their size."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.board.scales import Scale, standard, standard_length
+from graphic_tmm.board.values import Curve, Point
+from graphic_tmm.chapter import Size
+from graphic_tmm.chapters.kinematics.plan import (
+    ACCELERATIONS,
+    KINEMATICS,
+    PLANS,
+    POSITIONS,
+    VELOCITIES,
+    KinematicPlans,
+)
+from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import Fitting, extent
+from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scales, Scene
+
+ROOM, NARROW = 230.0, {"A4": 140.0}
+"""Room for the plan of positions, and on a format that has less of it, mm."""
+VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
+"""Room for the longest vector of a plan, mm: as much as the sheets hold."""
+KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
+"""The keys of [scales] that fix the size of a plan."""
+UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
+SCALE_KEYS = {plan: keys[0] for plan, keys in KEYS.items()}
+"""What the scale factors are called where machines read them."""
+
+
+class Extents(NamedTuple):
+    """What there is to draw (SI): how far the plan of positions reaches, the longest vectors of the others."""
+
+    positions: float
+    velocities: float
+    accelerations: float
+
+
+def extents(project: Project, doubts: Doubts) -> Extents:
+    """Return what the choice of μ goes by, found with the exact hand at 1 SI unit to the millimetre.
+
+    The plan of positions reaches as far as what is inked on it: its points in all positions, the circle of the
+    crank pin, the paths of points. What is lost by ``doubts`` has no part in it.
+    """
+    made = KINEMATICS.on(project)
+    log, given = project.construction, dict(project.given)
+    for plan in PLANS:
+        if log.view(plan) is not None:
+            given[project.scale(plan)] = 1.0
+    marks = [m for m in project.marks(POSITIONS) if m.kind in (Point, Curve)]
+    pivot, _ = made.crank
+    reading = execute(log, given, [*marks, pivot]).without(doubts.lost)
+    arm = crank_sizes(made)[0]
+    spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j])]
+    spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
+    told = project.told.get(ACCELERATIONS, frozenset())
+    places = made.accelerated or tuple(sorted(told)) or _shown(project)
+    return Extents(
+        extent(spots),
+        _longest(project, given, VELOCITIES, None, doubts) if made.velocities else 0.0,
+        _longest(project, given, ACCELERATIONS, places, doubts) if made.accelerations else 0.0,
+    )
+
+
+def _shown(project: Project) -> tuple[int, ...]:
+    """Return the positions at which what becomes of other views is told, if not of all."""
+    return tuple(sorted(frozenset().union(*project.told.values())))
+
+
+def crank_sizes(made: KinematicPlans) -> tuple[float, float, float]:
+    """Return the length of the crank, the speed and the acceleration of its pin (SI)."""
+    drive, structure = made.mechanism.drive, made.structure
+    crank = made.mechanism.by_number[structure.driver]
+    arm = abs(crank.points[structure.pin] - crank.points[structure.pivot])
+    return arm, abs(drive.speed) * arm, abs(drive.speed**2 + 1j * drive.acceleration) * arm
+
+
+def plan_scales(fitting: Fitting) -> dict[str, Scale]:
+    """Return μ of every plan drawn: what the scene fixes, else a standard one that gives it its size.
+
+    A segment fixed in mm (OA, pa, πa) gives its μ.
+    """
+    made, wanted, sizes = KINEMATICS.on(fitting), fitting.scene.scales, fitting.sizes
+    reach: Extents = fitting.reach[KINEMATICS.chapter]
+    arm, pin_speed, pin_acceleration = crank_sizes(made)
+    mu_l = wanted.mu_l or (
+        arm / wanted.OA if wanted.OA else standard_length(reach.positions, sizes[POSITIONS])
+    )
+    scales = {POSITIONS: Scale("μ_l", mu_l, UNITS["mu_l"])}
+    if made.velocities is not None:
+        mu_v = wanted.mu_v or (
+            pin_speed / wanted.pa if wanted.pa else standard(reach.velocities, sizes[VELOCITIES])
+        )
+        if wanted.mu_v_is_mu_l_omega:
+            mu_v = mu_l * abs(made.mechanism.drive.speed)
+        scales[VELOCITIES] = Scale("μ_v", mu_v, UNITS["mu_v"])
+    if made.accelerations is not None:
+        mu_a = wanted.mu_a or (
+            pin_acceleration / wanted.pi_a
+            if wanted.pi_a
+            else standard(reach.accelerations, sizes[ACCELERATIONS])
+        )
+        scales[ACCELERATIONS] = Scale("μ_a", mu_a, UNITS["mu_a"])
+    return scales
+
+
+def _longest(
+    project: Project,
+    given: Mapping[Mark, object],
+    plan: str,
+    at: tuple[int, ...] | None,
+    doubts: Doubts,
+) -> float:
+    points = [m for m in project.marks(plan) if m.kind is Point]
+    reading = execute(project.construction, given, points, positions=at).without(doubts.lost, at)
+    lengths = [np.abs(reading[m]) for m in points]
+    return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
+
+
+def reaches(drawn: Drawn) -> dict[Figure, Reach]:
+    """Return how far every guide is used over the turn, mm on the sheet; found once for a drawing."""
+    key = f"{KINEMATICS.chapter} reaches"
+    if key not in drawn.cache:
+        drawn.cache[key] = _reaches(drawn)
+    found: dict[Figure, Reach] = drawn.cache[key]
+    return found
+
+
+def _reaches(drawn: Drawn) -> dict[Figure, Reach]:
+    made, mu = KINEMATICS.on(drawn), drawn.scales[POSITIONS].value
+    circle = 2.0 * crank_sizes(made)[0] / mu
+    found = {}
+    for guide, whole in made.reaches.items():
+        part = reach_of(drawn.construction, drawn.reading, guide, whole.anchor)
+        found[guide] = whole.times(1.0 / mu).near(part, circle)
+    return found
+
+
+def _narrow(scene: Scene) -> float:
+    """Return the room for the plan of positions on the formats of its sheets, mm."""
+    orders = [order for order in scene.sheets if POSITIONS in order.place] or scene.sheets
+    return min(NARROW.get(order.format, ROOM) for order in orders)
+
+
+def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] = ()) -> Size:
+    keys = KEYS[plan]
+
+    def fixed(scene: Scene) -> str:
+        return next((f"scales.{key}" for key in keys if getattr(scene.scales, key)), "")
+
+    def freed(scene: Scene) -> Scene:
+        left: dict[str, Any] = dict.fromkeys(keys)
+        free: Scales = replace(scene.scales, **left)
+        return replace(scene, scales=free)
+
+    def remedy(drawn: Drawn, key: str) -> str:
+        mu = drawn.scales[plan].value
+        crank = crank_sizes(KINEMATICS.on(drawn))[PLANS.index(plan)] / mu
+        return f"{mu:g} {UNITS[key]}" if key in UNITS else f"{math.floor(crank) or crank:g} mm"
+
+    def own(reach: Mapping[str, Any]) -> float:
+        return float(getattr(reach[KINEMATICS.chapter], plan))
+
+    return Size(
+        plan,
+        usual,
+        in_mm=True,
+        rooms=rooms,
+        extent=own,
+        fixed=fixed,
+        freed=freed,
+        remedy=remedy,
+    )
+
+
+SIZES = (
+    _size(POSITIONS, _narrow),
+    _size(VELOCITIES, lambda scene: 80.0, VECTORS),
+    _size(ACCELERATIONS, lambda scene: 80.0, VECTORS),
+)
+"""Room for the plan of positions, and for the longest vectors of the others."""
+
+
+def sizes_of(scene: Scene, view: str) -> tuple[str, ...]:
+    """Return the size that the view of a plan depends on."""
+    plan = view.partition("-")[0]
+    return (POSITIONS,) if plan == VELOCITIES and scene.scales.mu_v_is_mu_l_omega else (plan,)

@@ -1,0 +1,148 @@
+"""What a sheet shows of the plans: positions, velocities, accelerations, their equations and tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
+from graphic_tmm.chapters.kinematics.ink_plans import (
+    Place,
+    draw_plan,
+)
+from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink, draw_positions_ink
+from graphic_tmm.chapters.kinematics.plan import (
+    ACCELERATIONS,
+    KINEMATICS,
+    POSITIONS,
+    VELOCITIES,
+)
+from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.table import plan_columns
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.paper.arranging import captioned, in_cells, mu_text
+from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
+from graphic_tmm.paper.result_table import result_table
+from graphic_tmm.readers.columns import UNITS
+from graphic_tmm.readers.equations import equations
+
+
+def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the plan of positions."""
+    made, words = KINEMATICS.on(drawn), CAPTIONS[drawn.scene.language]
+    there = [k for k in range(len(drawn.names)) if k not in drawn.undrawn]
+    wanted = [k for k in there if drawn.names[k] == drawn.scene.main]
+    candidates = wanted or [k for k in made.accelerated if k in there] or there[1:] or there
+    view = draw_positions_ink(
+        drawn.construction,
+        drawn.reading,
+        reaches(drawn),
+        main=candidates[0],
+        names=drawn.names,
+        skipped=drawn.undrawn,
+        crank=made.crank,
+        sense=made.sense,
+        title=words["positions"],
+        lettered=lettered,
+    )
+    mu = mu_text(drawn.scales[POSITIONS], drawn.scene.language)
+    return [captioned(view, words["positions"], mu, large=True)]
+
+
+def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the plan of velocities of each position, or of all of them from a common pole."""
+    words = CAPTIONS[drawn.scene.language]
+    caption = words["velocities turned" if drawn.scene.turned else "velocities"]
+    return _plans(VELOCITIES, caption, drawn, lettered)
+
+
+def acceleration_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the plans of accelerations, at the positions that have one."""
+    caption = CAPTIONS[drawn.scene.language]["accelerations"]
+    return _plans(ACCELERATIONS, caption, drawn, lettered)
+
+
+def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawing]:
+    words, reading = CAPTIONS[drawn.scene.language], drawn.of(plan)
+    if reading is None or plan not in drawn.scales:
+        return []
+    scale = drawn.scales[plan]
+    places = enumerate(drawn.row(plan))
+    shown = [(k, drawn.names[p]) for k, p in places if p not in drawn.undrawn]
+    if plan == VELOCITIES and drawn.scene.common_pole and len(shown) > 1:
+        orders = [(plan, f"{caption}, {words['all positions']}", [Place(*one) for one in shown])]
+    else:
+        orders = [
+            (f"{plan}-{name}", f"{caption}, {words['position']} {name}", [Place(k)])
+            for k, name in shown
+        ]
+    views = [
+        draw_plan(
+            drawn.construction,
+            reading,
+            plan,
+            stood,
+            name,
+            title,
+            scale.value,
+            UNITS[plan],
+            lettered=lettered,
+        )
+        for name, title, stood in orders
+    ]
+    mu = mu_text(scale, drawn.scene.language)
+    titles = [view.title for view in views]
+    return [
+        captioned(view, escape(title), mu)
+        for view, title in zip(in_cells(views), titles, strict=True)
+    ]
+
+
+def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the vector equations of the plans of velocities and accelerations."""
+    log, found = drawn.construction, []
+    for plan in (VELOCITIES, ACCELERATIONS):
+        turned = drawn.scene.turned and plan == VELOCITIES
+        title = CAPTIONS[drawn.scene.language][f"equations {plan}"]
+        told = list(equations(log, plan, turned=turned))
+        if told:
+            found.append(draw_equations(log, plan, title, told))
+    return found
+
+
+def velocity_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the table of velocities."""
+    return _table(VELOCITIES, drawn)
+
+
+def acceleration_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the table of accelerations."""
+    return _table(ACCELERATIONS, drawn)
+
+
+def both_tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return both tables."""
+    return [*_table(VELOCITIES, drawn), *_table(ACCELERATIONS, drawn)]
+
+
+def _table(plan: str, drawn: Drawn) -> list[Drawing]:
+    rows = plan_columns(drawn, plan)
+    if KINEMATICS.on(drawn).motion(plan) is None or drawn.of(plan) is None:
+        return []
+    return [result_table(plan, rows, drawn.names, drawn.scene.language)]
+
+
+def plan_at(
+    drawn: Drawn, plan: str, place: int, name: str, title: str, upon: Sequence[Stroke]
+) -> Drawing:
+    """Return a plan in one position, whose letters keep off what is drawn ``upon`` it."""
+    log, reading = drawn.construction, drawn.of(plan)
+    assert reading is not None
+    if plan == POSITIONS:
+        return draw_position_ink(log, reading, reaches(drawn), place, name, title, upon=upon)
+    at = [Place(drawn.row(plan).index(place))]
+    mu = drawn.scales[plan].value
+    return draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon)

@@ -1,0 +1,196 @@
+"""A scene drawn exactly beside the readings of a drawing: dues, marks, own errors, where each comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
+from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
+from graphic_tmm.checking.judging.step_scatter import share_of_slip
+from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
+from graphic_tmm.checking.judging.yardstick import Yardstick
+from graphic_tmm.checking.readings.units import taken_figure
+from graphic_tmm.checking.records import Taken
+from graphic_tmm.drawn import DrawnScene
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A scene drawn exactly, with the readings of a drawing; ``rows``: one kind of figure each."""
+
+    made: DrawnScene
+    rows: Sequence[Taken]
+    by: Yardstick
+
+    @cached_property
+    def due(self) -> Mapping[Key, Cell]:
+        """What is due, figure by figure."""
+        return cells(self.made)
+
+    @cached_property
+    def spots(self) -> Mapping[Key, complex]:
+        """Where points are due, mm from the pole."""
+        return points(self.made)
+
+    @cached_property
+    def whole(self) -> Mapping[tuple[str, str], float]:
+        """The longest vector of every plan and position, mm."""
+        return longest(self.due, self.spots)
+
+    @cached_property
+    def steps(self) -> Mapping[tuple[str, str], Step]:
+        """The steps that can be read, by plan and name."""
+        return steps_of(self.made.mechanism)
+
+    @cached_property
+    def found(self) -> tuple[dict[Mark, Any], dict[Mark, Grain]]:
+        """What was read of marks, and how far rounding alone may carry it; (1, position)."""
+        if self.made.mechanism is None:
+            return {}, {}
+        return as_marks(self.made.mechanism, self.steps, self.rows, self.due, self.by.reader)
+
+    @cached_property
+    def run(self) -> Run:
+        """The log run with what was read."""
+        if self.made.mechanism is None:
+            return Run({}, {})
+        return run(self.made.mechanism, *self.found)
+
+    def step(self, taken: Taken) -> Step | None:
+        """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
+        return self.steps.get((taken.plan, taken.segment))
+
+    def calculated(self, taken: Taken) -> bool:
+        """Whether a reading is a length that its step calculates, written as calculated."""
+        step = self.step(taken)
+        if step is None or taken.mm is None or step.it.kind is not Length or step.op.reads:
+            return False
+        return self.by.reader.calculated(taken.mm)
+
+    def is_given(self, taken: Taken) -> bool:
+        """Whether a figure of a plan follows from the givens alone: it is the same in every drawing."""
+        seen = self.by.spread[taken.at].sorted
+        return taken.plan != RESULTS and bool(seen.size) and float(np.ptp(seen)) == 0.0
+
+    def place(self, taken: Taken) -> int:
+        """Return the index of the position of a reading; -1 where it has none."""
+        names = self.made.mechanism.names if self.made.mechanism is not None else ()
+        return names.index(taken.position) if taken.position in names else -1
+
+    def scale(self, taken: Taken) -> float:
+        """Return what a mm on paper means in the unit of a reading's figure; NaN if nothing is drawn of it."""
+        cell = self.due.get(taken.key)
+        if cell is None or cell.mm is None:
+            return float("nan")
+        if cell.mm and cell.value:
+            return abs(cell.value / cell.mm)
+        return (
+            scale_of(self.made.mechanism, taken.plan)
+            if self.made.mechanism is not None
+            else float("nan")
+        )
+
+    def errors(self, taken: Taken) -> tuple[tuple[Step, float, float], ...]:
+        """Return the errors of the steps that led to a reading: step, error, grain; none if they are not known.
+
+        A point where two lines meet has the errors of both: how far it is off either of them.
+        """
+        step, place = self.step(taken), self.place(taken)
+        if step is None or place < 0 or not self.stands(taken, step, place):
+            return ()
+        if step.it.kind is Number:
+            # links that turn alike share a mark: each reading has its own error
+            figure = taken_figure(taken, self.due[taken.key])
+            error = float(apart(figure, _at(self.run.due[step.it], place)))
+            return ((step, error, _at(self.run.errors[step.it][0].grain, place)),)
+        told = [
+            (own.step, float(own.error[0, place]), _at(own.grain, place))
+            for own in self.run.errors[step.it]
+        ]
+        if not any(np.isfinite(error) for _, error, _ in told):
+            return ()
+        return tuple((by, float(np.nan_to_num(error)), grain) for by, error, grain in told)
+
+    @cached_property
+    def share(self) -> float:
+        """With which share of the slip that is counted upon the points of this drawing were read."""
+        seen = []
+        for taken in self.rows:
+            step = self.step(taken) if taken.pointed else None
+            own = None if step is None else self.by.steps.get((step.it, self.place(taken)))
+            if own is not None:
+                errors = [error for _, error, _ in self.errors(taken)]
+                seen += [(own, errors)] if errors else []
+        return share_of_slip(seen)
+
+    def stands(self, taken: Taken, step: Step, place: int) -> bool:
+        """Whether a reading is the one that was taken for its mark: a length in mm goes before its quantity."""
+        there = self.found[0].get(step.it)
+        if there is None or np.isnan(there[0, place]):
+            return False
+        return taken.in_mm or self.beside(taken) is None
+
+    def beside(self, taken: Taken) -> Taken | None:
+        """Return the length in mm whose quantity a reading is."""
+        if taken.in_mm:
+            return None
+        return self._lengths.get(taken.key)
+
+    @cached_property
+    def _lengths(self) -> Mapping[Key, Taken]:
+        return {taken.key: taken for taken in self.rows if taken.mm is not None}
+
+    @cached_property
+    def _by_mark(self) -> Mapping[tuple[Mark, int], Taken]:
+        found = {}
+        for taken in sorted(self.rows, key=lambda one: one.mm is not None):
+            if (step := self.step(taken)) is not None:
+                found[step.it, self.place(taken)] = taken
+        return found
+
+    def sources(self, taken: Taken) -> tuple[Taken, ...]:
+        """Return the earlier readings that a reading was found from, nothing read being between."""
+        if (length := self.beside(taken)) is not None:
+            return (length,)
+        step, place = self.step(taken), self.place(taken)
+        if step is None or self.made.mechanism is None:
+            return ()
+        marks = read_of(self.made.mechanism.construction, step, self.found[0])
+        return tuple(self._by_mark[m, place] for m in marks if (m, place) in self._by_mark)
+
+    def carried(self, taken: Taken, source: Taken) -> float:
+        """Return by how much a reading's due would differ, had an earlier one been right; mm or its unit."""
+        if self.beside(taken) is not None:
+            return float("inf")
+        step, of, place = self.step(taken), self.step(source), self.place(taken)
+        if step is None or of is None:
+            return 0.0
+        if of.it not in self._corrected:
+            self._corrected[of.it] = self._with_right(of.it)
+        moved = np.abs(self._corrected[of.it].due[step.it] - self.run.due[step.it])
+        return _at(moved, place)
+
+    @cached_property
+    def _corrected(self) -> dict[Mark, Run]:
+        return {}
+
+    def _with_right(self, mark: Mark) -> Run:
+        """Return the log run with what was read, but for one mark, which is what is due."""
+        assert self.made.mechanism is not None
+        due = exact(self.made.mechanism, mark)
+        due = np.where(np.isnan(self.found[0][mark]), np.nan, due)
+        due = np.abs(due) if mark.kind is Length else due
+        return run(self.made.mechanism, {**self.found[0], mark: due}, {})
+
+
+def _at(row: Any, place: int) -> float:
+    """Return what an array (1, position) holds at a position; it may be a number, or the same everywhere."""
+    flat = np.ravel(row)
+    return float(flat[place if flat.size > 1 else 0])

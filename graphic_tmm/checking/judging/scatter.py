@@ -1,0 +1,145 @@
+"""How far the drawings of a hand scatter about what is due: the limits of every verdict follow from it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.values import Reals
+from graphic_tmm.checking.cells import Cell, Key, cells, points
+from graphic_tmm.checking.judging.own_errors import apart
+from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.studio import drawings
+
+NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
+"""A figure an order of magnitude off is absurd where no drawing of the hand is off by four times."""
+READ = 0.8
+"""A figure that scatters by this share of the slip of reading, or more, has it in it already."""
+
+
+class Limits(NamedTuple):
+    """``doubtful``: the quantile of the hand's deviations; ``wrong``: how many times their root mean square.
+
+    A reading is never wrong within ``beyond`` times the farthest of the hand's own drawings.
+    """
+
+    doubtful: float = 0.97
+    wrong: float = 5.0
+    beyond: float = 1.2
+
+
+class Scatter(NamedTuple):
+    """How far the hand's drawings are off a figure: sorted deviations, the limits that follow.
+
+    ``times``: a figure so many times too large or too small (as a logarithm) is not the hand's, though it may
+    scatter by more than the figure itself.
+    """
+
+    sorted: np.ndarray
+    doubtful: float
+    wrong: float
+    times: float = np.inf
+
+    @property
+    def rms(self) -> float:
+        """The root mean square of the deviations; 0 of none."""
+        return float(np.sqrt(np.mean(self.sorted**2))) if self.sorted.size else 0.0
+
+    def quantile(self, deviation: float) -> float:
+        """Return the share of the hand's drawings that are farther off."""
+        if not self.sorted.size:
+            return 1.0
+        below = int(np.searchsorted(self.sorted, deviation, side="left"))
+        return float(self.sorted.size - below) / self.sorted.size
+
+    def verdict(self, deviation: float, times: float = 0.0) -> str:
+        """Return what a deviation is, of a figure so many times too large or too small (a logarithm)."""
+        if deviation > self.wrong:
+            return WRONG
+        if deviation <= self.doubtful:
+            return FINE
+        return WRONG if times > self.times * (1.0 - 1e-9) else DOUBTFUL
+
+
+def scatter(
+    made: DrawnScene, by: Reader, wanted: Mapping[Key, Iterable[bool]], limits: Limits
+) -> dict[tuple[Key, bool], Scatter]:
+    """Return how what is read of the hand's drawings scatters, by figure and whether it is in mm."""
+    due = cells(made)
+    spots = points(made)
+    rows: dict[tuple[Key, bool], list[float]] = {
+        (key, in_mm): []
+        for key, kinds in wanted.items()
+        for in_mm in kinds
+        if _figure(due.get(key), in_mm) is not None
+    }
+    placed: dict[Key, list[complex]] = {key: [] for key in wanted if key in spots}
+    for drawn in drawings(made, by.hand):
+        where = points(drawn) if placed else {}
+        for key, seen in placed.items():
+            if key in where:
+                seen.append(where[key])
+        found = cells(drawn) if rows else {}
+        for (key, in_mm), figures in rows.items():
+            figure = _figure(found.get(key), in_mm)
+            if figure is not None:
+                figures.append(figure)
+    at = {
+        (key, in_mm): _limited(np.array(figures), key, due[key], by, limits, in_mm)
+        for (key, in_mm), figures in rows.items()
+    }
+    for key, seen in placed.items():
+        read = by.pointed(np.array(seen, dtype=np.complex128)[:, None], "|".join(key))
+        at[key, True] = limited(np.sort(np.abs(read[:, 0] - spots[key])), limits)
+    return at
+
+
+def limited(deviations: np.ndarray, limits: Limits) -> Scatter:
+    """Return the limits that follow from sorted deviations; none from no deviations."""
+    if not deviations.size:
+        return Scatter(deviations, np.inf, np.inf)
+    root = float(np.sqrt(np.mean(deviations**2)))
+    # all drawings of a sure hand may be off by the same rounding: what is as far off as they is not doubtful
+    doubtful = max(float(np.quantile(deviations, limits.doubtful)), limits.beyond * root)
+    wrong = max(limits.wrong * root, limits.beyond * float(deviations[-1]))
+    return Scatter(deviations, doubtful, max(wrong, doubtful))
+
+
+def times_off(found: Reals | float, due: float) -> Reals:
+    """Return by how many times figures differ from what is due, as logarithms of their sizes."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        times = np.abs(np.log(np.abs(np.asarray(found, dtype=np.float64)) / abs(due)))
+    return np.where(np.isnan(times), np.inf, times)
+
+
+def _limited(
+    figures: Reals, key: Key, due: Cell, by: Reader, limits: Limits, in_mm: bool
+) -> Scatter:
+    goal = _figure(due, in_mm)
+    assert goal is not None
+    figures = _read(figures, goal, key, due, by, in_mm)
+    found = limited(np.sort(np.abs(apart(figures, goal))), limits)
+    near = figures.size > 0 and float(np.max(times_off(figures, goal))) <= NEAR
+    return found._replace(times=ABSURD) if near else found
+
+
+def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: bool) -> Reals:
+    """Return figures as they are read: no length on paper is known better than the hand reads it."""
+    if not due.mm or (not in_mm and not due.value):
+        return figures
+    mu = 1.0 if in_mm else abs((due.value or 0.0) / due.mm)
+    off = apart(figures, goal)
+    if not figures.size or np.sqrt(np.mean(off**2)) >= READ * by.hand.reading * mu:
+        return figures
+    sign = np.where(figures < 0.0, -1.0, 1.0)
+    return np.asarray(sign * mu * by.measured(np.abs(figures)[:, None] / mu, "|".join(key))[:, 0])
+
+
+def _figure(cell: Cell | None, in_mm: bool) -> float | None:
+    figure = None if cell is None else cell.mm if in_mm else cell.value
+    return figure if figure is not None and math.isfinite(figure) else None

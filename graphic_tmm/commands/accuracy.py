@@ -1,0 +1,69 @@
+"""accuracy: what accuracy costs in a scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from graphic_tmm.commands.shared.progress import progress
+from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import say, show
+from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from graphic_tmm.accuracy.study import Study
+
+
+@click.command(cls=Command)
+@click.argument("scene", required=False)
+@click.option(
+    "-o", "--output", help=said("Folder for the figure, as SVG and PNG; none if left out.")
+)
+@click.option("-f", "--format", "form", type=click.Choice(["text", "json"]), default="text")
+@click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
+@click.option(
+    "--minutes", help=said("TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
+)
+@click.option(
+    "--no-time", is_flag=True, help=said("Measure no seconds: the same bytes every time.")
+)
+@hands
+def accuracy(
+    scene: str | None,
+    output: str | None,
+    form: str,
+    trials: int,
+    minutes: str | None,
+    no_time: bool,
+    hand: str | None,
+    seed: int | None,
+) -> None:
+    """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
+    from graphic_tmm.accuracy.minutes import read_minutes
+    from graphic_tmm.accuracy.report_json import json_report
+    from graphic_tmm.accuracy.report_text import text_report
+    from graphic_tmm.accuracy.study import study
+
+    task = drawn_by(read_scene(scene), None, seed)
+    table = read_minutes(minutes) if minutes is not None else None
+    with progress() as tell:
+        found = study(task, hand=hand, trials=trials, minutes=table, clock=not no_time, tell=tell)
+    show(json_report(found) if form == "json" else text_report(found), 200)
+    for path in _figured(found, output) if output is not None else ():
+        say(str(path))
+
+
+def _figured(found: Study, output: str) -> tuple[Path, ...]:
+    """Write the figure of a study into a folder; return its files."""
+    from graphic_tmm.accuracy.figure import figures
+    from graphic_tmm.files import write
+    from graphic_tmm.scenes import scene_name
+
+    stem = scene_name(found.scene.source)
+    files: dict[str, str | bytes] = {
+        f"{stem}-accuracy.{end}": content for end, content in figures(found).items()
+    }
+    return write(Path(output), files, remedy=said("name another folder with -o"))

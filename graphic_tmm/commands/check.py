@@ -1,0 +1,190 @@
+"""check: readings of a hand-made drawing against its scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from graphic_tmm.commands.shared.ending import WRONG
+from graphic_tmm.commands.shared.numbers import Finite
+from graphic_tmm.commands.shared.scenes import read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import show, tell
+from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from graphic_tmm.checking.records import Report
+    from graphic_tmm.scene.records import Scene
+
+
+@click.command(cls=Command)
+@click.argument("scene")
+@click.argument("readings", required=False)
+@click.option(
+    "--template", is_flag=True, help=said("Print a CSV file to be filled in, and check nothing.")
+)
+@click.option(
+    "--hand",
+    type=click.Choice(["cad", "careful", "student"]),
+    default="student",
+    show_default=True,
+    help=said("By whose drawings readings are judged."),
+)
+@click.option(
+    "--points",
+    type=click.Choice(["paper", "screen", "photo"]),
+    default="paper",
+    show_default=True,
+    help=said(
+        "How x and y were read: off the paper with ruler and square, off the drawing on a screen "
+        "(0.1 mm), off a photograph (0.5 mm)."
+    ),
+)
+@click.option(
+    "--doubtful",
+    type=Finite(0.5, 1.0),
+    default=0.97,
+    show_default=True,
+    help=said("Beyond this quantile of the hand's own deviations a reading is doubtful."),
+)
+@click.option(
+    "--wrong",
+    type=Finite(1.0, 100.0),
+    default=5.0,
+    show_default=True,
+    help=said("Beyond so many times their root mean square, and beyond them all, it is wrong."),
+)
+@click.option(
+    "--trials",
+    type=click.IntRange(20, 100_000),
+    default=400,
+    show_default=True,
+    help=said("How often the hand draws to tell what is usual."),
+)
+@click.option(
+    "--overlay", help=said("SVG file for the exact plans under the points that were read.")
+)
+@click.option(
+    "--enlarge",
+    type=Finite(1.0, 1000.0),
+    default=1.0,
+    show_default=True,
+    help=said("How many times larger the overlay shows deviations."),
+)
+@click.option(
+    "--photo", help=said("A photograph of the sheet, to be laid under it (with --corners).")
+)
+@click.option(
+    "--sheet",
+    type=click.IntRange(1),
+    help=said("Which sheet the photograph shows (with --photo); default: the first."),
+)
+@click.option(
+    "--corners", help=said("The corners of the frame in the photograph: x,y x,y x,y x,y (dots).")
+)
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice(["text", "md", "json", "html"]),
+    default="text",
+    show_default=True,
+)
+def check(
+    scene: str,
+    readings: str | None,
+    template: bool,
+    hand: str,
+    points: str,
+    doubtful: float,
+    wrong: float,
+    trials: int,
+    overlay: str | None,
+    enlarge: float,
+    photo: str | None,
+    corners: str | None,
+    sheet: int | None,
+    form: str,
+) -> None:
+    """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
+    from graphic_tmm.checking.template import template_of
+
+    task = read_scene(scene, lettered=True)
+    if template:
+        click.echo(template_of(task), nl=False)
+        return
+    _refuse_half_asked(readings, photo, sheet, corners)
+    report = None
+    if readings is not None:
+        report = _judged(task, readings, hand, points, trials, (doubtful, wrong))
+    if photo is not None:
+        written = _underlaid(task, photo, corners or "", overlay or "photo.svg", sheet or 1)
+    else:
+        written = _overlaid(task, report, overlay, enlarge)
+    for path in written:
+        click.echo(str(path), err=report is not None)  # a report has the other stream to itself
+    if report is None:
+        return
+    show(_told(report, form), 160)
+    if report.wrong:
+        raise SystemExit(WRONG)
+
+
+def _refuse_half_asked(
+    readings: str | None, photo: str | None, sheet: int | None, corners: str | None
+) -> None:
+    if photo is None and (sheet is not None or corners is not None):
+        raise click.UsageError(said("--sheet and --corners go with a photograph: add --photo FILE"))
+    if readings is None and photo is None:
+        raise click.UsageError(said("name the file of READINGS, or ask for --template"))
+
+
+def _judged(
+    scene: Scene,
+    readings: str,
+    hand: str,
+    points: str,
+    trials: int,
+    beyond: tuple[float, float],
+) -> Report:
+    """Return the report on a file of readings; ``beyond``: where doubt begins, and wrong."""
+    from graphic_tmm.checking.check import check
+    from graphic_tmm.checking.judging.scatter import Limits
+    from graphic_tmm.checking.readings.read import read_readings
+
+    taken, limits = read_readings(Path(readings)), Limits(*beyond)
+    return check(
+        scene, taken, hand=hand, points=points, trials=trials, limits=limits, source=readings
+    )
+
+
+def _underlaid(scene: Scene, photo: str, corners: str, file: str, number: int) -> tuple[Path, ...]:
+    """Write a photograph under its sheet; say what makes it doubtful; return the files."""
+    from graphic_tmm.checking.pictures import underlay
+
+    written, warnings = underlay(scene, photo, corners, file, number)
+    for warning in warnings:
+        tell(said("warning: {text}", text=warning))
+    return written
+
+
+def _overlaid(
+    scene: Scene, report: Report | None, file: str | None, enlarge: float
+) -> tuple[Path, ...]:
+    """Write the points that were read over their plans, where that is asked for; return the file."""
+    from graphic_tmm.checking.pictures import overlay
+
+    return () if report is None or file is None else (overlay(scene, report, file, enlarge),)
+
+
+def _told(report: Report, form: str) -> str | list[Any]:
+    """Return a report as Markdown, JSON or HTML text, or as rich tables for ``form`` "text"."""
+    from graphic_tmm.checking.report.html import html_report
+    from graphic_tmm.checking.report.json import json_report
+    from graphic_tmm.checking.report.text import markdown_report, text_report
+
+    if form == "text":
+        return text_report(report)
+    return {"md": markdown_report, "json": json_report, "html": html_report}[form](report)

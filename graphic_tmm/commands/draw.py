@@ -1,0 +1,58 @@
+"""draw: the sheets of a scene as files."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from graphic_tmm.commands.shared.budget import budgeted, within
+from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.language.reader import asked
+from graphic_tmm.language.said import said
+
+
+@click.command(cls=Command)
+@click.argument("scene", required=False)
+@click.option(
+    "-o", "--output", default="out", show_default=True, help=said("Folder for the sheets.")
+)
+@click.option(
+    "-f",
+    "--format",
+    "forms",
+    default="svg",
+    show_default=True,
+    help=said("svg, pdf, png, dxf; several with commas."),
+)
+@hands
+@budgeted
+def draw(
+    scene: str | None,
+    output: str,
+    forms: str,
+    hand: str | None,
+    seed: int | None,
+    budget: str | None,
+) -> None:
+    """Draw the sheets of SCENE as files, true to the millimetre."""
+    from graphic_tmm.errors import SheetError
+    from graphic_tmm.files import write
+    from graphic_tmm.studio import FORMATS, sheet_files
+
+    wanted = [form.strip().lower() for form in forms.split(",")]
+    if unknown := [form for form in wanted if form not in FORMATS]:
+        says = said(
+            "--format: no {unknown}; choose from {known}",
+            unknown=", ".join(unknown),
+            known=", ".join(FORMATS),
+        )
+        raise SheetError(says)
+    task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
+    made, texts = sheet_files(replace(task, language=asked() or task.language), wanted)
+    for path in write(Path(output), texts, remedy=said("name another folder with -o")):
+        click.echo(str(path))
+    warn(made, sheets=True)

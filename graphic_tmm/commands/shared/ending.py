@@ -1,0 +1,118 @@
+"""How commands end: every error is one message, and every end has its own exit status."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import Any
+
+import click
+
+from graphic_tmm.commands.shared.spoken import (
+    SpokenGroup,
+    click_speaking,
+    in_words_of,
+    language_asked,
+)
+from graphic_tmm.commands.shared.telling import tell
+from graphic_tmm.language.reader import reader, reading
+from graphic_tmm.language.said import said
+
+FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
+"""Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
+nobody reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
+TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
+"""The variable of the environment by which a fault of the program shows where it is."""
+
+
+class People(SpokenGroup):
+    """The commands as a person calls them: every error is one message, and every end has its own status."""
+
+    def main(self, *args: Any, **options: Any) -> Any:
+        """Run a command and exit with its status; see the statuses above."""
+        from graphic_tmm.files import call
+
+        options["standalone_mode"] = False
+        given = options.get("args", args[0] if args else None)
+        with reading(language_asked(sys.argv[1:] if given is None else given)), click_speaking():
+            try:
+                with call():
+                    ended = super().main(*args, **options)
+                sys.stdout.flush()
+            except (Exception, KeyboardInterrupt, SystemExit) as error:
+                ended = _ended(error)
+        sys.exit(ended if isinstance(ended, int) else FINE)
+
+    def make_context(self, *args: Any, **options: Any) -> click.Context:
+        """Understand the command line; help may be asked for, and its reader gone."""
+        with _piped():
+            return super().make_context(*args, **options)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; its reader may be gone."""
+        with _piped():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _piped() -> Iterator[None]:
+    """End with a status of its own when the reader is gone, before click ends with 1."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise click.exceptions.Exit(_hushed()) from None
+
+
+def _ended(error: BaseException) -> int:
+    """Tell a person what has ended the program; return the exit status."""
+    from graphic_tmm.errors import TmmError
+
+    if isinstance(error, BrokenPipeError):
+        return _hushed()
+    if isinstance(error, SystemExit):
+        return error.code if isinstance(error.code, int) else FINE if error.code is None else BAD
+    if isinstance(error, (KeyboardInterrupt, click.Abort)):
+        return BROKEN_OFF
+    if isinstance(error, click.ClickException):
+        in_words_of(reader(), error).show()
+    elif isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        what = str(error.strerror or error)
+        tell(said("{place}{what}: check the path and its rights", place=place, what=what))
+    elif isinstance(error, TmmError):
+        tell(error.told(reader()))
+    else:
+        return _own_fault(error)
+    return BAD
+
+
+def _own_fault(error: BaseException) -> int:
+    """Tell of an error that nobody has foreseen: it is the program's, not the person's."""
+    import os
+    import traceback
+
+    if os.environ.get(TRACEBACK):
+        traceback.print_exception(error)
+    what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
+    tell(
+        said(
+            "a fault of the program, not of the input ({what}); "
+            "set {variable}=1 to see where, and report it",
+            what=what[:200],
+            variable=TRACEBACK,
+        )
+    )
+    return FAULT
+
+
+def _hushed() -> int:
+    """Let nothing more be written to a reader who is gone, nor be complained of at the end."""
+    import os
+
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):  # it is no stream of the system
+            os.dup2(nowhere, stream.fileno())
+    os.close(nowhere)
+    return NO_READER

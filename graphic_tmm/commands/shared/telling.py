@@ -1,0 +1,64 @@
+"""What commands print: messages to people, warnings of a drawn scene, tables."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from graphic_tmm.language.reader import reader
+from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from graphic_tmm.drawn import DrawnScene
+
+
+def say(text: str) -> None:
+    """Print lines to the error stream; what would act on a terminal, as its escape."""
+    from graphic_tmm.errors import printable
+
+    click.echo("\n".join(printable(line) for line in text.split("\n")), err=True)
+
+
+def tell(text: str) -> None:
+    """Print a message of the program in the reader's language."""
+    say(f"graphic-tmm: {reader()(text)}")
+
+
+def warn(made: DrawnScene, *, sheets: bool = False) -> None:
+    """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    from graphic_tmm.readers.warnings import warnings
+    from graphic_tmm.scene.remarks import unplaced
+
+    told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
+    told += [text for drawn in made.boards for text in warnings(drawn, reader().language)]
+    for text in told:
+        tell(said("{source}: warning: {text}", source=made.scene.source, text=text))
+
+
+def terminal_width() -> int:
+    """Return how many characters a line of the terminal has, many if nothing is printed to one."""
+    import shutil
+
+    from graphic_tmm.readers.table import WIDTH
+
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDTH
+
+
+def show(text: str | list[Any], width: int) -> None:
+    """Print text, or what rich makes of tables; so wide if this is no terminal."""
+    if isinstance(text, str):
+        click.echo(text, nl=False)
+        return
+    from rich.console import Console
+    from rich.measure import Measurement
+    from rich.table import Table
+
+    console = Console(width=None if sys.stdout.isatty() else width)
+    with console.capture() as written:  # rich has an end of its own for a reader who is gone
+        for part in text:
+            wide = console.options.update(max_width=10_000)
+            needed = Measurement.get(console, wide, part).maximum if isinstance(part, Table) else 0
+            console.print(part, width=max(console.width, needed))
+    click.echo(written.get(), nl=False)

@@ -1,0 +1,67 @@
+"""table: what a scene calls for, as figures."""
+
+from __future__ import annotations
+
+import click
+
+from graphic_tmm.commands.shared.budget import budgeted, within
+from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import show, terminal_width, warn
+from graphic_tmm.language.said import said
+
+
+@click.command(cls=Command)
+@click.argument("scene", required=False)
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice(["text", "csv", "json"]),
+    default="text",
+    show_default=True,
+)
+@click.option(
+    "--exact", is_flag=True, help=said("Read without the ruler's rounding; print all digits.")
+)
+@click.option(
+    "--width",
+    type=click.IntRange(20, 10_000),
+    help=said("Characters of a line of text; the terminal's."),
+)
+@click.option(
+    "--decimal",
+    type=click.Choice(["point", "comma"]),
+    default="point",
+    show_default=True,
+    help=said("Decimal sign of CSV; with a comma, semicolons stand between the cells."),
+)
+@click.option(
+    "--bom", is_flag=True, help=said("Begin CSV with a byte order mark, as spreadsheets want it.")
+)
+@hands
+@click.option(
+    "--trials", type=click.IntRange(1, 100_000), default=1, help=said("How often all is drawn.")
+)
+@budgeted
+def table(
+    scene: str | None,
+    form: str,
+    exact: bool,
+    width: int | None,
+    decimal: str,
+    bom: bool,
+    hand: str | None,
+    seed: int | None,
+    trials: int,
+    budget: str | None,
+) -> None:
+    """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
+    from graphic_tmm.readers.table import table as told
+    from graphic_tmm.studio import make
+
+    drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
+    wide = width or terminal_width()
+    text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
+    show("\ufeff" + text if bom and form == "csv" and isinstance(text, str) else text, wide)
+    warn(drawn)

@@ -1,0 +1,211 @@
+"""A board as drawn: its log, what was given, its numbers by a hand, its scale factors, what went wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.findings import Finding, examine
+from graphic_tmm.board.hand import HANDS, Hand
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.values import Angle
+from graphic_tmm.chapter import MECHANISM
+from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scene
+
+
+class Numbers(NamedTuple):
+    """What an execution gave: ``whole`` at all positions, ``own`` of the views that have rows of their own."""
+
+    whole: Reading
+    own: Mapping[str, Reading]
+
+    def trial(self, k: int) -> Numbers:
+        """Return the numbers of one trial."""
+        return Numbers(self.whole.trial(k), {view: one.trial(k) for view, one in self.own.items()})
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A board as drawn: the mechanism's, or that of a part which needs none."""
+
+    project: Project
+    given: Mapping[Mark, object]
+    scales: Mapping[str, Scale]
+    numbers: Numbers
+    hand: Hand
+    doubts: Doubts
+    undrawn: tuple[int, ...]
+    sizes: Mapping[str, float]
+    reach: Mapping[str, Any]
+
+    @property
+    def board(self) -> str:
+        """The board: that of the mechanism, or of a part."""
+        return self.project.board
+
+    @property
+    def scene(self) -> Scene:
+        """The scene that was drawn."""
+        return self.project.scene
+
+    @property
+    def construction(self) -> Construction:
+        """The log."""
+        return self.project.construction
+
+    @property
+    def made(self) -> Mapping[str, Any]:
+        """What the chapters made."""
+        return self.project.made
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The numbers of the positions."""
+        return self.project.names
+
+    @property
+    def reading(self) -> Reading:
+        """The numbers at all positions."""
+        return self.numbers.whole
+
+    @property
+    def all(self) -> tuple[int, ...]:
+        """All positions (indices)."""
+        return tuple(range(len(self.names)))
+
+    def row(self, view: str) -> tuple[int, ...]:
+        """Return the positions (indices) at which a view is drawn."""
+        return self.project.rows.get(view, self.all)
+
+    def of(self, view: str) -> Reading | None:
+        """Return the numbers of a view at the positions of its row; None if it has no position."""
+        if view in self.project.rows:
+            return self.numbers.own.get(view)
+        return self.numbers.whole
+
+    @cached_property
+    def cache(self) -> dict[str, Any]:
+        """What chapters found out of this drawing and keep beside it, by what it is called."""
+        return {}
+
+    def drawn_by(self, hand: Hand) -> Drawn:
+        """Return the same drawing, to the same scales, by another hand."""
+        return replace(self, numbers=read(self.project, self.given, hand, self.doubts), hand=hand)
+
+    def trial(self, k: int) -> Drawn:
+        """Return one of the drawings of a hand that drew several times."""
+        return replace(self, numbers=self.numbers.trial(k))
+
+    def findings(self) -> tuple[Finding, ...]:
+        """Return what could not be drawn, or was drawn at the edge of its possibility, or is left out."""
+        log = self.construction
+        marks = [step.it for step in log.steps if not step.op.across]
+        found = examine(log, self.given, marks, hand=self.hand, doubts=self.reading.doubts)
+        own = [one for chapter in self.project.chapters for one in chapter.findings(self)]
+        return (*self._asked_for(found), *own)
+
+    def _asked_for(self, found: tuple[Finding, ...]) -> Iterator[Finding]:
+        """Yield findings of views only at positions at which it is told what becomes of them."""
+        told = self.project.told
+        for one in found:
+            places, left = set(one.positions), one
+            if one.step.it.view in told:
+                places &= told[one.step.it.view]
+                for chapter in self.project.chapters:
+                    left = chapter.compared(self, left, places)
+            if places and (left.letters or left.kind != "lost"):
+                yield left._replace(positions=tuple(sorted(places)))
+
+
+class DrawnScene(NamedTuple):
+    """A scene as drawn: its boards, that of its mechanism first if it has one."""
+
+    scene: Scene
+    boards: tuple[Drawn, ...]
+
+    @property
+    def mechanism(self) -> Drawn | None:
+        """The mechanism's board."""
+        return next((one for one in self.boards if one.board == MECHANISM), None)
+
+    @property
+    def exact(self) -> bool:
+        """Whether lengths are read without rounding."""
+        return all(one.hand.ruler is None for one in self.boards)
+
+    @property
+    def division(self) -> float:
+        """The division of the coarsest ruler that the scene is read with, mm."""
+        rulers = [one.hand.ruler for one in self.boards if one.hand.ruler is not None]
+        return max(rulers, default=0.1)
+
+
+def hand_of(scene: Scene, trials: int = 1) -> Hand:
+    """Return the hand that a scene names, with its ruler and its seed."""
+    return HANDS[scene.hand]._replace(ruler=scene.ruler, seed=scene.seed, trials=trials)
+
+
+def doubted(project: Project) -> Doubts:
+    """Return how far rounding moves the marks of a project, with a scale factor of 1 for every plan.
+
+    Where it leaves no digit of a mark does not depend on scale factors; they are chosen by the others.
+    """
+    log = project.construction
+    return Doubts(log.steps, {**dict.fromkeys(log.given, 1.0), **project.given}, to_scale=False)
+
+
+def read(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Doubts) -> Numbers:
+    """Execute the log: views with rows of their own at their positions, all else at all of them.
+
+    What is lost is not there.
+    """
+    log, rows = project.construction, project.rows
+    exact = hand.ruler is None and not hand.slips and hand.digits is None
+    own = doubts
+    if not exact:
+        coarse: dict[int, Doubts] = {}
+        nothing: dict[int, Any] = {}
+        for chapter in project.chapters:
+            coarse |= chapter.coarse(project, given, hand)
+        own = Doubts(log.steps, given, doubts.lost, coarse=coarse)
+    nothing = {}
+    for chapter in project.chapters:
+        nothing |= chapter.nothing(project, doubts)
+    still = {m for m in log.given if m.view not in rows}
+    still |= {m for s in log.steps if s.it.view not in rows for m in (s.it, *s.uses)}
+    whole = execute(log, given, still, hand=hand).doubted(own)
+    whole = whole.without(doubts.lost).without(nothing)
+    found = {}
+    for view, places in rows.items():
+        if places:
+            steps = [step for step in log.steps if step.it.view == view]
+            marks = {mark for step in steps for mark in (step.it, *step.uses)}
+            planned = execute(log, given, marks, hand=hand, positions=places)
+            found[view] = planned.without(doubts.lost, places).doubted(own, places)
+    return Numbers(whole, found)
+
+
+def view_scales(project: Project, reading: Reading) -> dict[str, Scale]:
+    """Return the scale factors of the views that have one, by view."""
+    return {
+        view.name: Scale(view.scale.name, float(reading[view.scale].ravel()[0]), view.scale.unit)
+        for view in project.construction.views
+        if view.scale is not None
+    }
+
+
+def results_of(drawn: Drawn, marks: Mapping[str, Mark]) -> dict[str, tuple[float, str]]:
+    """Return marks that are one number each: by name the figure and its unit."""
+    return {
+        name: (
+            float(drawn.reading.figure(mark).ravel()[0]),
+            "°" if mark.kind is Angle else mark.unit,
+        )
+        for name, mark in marks.items()
+    }

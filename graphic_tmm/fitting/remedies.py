@@ -1,0 +1,74 @@
+"""What a scene fixes that no sheet holds or nobody can measure: its key, what follows, a value that fits."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from graphic_tmm.chapter import MECHANISM, Size, chapters
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import SheetError, ViewError
+from graphic_tmm.fitting.compose import orders
+from graphic_tmm.fitting.fit import depends, fitted
+from graphic_tmm.scene.records import Scene, SheetOrder
+
+TINY = 5.0
+"""A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it."""
+
+
+def plans() -> dict[str, Size]:
+    """Return the sizes that set the μ of a plan, by the name of the plan."""
+    found = (size for one in chapters(MECHANISM) for size in one.sizes)
+    return {size.name: size for size in found if size.in_mm}
+
+
+def refuse_tiny(scene: Scene, drawn: Drawn) -> None:
+    """Refuse a scale factor, fixed by the scene, that leaves nothing of a plan.
+
+    Raises
+    ------
+    SheetError
+        It names the key, the size of the plan in mm, and a value that fits.
+    """
+    for plan, size in plans().items():
+        key = size.fixed(scene)
+        if not key or plan not in drawn.scales:
+            continue
+        large = size.extent(drawn.reach) / drawn.scales[plan].value
+        if 0.0 < large < TINY:
+            says = f"the plan of {plan} comes out {large:.2g} mm large, too small to measure"
+            raise SheetError(f"{scene.source}: {key}: {says}: what helps: {_remedy(scene, size)}")
+
+
+def refusal(scene: Scene, error: ViewError) -> SheetError:
+    """Return the error of a view that no sheet holds, with the key that makes it so large and a remedy."""
+    known = plans()
+    plan = error.view.partition("-")[0]
+    if plan in known and not known[plan].fixed(scene):
+        freed = scene
+        for size in known.values():
+            freed = size.freed(freed) if size is not known[plan] else freed
+        plan = next(iter(depends(plan, plan, freed)), plan)
+    key, helps = "", []
+    if plan in known and known[plan].fixed(scene):
+        key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]
+    elif written := [name for one in chapters() for name in one.size_keys if name in scene.told]:
+        helps = [f"to change, or leave out, {', '.join(written)}"]
+    if any(order.format != "A1" for order in scene.sheets) and _held_by_a1(scene, error):
+        helps.append('a further sheet with format = "A1" for it')
+    remedies = f": what helps: {', or '.join(helps)}" if helps else ""
+    return SheetError(f"{scene.source}: {key}{error}{remedies}")
+
+
+def _held_by_a1(scene: Scene, error: ViewError) -> bool:
+    ((_, rooms),) = orders(replace(scene, sheets=(SheetOrder("A1"),)))
+    return rooms[0].within.share(*error.size) >= 1.0
+
+
+def _remedy(scene: Scene, size: Size) -> str:
+    """Return what to write for the key that fixes the size of a plan, so that a sheet holds it."""
+    key = size.fixed(scene)
+    found = fitted(size.freed(scene), exact=True)
+    large = size.extent(found.reach) / found.scales[size.name].value
+    section, _, name = key.rpartition(".")
+    value = size.remedy(found, name)
+    return f'write {name} = "{value}" in [{section}] (the plan is {large:.0f} mm large then), or leave it out'

@@ -1,0 +1,29 @@
+"""The columns of all that is measured on a drawing, mm and times the scale of the view."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphic_tmm.board.values import Length
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Column, row_of, segment_name
+
+
+def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
+    """Return every length that is measured; one that is the same in all positions stands at the first."""
+    found = []
+    for step in drawn.construction.steps:
+        if step.it.kind is not Length or not step.op.reads:
+            continue
+        view = drawn.construction.view(step.it.view)
+        mu = view.scale if view is not None else None
+        mm = drawn.reading.figure(step.it)
+        count = mm.shape[1]
+        value = drawn.reading.figure(step.it, mu) if mu is not None else np.full_like(mm, np.nan)
+        lengths, figures = (row_of(row, range(count), count) for row in (mm, value))
+        unit = mu.unit.removesuffix("/mm").strip("()") if mu is not None else ""
+        unit = "" if unit == "1" else unit
+        at = tuple((name, None) for name in drawn.names[:count])
+        segment = segment_name(step.it.letter)
+        found.append(Column(step.it.view, segment, step.it.name, unit, lengths, figures, at))
+    return tuple(found)

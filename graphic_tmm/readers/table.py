@@ -1,0 +1,109 @@
+"""The tables of a scene: columns along the positions, results, scale factors; as text, CSV or JSON."""
+
+from __future__ import annotations
+
+import math
+from itertools import chain
+from typing import Any
+
+from graphic_tmm.chapter import MECHANISM
+from graphic_tmm.drawn import Drawn, DrawnScene, hand_of
+from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.readers.spread import spread_columns, spread_results
+from graphic_tmm.readers.text import result_tables, rich_tables
+from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
+from graphic_tmm.scenes import scene_name
+from graphic_tmm.studio import drawings
+
+WIDTH = 220
+"""Characters of a line of text where no terminal tells how many it has."""
+
+
+def columns_of(drawn: Drawn) -> list[Column]:
+    """Return the columns of a board; null where a position cannot be drawn."""
+    project = drawn.project
+    found = chain.from_iterable(one.columns(drawn) for one in project.chapters)
+    return [column.without(drawn.undrawn) for column in found]
+
+
+def results_of(drawn: Drawn) -> dict[str, tuple[float, str]]:
+    """Return the results of a board by name: value and unit."""
+    found: dict[str, tuple[float, str]] = {}
+    for chapter in drawn.project.chapters:
+        found |= chapter.results(drawn)
+    return found
+
+
+def scene_columns(made: DrawnScene) -> list[Column]:
+    """Return the columns of a scene: of its mechanism and of its parts, which have positions of their own."""
+    return [column for drawn in made.boards for column in columns_of(drawn)]
+
+
+def scene_results(made: DrawnScene) -> dict[str, tuple[float, str]]:
+    """Return the results of a scene by name."""
+    found: dict[str, tuple[float, str]] = {}
+    for drawn in made.boards:
+        found |= results_of(drawn)
+    return found
+
+
+def table(
+    made: DrawnScene, form: str, trials: int = 1, *, width: int = WIDTH, comma: bool = False
+) -> str | list[Any]:
+    """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
+
+    ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``:
+    how often the scene's hand draws everything; more than once, each figure is followed by the median and the
+    5th and 95th hundredths of them.
+    """
+    scene = made.scene
+    found, numbers = scene_columns(made), scene_results(made)
+    if trials > 1:
+        drawn = list(drawings(made, hand_of(scene, trials)))
+        found = spread_columns(found, [scene_columns(one) for one in drawn])
+        numbers = spread_results(numbers, [scene_results(one) for one in drawn])
+    positions = _positions(made)
+    if form == "csv":
+        return as_csv(positions, found, None if made.exact else made.division, comma=comma)
+    if form == "text":
+        decimals = 3 if made.exact else decimals_of(made.division)
+        tables = rich_tables(found, positions, scene.language, scene.title, decimals, width)
+        return [*tables, *result_tables(numbers, scene.language, scene.title)]
+    told = {
+        name: {"value": value, "unit": of}
+        for name, (value, of) in numbers.items()
+        if math.isfinite(value)
+    }
+    results = {**_facts(made), **told}
+    return as_json(scene_name(scene.source), _scales(made), positions, found, results)
+
+
+def _scales(made: DrawnScene) -> dict[str, Any]:
+    """Return the scale factors under the names that machines read."""
+    found = {}
+    for drawn in made.boards:
+        for view, scale in drawn.scales.items():
+            found[_scale_key(drawn, view)] = {"value": scale.value, "unit": scale.unit}
+    return found
+
+
+def _scale_key(drawn: Drawn, view: str) -> str:
+    keys = (chapter.scale_key(view) for chapter in drawn.project.chapters)
+    plain = "mu_" + view.replace(" ", "_").replace("-", "_")
+    return next((key for key in keys if key), plain)
+
+
+def _positions(made: DrawnScene) -> Positions:
+    """Return the positions of a scene: those of the first board that turns; none of wheels alone."""
+    for drawn in made.boards:
+        if drawn.board == MECHANISM or any(angle is not None for angle in drawn.project.angles):
+            return tuple(zip(drawn.names, drawn.project.angles, strict=True))
+    return ()
+
+
+def _facts(made: DrawnScene) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for drawn in made.boards:
+        for chapter in drawn.project.chapters:
+            found |= chapter.facts(drawn)
+    return found

@@ -1,0 +1,77 @@
+"""The own error of a step: nothing on a perfect drawing, and nothing for what only follows from a slip."""
+
+from __future__ import annotations
+
+import pytest
+from support.gallery import SHEETS, exact
+from support.trials import blamed, readings
+
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.cells import cells, cells_and_points, points
+from graphic_tmm.checking.check import check
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.yardstick import yardstick
+from graphic_tmm.checking.records import FINE, WRONG, Taken
+from graphic_tmm.scene.read import read
+
+SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-crank", "lever")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("pointed", [False, True])
+def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
+    due = cells_and_points(exact(name)) if pointed else cells(exact(name))
+    rows = readings(due, due)
+    by = yardstick(exact(name), rows, HANDS["student"]._replace(trials=2), Limits())
+    own = Comparison(exact(name), rows, by)
+    drawn = [t for t in rows if t.plan == "velocities" and (t.pointed or t.mm is not None)]
+    assert all(own.errors(taken) for taken in drawn)
+    assert max(abs(error) for taken in rows for _, error, _ in own.errors(taken)) < 1e-9
+
+
+@pytest.mark.slow
+def test_a_ray_turned_by_four_degrees_is_blamed() -> None:
+    found = [blamed(name, 2) for name in ("engine", "crank-rocker", "offset-slider")]
+    drawings = sum(one.drawings for one in found)
+    assert drawings >= 100
+    assert sum(one.ray for one in found) >= 0.95 * drawings
+
+
+def test_a_ray_that_slipped_is_blamed() -> None:
+    """Point b stands on the line pb, off the line ab: that line was drawn wrong."""
+    spots = points(exact("engine"))
+    a, b = spots["velocities", "a", "3"], spots["velocities", "b", "3"]
+    wrong = b * (1.0 - 7.0 / abs(b))
+    rows = [
+        Taken("velocities", "3", "a", x=a.real, y=a.imag, line=2),
+        Taken("velocities", "3", "b", x=wrong.real, y=wrong.imag, line=3),
+    ]
+    report = check(read(SHEETS / "engine"), rows, trials=80)
+    one = next(o for o in report.readings if o.taken.segment == "b")
+    assert one.verdict != FINE
+    assert "(ab)" in one.step
+
+
+@pytest.mark.slow
+def test_what_follows_from_a_slip_is_not_punished() -> None:
+    """ab is read 6 mm too long; the normal component calculated from it is right for that reading."""
+    name = "engine"
+    due = cells(exact(name))
+    ab, pb = due["velocities", "ab", "2"].mm, due["velocities", "pb", "2"].mm
+    nab = due["accelerations", "nab", "2"].mm
+    assert ab is not None
+    assert pb is not None
+    assert nab is not None
+    found = abs(ab) - 12.0
+    rows = [
+        Taken("velocities", "2", "ab", mm=found, line=2),
+        Taken("velocities", "2", "pb", mm=pb, line=3),
+        Taken("accelerations", "2", "nab", mm=abs(nab) * (found / abs(ab)) ** 2, line=4),
+    ]
+    report = check(read(SHEETS / name), rows, trials=80)
+    verdicts = {one.taken.segment: one.verdict for one in report.readings}
+    assert verdicts["ab"] == WRONG
+    assert verdicts["pb"] == FINE
+    assert verdicts["nab"] == FINE

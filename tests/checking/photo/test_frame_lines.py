@@ -1,0 +1,168 @@
+"""The frame found again in photographs made by a camera of known place (`photographs`)."""
+
+from __future__ import annotations
+
+import functools
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+from support import photographs
+from support.gallery import SHEETS
+from support.photographs import CORNERS, FRAME, PAPER, Camera
+
+from graphic_tmm.checking.photo.frame_lines import EDGES, refine
+from graphic_tmm.checking.photo.perspective import homography
+from graphic_tmm.paper.ruled import Box
+
+BOX = Box(*FRAME)
+TILTED = Camera((18, -12, 6), 1150, 2311.7)
+STEEP = Camera((-32, 8, -10), 1300, 2311.7)
+SMALL = Camera((10, -8, 5), 1100, 1618.1, 1400, 1050)
+UPRIGHT = Camera((3, -2, 1), 1000, 1391.3, 1400, 1050)
+GRID = np.array([x + 1j * y for x in np.linspace(0, 841, 9) for y in np.linspace(0, 594, 7)])
+
+EXACT, CLICKED = 0.1, 0.7
+"""What may be off anywhere on the sheet, mm: corners given exactly; corners clicked ±2 px."""
+
+
+@functools.cache
+def seen(camera: Camera, ink: float = 1.0, width: float = 0.8, noise: float = 4.0) -> np.ndarray:
+    """A photograph after JPEG; ``ink``: how dark the lines are, as a share."""
+    drawn = PAPER - (PAPER - photographs.sheet(width)) * ink
+    return through_jpeg(photographs.photograph(camera, drawn, noise=noise))
+
+
+def through_jpeg(image: np.ndarray) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(photographs.jpeg(image))))
+
+
+def off(camera: Camera, corners: np.ndarray) -> float:
+    """How far any point of the sheet comes back from its place, mm."""
+    back = np.linalg.inv(homography(BOX, corners))
+    return float(abs(photographs.project(back, camera.seen(GRID)) - GRID).max())
+
+
+def clicks(camera: Camera, seed: int, by: float = 2.0) -> np.ndarray:
+    random = np.random.default_rng(seed)
+    corners = camera.seen(CORNERS)
+    return corners + random.uniform(-by, by, 4) + 1j * random.uniform(-by, by, 4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("camera", [TILTED, STEEP, UPRIGHT], ids=["tilted", "steep", "upright"])
+def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
+    image, worst = seen(camera), []
+    for seed in range(4):
+        clicked = clicks(camera, seed)
+        found = refine(image, BOX, clicked)
+        assert found.missing == ()
+        assert found.residual < EXACT
+        assert off(camera, found.corners) < EXACT
+        worst.append(off(camera, clicked))
+    assert max(worst) > CLICKED  # without the lines the clicks would not do
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("ink", "width", "noise", "by"),
+    [(0.35, 0.5, 4.0, 2.0), (1.0, 0.3, 12.0, 5.0)],
+    ids=["pencil", "thin lines, grain, clicks of 5 px"],
+)
+def test_faint_and_thin_lines_are_found(ink: float, width: float, noise: float, by: float) -> None:
+    found = refine(seen(SMALL, ink, width, noise), BOX, clicks(SMALL, 3, by))
+    assert found.missing == ()
+    assert off(SMALL, found.corners) < EXACT
+
+
+@pytest.mark.slow
+def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
+    image = seen(TILTED).copy()
+    image[600:760, 100:260] = (150, 110, 90)
+    image[1150:1400, 900:1150] = (150, 110, 90)
+    found = refine(image, BOX, clicks(TILTED, 4))
+    assert found.missing == ()
+    assert found.residual < EXACT
+    assert off(TILTED, found.corners) < EXACT
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("edge", ["lower", "left"])
+def test_an_edge_without_a_line_is_named_and_stays_as_clicked(edge: str) -> None:
+    wiped = photographs.sheet().copy()
+    dots = photographs.DOTS
+    bands = {
+        "lower": (slice(3 * dots, 7 * dots), slice(None)),
+        "left": (slice(None), slice(18 * dots, 22 * dots)),
+    }
+    wiped[bands[edge]] = PAPER
+    camera = SMALL
+    image = through_jpeg(photographs.photograph(camera, wiped))
+    exact = refine(image, BOX, camera.seen(CORNERS))
+    assert exact.missing == (edge,)
+    assert off(camera, exact.corners) < EXACT
+    # two pixels stay two pixels along the lines that were found, 1.4 px a mm at the worst
+    clicked = refine(image, BOX, clicks(camera, 5))
+    assert clicked.missing == (edge,)
+    assert abs(clicked.corners - camera.seen(CORNERS)).max() < 2 * 2**0.5 * 1.2
+
+
+@pytest.mark.slow
+def test_an_empty_sheet_keeps_its_clicks() -> None:
+    image = through_jpeg(photographs.photograph(SMALL, photographs.sheet(0.8, False)))
+    clicked = clicks(SMALL, 6)
+    found = refine(image, BOX, clicked)
+    assert found.missing == EDGES
+    assert np.isnan(found.residual)
+    assert abs(found.corners - clicked).max() < 1e-9
+
+
+def bend(camera: Camera) -> float:
+    """How far the edges are from their straight lines of least squares, mm, by the lens alone."""
+    back = np.linalg.inv(homography(BOX, camera.seen(CORNERS)))
+    worst = []
+    for foot, head in zip(CORNERS, np.roll(CORNERS, -1), strict=True):
+        share = np.linspace(0, 1, 200)
+        edge = photographs.project(back, camera.seen(foot + (head - foot) * share))
+        aside = ((edge - foot) / (head - foot) * abs(head - foot)).imag
+        line = np.polyval(np.polyfit(share, aside, 1), share)
+        worst.append(abs(aside - line).max())
+    return max(worst)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lens", [0.003, -0.01, 0.02])
+def test_the_residual_is_the_bend_of_the_lens(lens: float) -> None:
+    camera = UPRIGHT._replace(lens=lens)
+    found = refine(seen(camera), BOX, clicks(camera, 7))
+    assert found.missing == ()
+    # the ends within 3 mm of a corner are not read: of a parabola's bend 12/816 at the most
+    assert abs(found.residual - bend(camera)) < EXACT / 2 + 0.03 * bend(camera)
+
+
+@pytest.mark.slow
+def test_any_quadrilateral_on_any_picture_gives_numbers() -> None:
+    random = np.random.default_rng(8)
+    image = random.integers(0, 255, (300, 400, 3), dtype=np.uint8)
+    square = np.array([0 + 1j, 1 + 1j, 1, 0])
+    for case in range(12):
+        side = random.uniform(30, 260)
+        corners = 20 + 20j + side * (square + 0.2 * random.uniform(0, 1, 4))
+        found = refine(image if case % 2 else image * 0, BOX, corners)
+        assert np.isfinite(found.corners).all()
+
+
+@pytest.mark.slow
+def test_the_frame_of_a_sheet_drawn_by_the_package() -> None:
+    resvg = pytest.importorskip("resvg_py")
+    text = (SHEETS / "engine/engine.svg").read_text("utf-8")
+    made = resvg.svg_to_bytes(svg_string=text, dpi=25.4 * photographs.DOTS, skip_system_fonts=True)
+    painted = Image.open(io.BytesIO(bytes(made))).convert("RGBA")
+    white = Image.new("RGBA", painted.size, "white")
+    drawn = np.asarray(Image.alpha_composite(white, painted).convert("L"), np.float32)[::-1]
+    image = through_jpeg(photographs.photograph(SMALL, drawn))
+    for seed in (9, 10):
+        found = refine(image, BOX, clicks(SMALL, seed))
+        assert found.missing == ()
+        assert off(SMALL, found.corners) < EXACT

@@ -1,0 +1,113 @@
+"""Every form of a report: the same words, the same bytes."""
+
+from __future__ import annotations
+
+import doctest
+import os
+import re
+import subprocess
+import sys
+from string import Formatter
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.gallery import ROOT
+from support.reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed, report
+
+from graphic_tmm.checking.records import WRONG
+from graphic_tmm.checking.report import (
+    rows as report_rows,
+)
+from graphic_tmm.checking.report import (
+    text as report_text,
+)
+from graphic_tmm.checking.report import (
+    words as report_words,
+)
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.rows import grids
+from graphic_tmm.checking.report.text import markdown_report
+from graphic_tmm.checking.report.words import WORDS, shown
+
+FORMS = [markdown_report, html_report, json_report, lambda made: printed(made, 100)]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_an_empty_report_is_told_in_every_form(language: str) -> None:
+    made = report(language=language)
+    for form in FORMS[:2] + FORMS[3:]:
+        assert WORDS[language]["none"] in form(made)
+    assert loaded(json_report(made))["readings"] == []
+
+
+def test_small_shares_large_figures_and_signs() -> None:
+    one = judged(found=2e9, quantile=1e-5, verdict=WRONG, own=0.004)
+    (row,) = grids(report(one))[0].rows
+    assert "2·10⁹" in row
+    assert "+2·10⁹" in row
+    assert "< 0.1" in row
+    assert row[-1] == "0.00"
+    none = grids(report(judged(quantile=0.0)))[0].rows[0]
+    assert "0.0" in none
+
+
+def test_the_languages_have_words_for_the_same_things() -> None:
+    russian, english = WORDS["ru"], WORDS["en"]
+    assert list(russian) == list(english)
+    for key, text in english.items():
+        assert not re.search("[А-Яа-яё]", text), key
+        assert fields(text) == fields(russian[key]), key
+    for made in (engine("ru"), report(judged(verdict=WRONG), language="ru")):
+        text = markdown_report(made).replace("engine", "").replace("student", "")
+        for word in ("fine", "wrong", "doubtful", "plan", "Readings"):
+            assert word not in text
+
+
+def fields(text: str) -> set[str | None]:
+    return {name for _, name, _, _ in Formatter().parse(text)} - {None}
+
+
+@given(st.text() | st.sampled_from(HOSTILE), st.integers(5, 90))
+def test_what_is_shown_is_short_printable_and_on_one_line(text: str, most: int) -> None:
+    out = shown(text, most)
+    assert len(out) <= most
+    assert out.isprintable()
+    assert shown(out, most) == out
+    if text.isprintable() and text == " ".join(text.split()) and len(text) <= most:
+        assert out == text
+
+
+SCRIPT = """
+import sys
+sys.path[:0] = [{here!r}, {tests!r}, {root!r}]
+from support.reports import engine, explaining
+from test_report import FORMS
+for form in FORMS:
+    made = engine("ru")._replace(mistakes=(explaining(2, 3, 9), explaining(4)), notes=("a", "b"))
+    sys.stdout.buffer.write(form(made).encode())
+"""
+
+
+@pytest.mark.slow
+def test_bytes_do_not_depend_on_the_run() -> None:
+    here = os.path.dirname(os.path.abspath(__file__))
+    script = SCRIPT.format(here=here, tests=str(ROOT / "tests"), root=str(ROOT))
+    runs = [
+        subprocess.run(
+            [sys.executable, "-c", script],
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    ]
+    assert runs[0] == runs[1]
+    assert len(runs[0]) > 10_000
+
+
+@pytest.mark.parametrize("module", [report_rows, report_text, report_words])
+def test_the_examples_of_the_docstrings_hold(module: Any) -> None:
+    assert doctest.testmod(module).failed == 0

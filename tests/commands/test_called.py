@@ -1,0 +1,200 @@
+"""What a scene calls for is checked and tabulated whether or not a sheet shows it; nothing idles in silence."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from graphic_tmm.work import record
+from support.command import invoke, printed, rows, warned
+from support.gallery import FOLDERS
+from support.scenes import MECHANISM, SECTIONS, calling
+
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.remarks import unplaced
+from graphic_tmm.studio import make, sheets
+
+PLANS = {
+    "diagrams": {"diagrams"},
+    "forces": {"forces"},
+    "flywheel": {"flywheel"},
+    "engine": {"engine"},
+    "cam": {"cam"},
+    "gears": {"gear", "sliding"},
+    "planetary": {"planetary", "planetary-velocities", "planetary-rates"},
+}
+NEEDS = {"forces": ("load",), "flywheel": ("forces", "load"), "engine": ("indicator",)}
+
+
+SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k for k in PLANS]
+"""Of the long ones one of the parts in the everyday run."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("section", SLOW)
+def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
+    section: str, tmp_path: Path
+) -> None:
+    path = calling(tmp_path, *NEEDS.get(section, ()), section)
+    done = invoke("table", path, "-f", "csv")
+    assert done.exit_code == 0, done.output
+    plans = {row["plan"] for row in rows(done.stdout)}
+    assert PLANS[section] <= plans
+    assert not [line for line in warned(done) if line.startswith(section)]
+    done = invoke("draw", path, "-o", tmp_path / "out")
+    assert done.exit_code == 0
+    lines = [line for line in warned(done) if line.startswith(f"{section}: no sheet shows it")]
+    assert len(lines) == 1
+    assert "[[sheet]]" in lines[0]
+    place = re.search(r'add "([^"]+)"', lines[0])
+    assert place
+    sheet = f'[[sheet]]\nplace = ["positions", "{place[1]}"]\n'  # the remedy helps
+    path = calling(tmp_path, *NEEDS.get(section, ()), section, sheet=sheet)
+    done = invoke("draw", path, "-o", tmp_path / "out")
+    assert done.exit_code == 0, done.output
+    assert not [line for line in warned(done) if line.startswith(f"{section}: ")]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("section", SLOW)
+def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
+    section: str, tmp_path: Path
+) -> None:
+    bare = sheets(read(calling(tmp_path, sheet="")))[1]
+    scene = read(calling(tmp_path, *NEEDS.get(section, ()), section, sheet=""))
+    more = sheets(scene)[1]
+    views = [{v.name for sheet in found for v in sheet.drawings} for found in (bare, more)]
+    assert views[0] < views[1], section
+    assert scene.called == scene.shown
+    unnamed = read(
+        calling(tmp_path, *NEEDS.get(section, ()), section, sheet='[[sheet]]\nformat = "A1"\n')
+    )
+    assert unnamed.sheets == scene.sheets
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("section", ["cam", "gears", "planetary"])
+def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> None:
+    head = 'title = "T"\nlanguage = "ru"\n'
+    made, paper = sheets(read(calling(tmp_path, section, sheet="", head=head)))
+    assert made.work is None
+    assert paper
+
+
+@pytest.mark.parametrize(
+    ("sections", "key", "remedy"),
+    [
+        (("load",), "load", "without a section [forces]"),
+        (("effects",), "effects", "without a section [forces]"),
+        (("friction",), "friction", "without a section [forces]"),
+        (("friction", "forces"), "friction", "friction = true in [effects]"),
+        (("indicator",), "indicator", "add [flywheel] or [engine], or gas = true"),
+        (("indicator", "forces", "effects"), "indicator", "gas = true in [effects]"),
+    ],
+)
+def test_a_section_that_nothing_reads_is_told_in_one_line(
+    sections: tuple[str, ...], key: str, remedy: str, tmp_path: Path
+) -> None:
+    path = calling(tmp_path, *sections)
+    for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
+        done = invoke(*command)
+        assert done.exit_code == 0
+        lines = [line for line in warned(done) if line.startswith(f"{key}: ")]
+        assert len(lines) == 1, command
+        assert remedy in lines[0]
+
+
+@pytest.mark.parametrize(
+    ("section", "says"),
+    [
+        ("[forces]\nsingle = [9]\n", "there is no link 9"),
+        ('[[load]]\nlink = 1\nmoment = "2 N"\n', "moment"),
+        ('[diagrams]\npoint = "A"\n', "A"),
+        ('[cam]\nstroke = "20 mm"\nrise = 90\nfall = 100\nr0 = "0.001 mm"\nroller = "30 mm"\n', ""),
+        ('[gears]\nz1 = 21\nz2 = 34\nm = "5 mm"\nx1 = -3.0\n', "wheel 1|working angle|tip circle"),
+        (
+            '[planetary]\nmodule = "4 mm"\nspeed = 1\nratio = 4.6\nteeth = [25, 32, 90]\n',
+            "coaxial|teeth",
+        ),
+    ],
+)
+def test_a_section_that_no_sheet_shows_is_checked_all_the_same(
+    section: str, says: str, tmp_path: Path
+) -> None:
+    path = calling(tmp_path, section)
+    done = invoke("draw", path, "-o", tmp_path / "out")
+    other = invoke("table", path)
+    assert done.exit_code == other.exit_code
+    if says:
+        assert done.exit_code == 2
+        assert re.search(says, done.stderr), done.stderr
+        assert not (tmp_path / "out").exists()
+
+
+def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> None:
+    views = {s.it.view for s in record(read(calling(tmp_path))).construction.steps}
+    assert views <= {"extremes", "positions"}
+    scene = read(calling(tmp_path, "forces", "load"))
+    whole = {s.it.view for s in record(scene).construction.steps}
+    shown = {s.it.view for s in record(scene, scene.shown).construction.steps}
+    assert "loads" in whole
+    assert shown <= {"extremes", "positions"}
+
+
+def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
+    scene = read(calling(tmp_path, "forces", "load", "gears"))
+    made = make(scene, wanted=scene.shown)
+    assert made.work is not None
+    assert made.work.project.forces is None
+    assert made.parts == ()
+    assert make(scene).work.project.forces is not None  # type: ignore[union-attr]
+    assert [part.kind for part in make(scene).parts] == ["gears"]
+
+
+def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None:
+    sheet = '[[sheet]]\nplace = ["positions", "velocities"]\n'
+    scene = read(calling(tmp_path, "forces", "load", "effects", sheet=sheet))
+    drawn, tabled = make(scene, wanted=scene.shown), make(scene)
+    assert drawn.work is not None
+    assert tabled.work is not None
+    for plan in ("positions", "velocities"):
+        assert drawn.work.scales[plan] == tabled.work.scales[plan]
+
+
+def test_positions_named_for_accelerations_reach_the_table(tmp_path: Path) -> None:
+    head = MECHANISM + "accelerations = [1, 3]\n"
+    path = calling(tmp_path, head=head)
+    done = invoke("draw", path, "-o", tmp_path / "out")
+    assert [line.partition(":")[0] for line in warned(done)] == ["drive.accelerations"]
+    found = rows(printed("table", path, "-f", "csv"))
+    assert {row["position"] for row in found if row["plan"] == "accelerations"} == {"1", "3"}
+
+
+@pytest.mark.parametrize("place", ["velocity table", "acceleration table", "results", "equations"])
+def test_a_table_of_a_plan_needs_no_plan_beside_it(place: str, tmp_path: Path) -> None:
+    sheet = f'[[sheet]]\nplace = ["positions", "{place}"]\n'
+    head = MECHANISM + "accelerations = [1, 3]\n"
+    (paper,) = sheets(read(calling(tmp_path, head=head, sheet=sheet)))[1]
+    assert (
+        len([v for v in paper.drawings if v.labels]) > 2
+    )  # the frame, the positions, and what was asked for
+
+
+@pytest.mark.slow
+def test_the_constant_moment_of_a_flywheel_is_told_when_it_is_left_out(tmp_path: Path) -> None:
+    bare = SECTIONS["flywheel"].replace('constant = "driving"\n', "")
+    sheet = '[[sheet]]\nplace = ["positions", "flywheel"]\n'
+    path = calling(tmp_path, "forces", "load", bare, sheet=sheet)
+    for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
+        (line,) = warned(invoke(*command))
+        assert line.startswith("flywheel.constant: it is left out, so the resisting moment")
+        assert 'constant = "driving"' in line
+    path = calling(tmp_path, "forces", "load", "flywheel", sheet=sheet)
+    assert warned(invoke("table", path)) == []
+
+
+def test_the_packaged_scenes_leave_nothing_unsaid() -> None:
+    for folder in FOLDERS:
+        scene = read(folder)
+        assert (folder.name, scene.remarks, unplaced(scene)) == (folder.name, (), ())

@@ -1,0 +1,327 @@
+"""What a student asks for, on any format, is drawn: in a sensible number of sheets, each view in its frame."""
+
+from __future__ import annotations
+
+import random
+import re
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from graphic_tmm.work import Work
+from support import asked
+from support.command import invoke
+from support.gallery import CASES
+from support.mechanisms import sample
+from support.scenes import written
+
+from graphic_tmm.board.values import Point
+from graphic_tmm.errors import SheetError
+from graphic_tmm.mechanism.records import Row
+from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.layout import GAP, bounds
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.studio import Made, make, sheets
+
+FORMATS = ("A4", "A1")
+ROWS = (1, 6, 8, 12, 24, 48)
+LEAST = {"A4": 60.0, "A1": 100.0}
+"""The plan of positions is no smaller, mm."""
+ROUNDING = 1e-6
+
+
+def drawn(text: str, folder: Path) -> tuple[Made, tuple[Sheet, ...]]:
+    path = written(folder, text)
+    return sheets(read(path))
+
+
+def in_frames(made: Made, paper: tuple[Sheet, ...]) -> None:
+    """Every view stands inside its frame, clear of the title block and of the others."""
+    for index, sheet in enumerate(paper):
+        area = drawing_area(sheet.format, made.scene.language, index == 0)
+        boxes = [bounds(view) for view in sheet.drawings[1:]]
+        assert boxes, f"sheet {index + 1} is empty"
+        for box in boxes:
+            assert box[0] >= area.inner.left - ROUNDING
+            assert box[1] >= area.inner.bottom - ROUNDING
+            assert box[2] <= area.inner.right + ROUNDING
+            assert box[3] <= area.inner.top + ROUNDING
+        for one, other in combinations([*boxes, *area.occupied], 2):
+            across = min(one[2], other[2]) - max(one[0], other[0])
+            along = min(one[3], other[3]) - max(one[1], other[1])
+            assert min(across, along) <= ROUNDING
+
+
+def sensible(made: Made, paper: tuple[Sheet, ...]) -> None:
+    """A view more than half as wide and half as high as a sheet may have one to itself: four times its area.
+
+    The last sheet of each order may hold next to nothing.
+    """
+    formats = {sheet.format for sheet in paper}
+    for format in formats:
+        area = drawing_area(format, made.scene.language, False)
+        room = (area.inner.right - area.inner.left) * (area.inner.top - area.inner.bottom)
+        there = [sheet for sheet in paper if sheet.format == format]
+        boxes = [bounds(view) for sheet in there for view in sheet.drawings[1:]]
+        taken = sum((box[2] - box[0] + GAP) * (box[3] - box[1] + GAP) for box in boxes)
+        ordered = sum(order.format == format for order in made.scene.sheets)
+        assert len(there) <= ordered + 4 * taken / room
+
+
+def longest(work: Work, plan: str) -> float:
+    """The longest absolute vector of a plan as drawn, mm; without end if there is no such plan."""
+    log = work.project.construction
+    reading = work.accelerated if plan == "accelerations" else work.reading
+    view = log.view(plan)
+    if view is None or reading is None or plan not in work.scales:
+        return float("inf")
+    marks = [s.it for s in log.steps if s.it.view == plan and s.it.kind is Point]
+    return float(max(np.nanmax(np.abs(reading[mark])) for mark in marks))
+
+
+def measurable(made: Made, format: str) -> None:
+    """Plans of velocities and accelerations of 40 mm at least, the plan of positions of 60 or 100 mm."""
+    work = made.work
+    if work is None:
+        return
+    placed = made.scene.shown
+    for plan in {"velocities", "accelerations"} & placed:
+        # a plan that a sheet does not hold at 40 mm is as large as it does
+        assert longest(work, plan) >= 40.0 - 0.1
+    if "positions" in placed:
+        log = work.project.construction
+        marks = [s.it for s in log.steps if s.it.view == "positions" and s.it.kind is Point]
+        spots = np.concatenate([work.reading[mark][0] for mark in marks])
+        # the circle of the crank pin may reach farther than the pin in few positions
+        crank = work.project.positions.bodies[work.project.structure.driver].marks
+        pin, pivot = crank[work.project.structure.pin], crank[work.project.structure.pivot]
+        arm = abs(work.reading[pin][0][0] - work.reading[pivot][0][0])
+        reach = max(np.ptp(spots.real), np.ptp(spots.imag)) + 2 * arm
+        assert reach >= LEAST[format]
+
+
+def held(text: str, format: str, folder: Path) -> None:
+    made, paper = drawn(text, folder)
+    in_frames(made, paper)
+    sensible(made, paper)
+    measurable(made, format)
+
+
+def orders(kind: str, place: str, format: str) -> list[tuple[str, tuple[str, ...]]]:
+    return [(format, (*asked.WITH.get(place, ()), place))]
+
+
+MATRIX = [
+    (kind, place, format, count)
+    for kind in asked.MECHANISMS
+    for place in asked.PLACES
+    for format in FORMATS
+    for count in ROWS
+    if asked.can(kind, place, count)
+]
+# some of them every day, all of them where time is given
+DAILY = random.Random(12).sample([one for one in MATRIX if one[3] <= 12], 14)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("kind", "place", "format", "count"), DAILY)
+def test_what_is_asked_for_is_drawn(
+    kind: str, place: str, format: str, count: int, tmp_path: Path
+) -> None:
+    held(asked.mechanism(kind, count, orders(kind, place, format)), format, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("extra", [False, True])
+@pytest.mark.parametrize("kind", asked.MECHANISMS)
+@pytest.mark.parametrize("format", FORMATS)
+@pytest.mark.parametrize("count", ROWS)
+def test_everything_that_can_be_asked_for_is_drawn(
+    kind: str, format: str, count: int, extra: bool, tmp_path: Path
+) -> None:
+    for place in asked.PLACES:
+        if asked.can(kind, place, count):
+            text = asked.mechanism(
+                kind, count, orders(kind, place, format), extra=extra, language=("ru", "en")[extra]
+            )
+            held(text, format, tmp_path)
+
+
+@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.slow), "ru"])
+@pytest.mark.parametrize("format", FORMATS)
+@pytest.mark.parametrize("kind", asked.PARTS)
+def test_parts_are_drawn_on_any_format(
+    kind: str, format: str, language: str, tmp_path: Path
+) -> None:
+    held(asked.part(kind, format, language=language), format, tmp_path)
+
+
+SEVERAL = {
+    "kinematics on one A4": ([("A4", ("positions", "velocities", "accelerations"))], "own"),
+    "a common pole on A4": ([("A4", ("positions", "velocities", "velocity table"))], "common"),
+    "A4 beside A1": (
+        [
+            ("A4", ("positions",)),
+            ("A1", ("velocities", "accelerations")),
+            ("A4", ("diagrams", "lever")),
+        ],
+        "own",
+    ),
+    "a standing A1": ([("A1 portrait", ("positions", "velocities", "results"))], "own"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SEVERAL)
+def test_several_places_and_several_formats_go_together(name: str, tmp_path: Path) -> None:
+    sheets_, pole = SEVERAL[name]
+    made, paper = drawn(asked.mechanism("six", 12, sheets_, pole=pole, extra=True), tmp_path)
+    in_frames(made, paper)
+    sensible(made, paper)
+    ordered = [order.format for order in made.scene.sheets]
+    assert list(dict.fromkeys(sheet.format for sheet in paper)) == list(dict.fromkeys(ordered))
+
+
+MOST = {
+    "bug-bell-crank-rocker": 1,
+    "fails-a4-diagram": 10,
+    "fails-a4-diagram-12": 5,
+    "fails-a4-forces": 17,
+    "fails-a4-table": 10,
+    "fails-a4-table-12": 4,
+    "fails-mixed-a4-a1": 2,
+    "hydraulic": 6,
+}
+"""Sheets that a case takes at most: so many as its plans of 40 mm, figures and blocks of tables need."""
+
+
+ALL = sorted(path.stem for path in (CASES / "sheets").glob("*.toml"))
+LONG = ("fails-a4-forces", "fails-a4-table", "hydraulic")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in ALL]
+)
+def test_scenes_that_were_refused_are_drawn(name: str) -> None:
+    made, paper = sheets(read(CASES / "sheets" / f"{name}.toml"))
+    in_frames(made, paper)
+    sensible(made, paper)
+    assert len(paper) <= MOST.get(name, len(paper))
+
+
+def randomly(count: int, seed: int, format: str) -> None:
+    places = ("positions", "velocities", "accelerations", "equations", "results", "structure")
+    for k, one in enumerate(sample(count, seed)):
+        row = Row(8, zero=one.phi, accelerations=("0", "2"))
+        order = (SheetOrder(format, places),)
+        made, paper = sheets(
+            Scene(f"{k}", "T", ("ru", "en")[k % 2], one.mechanism, row, sheets=order)
+        )
+        in_frames(made, paper)
+        sensible(made, paper)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("format", "count"), [("A1", 5), ("A4", 2)])
+def test_random_mechanisms_are_not_refused_for_size(format: str, count: int) -> None:
+    randomly(count, 3, format)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("format", "count"), [("A1", 300), ("A4", 60)])
+def test_many_random_mechanisms_are_not_refused_for_size(format: str, count: int) -> None:
+    randomly(count, 7, format)
+
+
+def test_one_position_of_a_slider_crank_stands_on_a4(tmp_path: Path) -> None:
+    text = asked.mechanism("slider", 1, [("A4", ("positions",))], language="en")
+    made, paper = drawn(text, tmp_path)
+    in_frames(made, paper)
+    assert len(paper) == 1
+
+
+FIXED = {
+    "mu_l = 3": ("scales.mu_l", "too small to measure"),
+    "mu_l = 0.0001": ("scales.mu_l", "does not fit on A4"),
+    'OA = "900 mm"': ("scales.OA", "does not fit on A4"),
+    "mu_v = 500": ("scales.mu_v", "too small to measure"),
+    'pa = "400 mm"': ("scales.pa", "does not fit on A4"),
+    'pi_a = "0.1 mm"': ("scales.pi_a", "too small to measure"),
+    'mu_l = 0.0018\nmu_v = "mu_l*omega1"': ("scales.mu_l", "does not fit on A4"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scales", FIXED)
+def test_a_fixed_scale_that_no_sheet_holds_is_told_with_a_value_that_fits(
+    scales: str, tmp_path: Path
+) -> None:
+    places = [("A4", ("positions", "velocities", "accelerations"))]
+
+    def text(lines: str) -> str:
+        return asked.mechanism("slider", 8, places, scales=f"[scales]\n{lines}")
+
+    with pytest.raises(SheetError) as told:
+        drawn(text(scales), tmp_path)
+    assert all(word in str(told.value) for word in FIXED[scales])
+    assert re.search(r"\d mm", str(told.value))
+    # what it says to write does fit, and can be measured
+    (written,) = re.findall(r"write (\w+ = \"[^\"]+\")", str(told.value))
+    others = [line for line in scales.splitlines() if line.split()[0] != written.split()[0]]
+    made, paper = drawn(text("\n".join([written, *others])), tmp_path)
+    in_frames(made, paper)
+    if not others:
+        measurable(made, "A4")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", ["table", "steps"])
+def test_no_command_reads_a_plan_that_is_too_small(command: str, tmp_path: Path) -> None:
+    text = asked.mechanism("slider", 8, [("A4", ("positions",))], scales="[scales]\nmu_l = 3")
+    path = written(tmp_path, text)
+    result = invoke(command, path)
+    assert result.exit_code == 2
+    assert "scales.mu_l" in result.stderr
+
+
+@pytest.mark.slow
+def test_lengths_that_a_scene_writes_are_kept(tmp_path: Path) -> None:
+    """The base of graphs gives way to a narrow sheet, but not one that the file itself writes."""
+    text = asked.mechanism("six", 6, [("A4", ("flywheel",))])
+    shorter = read_of(text, tmp_path)
+    assert 60.0 < base(shorter) < 120.0
+    told = text.replace('D_e = "0.5 m"', 'D_e = "0.5 m"\nbase = "110 mm"\nH = "25 mm"')
+    assert base(read_of(told, tmp_path)) == 110.0
+    with pytest.raises(SheetError, match=r"flywheel.base"):
+        drawn(told.replace('"110 mm"', '"160 mm"'), tmp_path)
+
+
+def read_of(text: str, folder: Path) -> Work:
+    path = written(folder, text)
+    work = make(read(path)).work
+    assert work is not None
+    return work
+
+
+def base(work: Work) -> float:
+    flywheel = work.project.flywheel
+    assert flywheel is not None
+    return float(work.reading[flywheel.base.length][0, 0])
+
+
+@pytest.mark.slow
+def test_a_plan_that_the_ruler_makes_larger_is_held_too() -> None:
+    """Near a singular position readings of 0.1 mm make this plan of accelerations twice as large as it is."""
+    one = sample(19, 9)[18]
+    row = Row(12, zero=one.phi, accelerations=("0", "2"))
+    order = SheetOrder("A4", ("positions", "velocities", "accelerations"))
+    made, paper = sheets(Scene("", "T", "ru", one.mechanism, row, sheets=(order,)))
+    in_frames(made, paper)
+    exact = make(made.scene, exact=True).work
+    assert exact is not None
+    assert made.work is not None
+    assert exact.scales == made.work.scales
+    assert longest(made.work, "accelerations") > 1.5 * longest(exact, "accelerations")

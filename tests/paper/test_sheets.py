@@ -1,0 +1,61 @@
+"""Golden sheets: every folder of sheets/ redraws to the committed bytes; --redraw accepts new ones."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+import shapely
+from support.gallery import FOLDERS, paper
+
+from graphic_tmm.files import write
+from graphic_tmm.paper.placing import box, shape
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheet_files
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_a_scene_redraws_to_the_committed_sheets(
+    folder: Path, request: pytest.FixtureRequest
+) -> None:
+    _, texts = sheet_files(read(folder))
+    if request.config.getoption("--redraw"):
+        for stale in folder.glob("*.svg"):
+            stale.unlink()
+        write(folder, texts)
+    assert {path.name for path in folder.glob("*.svg")} == set(texts)
+    for name, text in texts.items():
+        assert (folder / name).read_text(encoding="utf-8") == text, f"{name}: redraw with --redraw"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
+    for sheet in paper(folder.name)[1]:
+        count = crossed = 0
+        for drawing in sheet.drawings:
+            heavy = [shape(s) for s in drawing.strokes if s.pen in ("main", "rod", "medium")]
+            tree = shapely.STRtree(heavy)
+            count += len(drawing.labels)
+            crossed += sum(
+                bool(tree.query(box(k), predicate="intersects").size) for k in drawing.labels
+            )
+        assert crossed <= 0.02 * count, (sheet.name, crossed, count)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_no_letter_stands_on_another_and_no_view_on_another(folder: Path) -> None:
+    for sheet in paper(folder.name)[1]:
+        labels = [box(label) for drawing in sheet.drawings for label in drawing.labels]
+        tree = shapely.STRtree(labels)
+        pairs = tree.query(labels, predicate="intersects")
+        touching = [(a, b) for a, b in pairs.T if a < b]
+        assert not [1 for a, b in touching if labels[a].intersection(labels[b]).area > 1e-6]
+        ink = [
+            shapely.box(*shapely.total_bounds([*map(shape, d.strokes), *map(box, d.labels)]))
+            for d in sheet.drawings[1:]
+        ]
+        assert all(a.disjoint(b) for a, b in combinations(ink, 2))

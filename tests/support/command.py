@@ -1,0 +1,44 @@
+"""The commands as a person runs them: what they print, and the tables read back."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from typing import Any
+
+from click.testing import CliRunner, Result
+
+from graphic_tmm.__main__ import main
+
+
+def invoke(*arguments: object) -> Result:
+    """Run a command in this process."""
+    return CliRunner().invoke(main, [str(a) for a in arguments])
+
+
+def printed(*arguments: object) -> str:
+    """Return what a command prints that is right."""
+    done = invoke(*arguments)
+    assert done.exit_code == 0, done.output
+    return done.stdout
+
+
+def rows(text: str) -> list[dict[str, str]]:
+    """Return the rows of a table printed as CSV."""
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def tabled(*arguments: object) -> dict[str, Any]:
+    """Return the table that a command prints as JSON."""
+    return json.loads(printed("table", *arguments, "--format", "json"))
+
+
+def warned(done: Result) -> list[str]:
+    """Return the warnings of a command without the words before each."""
+    return [line.partition("warning: ")[2] for line in done.stderr.splitlines()]
+
+
+def column(found: dict[str, Any], plan: str, segment: str) -> dict[str, Any]:
+    """Return a column of a document by its plan and segment."""
+    return next(c for c in found["columns"] if (c["plan"], c["segment"]) == (plan, segment))

@@ -1,0 +1,49 @@
+"""Scenes of a part that no scene of the package has."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from graphic_tmm.parts import Part, draw_parts
+
+from graphic_tmm.scene.read import read
+from support.scenes import written
+
+HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'
+PARTS = {
+    "an offset roller": (
+        "cam",
+        'stroke = "20 mm"\nrise = 90\nfall = 100\nupper_dwell = 30\noffset = "8 mm"\n',
+    ),
+    "a rocker": (
+        "cam",
+        'stroke = "20 deg"\nrise = 110\nfall = 80\nlaw = "3-4-5"\nfollower = "rocker"\nlever = "80 mm"\n'
+        'centres = "110 mm"\n',
+    ),
+    "a flat face": (
+        "cam",
+        'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\n'
+        'least_curvature = "8 mm"\n',
+    ),
+    "a law by its diagram": (
+        "cam",
+        'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\n'
+        "law_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]\n",
+    ),
+    "a pair of gears": (
+        "gears",
+        'z1 = 14\nz2 = 31\nm = "6 mm"\nx1 = 0.4\nx2 = -0.1\nstations = ["20 mm"]\n',
+    ),
+    "a train": (
+        "planetary",
+        'module = "4 mm"\nspeed = "100 1/s"\nratio = 4.6\nsatellites = [3, 4]\n',
+    ),
+}
+
+
+def part_of(folder: Path, what: str) -> Part:
+    """Return a part of PARTS, drawn."""
+    kind, text = PARTS[what]
+    path = written(folder, HEAD.format(kind=kind) + text)
+    (part,) = draw_parts(read(path))
+    return part
