@@ -11,6 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from graphic_tmm import bounds
 from graphic_tmm.bounds import Bound
+from graphic_tmm.language.catalogue import languages
 from graphic_tmm.scene import lengths, letters, quantities
 from graphic_tmm.scene.quantities import Dimension, kind_of
 from graphic_tmm.scene.records import ALL_PLACES, FREE_PLACES
@@ -310,7 +311,7 @@ _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 
 Text = Annotated[str, Rule(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})]
 Title = Annotated[str, Rule(_title, {"type": "string", "minLength": 1, "maxLength": 200})]
-Language = Annotated[str, choice("ru", "en")]
+Language = Annotated[str, choice(*sorted(languages(), reverse=True))]
 LinkNumber = Annotated[int, number(bounds.LINK)]
 Count = Annotated[int, number(bounds.POSITIONS)]
 First = Annotated[int, number(bounds.FIRST)]

@@ -27,6 +27,7 @@ from graphic_tmm.chapters.kinematics.row import draw_row
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Drive, Mechanism, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
@@ -105,8 +106,10 @@ def record(bench: Bench) -> KinematicPlans:
     positions = draw_positions(draft, mechanism, structure, frame, numbered.phi)
     if scene.trajectories and tried.returning_late:
         raise StructureError(
-            f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
-            "number of times in it: leave trajectories out"
+            said(
+                "trajectories: no path closes after one turn, group {group} flips an odd number of times in it: leave trajectories out",
+                group=tried.returning_late[0],
+            )
         )
     _draw_trajectories(draft, positions, scene.trajectories, row.count)
     velocities = accelerations = None
@@ -158,7 +161,12 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     missing = [name for name in wanted if name not in names]
     if missing:
         raise StructureError(
-            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+            said(
+                "{section}: there is no position {missing}; there are {known}",
+                section=section,
+                missing=", ".join(missing),
+                known=", ".join(names),
+            )
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
@@ -199,6 +207,8 @@ def _draw_trajectories(
 ) -> None:
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
-            raise StructureError(f"trajectories: there is no point {letter} on the plan")
+            raise StructureError(
+                said("trajectories: there is no point {letter} on the plan", letter=letter)
+            )
         name = draft.board.free(f"({letter}–{letter})")
         draft.board.draw(french_curve, name, positions.point(letter), row=count)
