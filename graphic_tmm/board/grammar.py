@@ -66,7 +66,7 @@ def operation(
     across: bool = False,
     reads: bool = False,
     condition: Callable[..., Reals] | None = None,
-    fails: str | tuple[str, str] = "the figure cannot be drawn",
+    fails: str = "the figure cannot be drawn",
     gaps: tuple[Gap, ...] = (),
     sides: tuple[str, str] = ("+", "−"),
 ) -> Callable[[F], Operation]:
@@ -103,7 +103,7 @@ def operation(
             across,
             reads,
             condition,
-            fails if isinstance(fails, str) else fails[0],
+            fails,
             gaps,
             sides,
         )

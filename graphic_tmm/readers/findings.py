@@ -76,4 +76,4 @@ def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) ->
 
 def _letters_of(found: Finding) -> str:
     """Return the letters that are left out, each once, however often it is primed."""
-    return ", ".join(dict.fromkeys(plain(letter).rstrip("′") for letter in found.letters))
+    return ", ".join(dict.fromkeys(plain(mark.letter).rstrip("′") for mark in found.marks))

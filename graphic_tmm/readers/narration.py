@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.language.captions import CAPTIONS
@@ -90,11 +90,10 @@ def _sums(steps: Sequence[Step]) -> dict[Mark, tuple[Mark, ...]]:
     found: dict[Mark, tuple[Mark, ...]] = {}
     before: Step | None = None
     for step in steps:
-        if step.op is added:
-            begun = before is not None and before.op is added and before.it == step.uses[0]
-            if begun and before is not None and before.it.name == step.it.name:
-                found[step.it] = (*(found.get(before.it) or before.uses), *step.uses[1:])
-                found[before.it] = ()
+        both = before is not None and before.it.role == step.it.role == roles.SUM
+        if both and before is not None and before.it == step.uses[0]:
+            found[step.it] = (*(found.get(before.it) or before.uses), *step.uses[1:])
+            found[before.it] = ()
         before = step
     return found
 

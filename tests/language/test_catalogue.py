@@ -38,17 +38,6 @@ RUSSIAN_BY_NATURE = {
     "scene/letters.py": "input: letters of points may be Cyrillic; which of them look alike",
     "scene/syntax.py": "a message quotes a Cyrillic key as an example",
     "scene/models.py": "the example of a title",
-    **dict.fromkeys(
-        (
-            "board/operations/energetics.py",
-            "board/operations/formulas.py",
-            "board/operations/statics.py",
-            "chapters/cam/formulas.py",
-            "chapters/gears/formulas.py",
-            "chapters/planetary/formulas.py",
-        ),
-        "why formulas fail, until they are declared by their texts",
-    ),
 }
 """Files whose code holds Cyrillic text, with the reason."""
 

@@ -126,7 +126,6 @@ def record(bench: Bench) -> KinematicPlans:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
             draft.given[positions.sides[group.name]] = _sides(side, angles, mechanism.drive)
-    assert draft.mu_l is not None
     return KinematicPlans(
         mechanism,
         structure,
@@ -210,5 +209,4 @@ def _draw_trajectories(
             raise StructureError(
                 said("trajectories: there is no point {letter} on the plan", letter=letter)
             )
-        name = draft.board.free(f"({letter}–{letter})")
-        draft.board.draw(french_curve, name, positions.point(letter), row=count)
+        draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)
