@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 F = TypeVar("F", bound=Callable[..., Any])
 LOOKED = 256_000
 """So many characters of a scene are looked through for its language."""
-DEFAULT = "ru"
-"""The language of a scene that names none."""
 _LANGUAGE = re.compile(r"""^language\s*=\s*["'](\w+)["']""", re.MULTILINE)
 
 
@@ -32,13 +30,14 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
 
     path = scene_path(name)
     hear(language_of(path))
-    if not lettered:
-        return read(path)
-    from graphic_tmm.paper.lettering.letters import (
-        missing,
-    )
+    if lettered:
+        from graphic_tmm.paper.lettering.letters import missing
 
-    return read(path, missing=missing)
+        scene = read(path, missing=missing)
+    else:
+        scene = read(path)
+    hear(scene.language)
+    return scene
 
 
 def language_of(path: Path) -> str:
@@ -53,7 +52,7 @@ def language_of(path: Path) -> str:
             found = _LANGUAGE.search(stream.read(LOOKED))
     except OSError:
         return ""
-    return found[1] if found is not None and found[1] in languages() else DEFAULT
+    return found[1] if found is not None and found[1] in languages() else ""
 
 
 def hands(command: F) -> F:
