@@ -11,6 +11,7 @@ from graphic_tmm.fitting.compose import orders
 from graphic_tmm.fitting.fit import depends, fitted
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.scene.registry import size_keys
 
 TINY = 5.0
 """A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it."""
@@ -64,7 +65,7 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
     key, helps = "", list[str]()
     if plan in known and known[plan].fixed(scene):
         key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]
-    elif written := [name for one in chapters() for name in one.size_keys if name in scene.told]:
+    elif written := [name for name in size_keys() if name in scene.told]:
         helps = [said("to change, or leave out, {listed}", listed=", ".join(written))]
     if any(order.format != "A1" for order in scene.sheets) and _held_by_a1(scene, error):
         helps.append(said('a further sheet with format = "A1" for it'))

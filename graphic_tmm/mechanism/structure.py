@@ -100,8 +100,7 @@ def dissect(mechanism: Mechanism) -> Structure:
         remedy = said("a pair is missing") if mobility > 1 else said("a pair is too many")
         raise StructureError(
             said(
-                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among "
-                "{listed}",
+                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among {listed}",
                 links=n,
                 p=p,
                 w=w,
@@ -118,11 +117,10 @@ def dissect(mechanism: Mechanism) -> Structure:
             names = ", ".join(map(str, left))
             raise StructureError(
                 said(
-                    "links {names} make a group of class III or higher, or are tied to each other "
-                    "only: this board draws groups of class II (two links, three pairs); check the "
-                    "letters and slides of these links",
+                    "links {names} make a group of class III or higher, or are tied to each other only: this board draws groups of class II (two links, three pairs); check the letters and slides of these links",
                     names=names,
-                )
+                ),
+                *(f"link {number}" for number in left),
             )
         groups.append(group)
         for leg in group.legs:
@@ -146,17 +144,19 @@ def _pivot(mechanism: Mechanism) -> str:
         raise StructureError(
             said(
                 "the drive names link {link}, which is not a moving link", link=mechanism.drive.link
-            )
+            ),
+            "drive.link",
         )
     shared = [letter for letter in crank.points if letter in mechanism.frame.points]
     if len(shared) != 1 or crank.slides:
         raise StructureError(
             said(
-                "the driving link {number} must turn about one letter that it shares with the "
-                "frame (it shares {listed})",
+                "the driving link {number} must turn about one letter that it shares with the frame (it shares {listed})",
                 number=crank.number,
                 listed=", ".join(shared) or said("none"),
-            )
+            ),
+            f"link {crank.number}",
+            "drive.link",
         )
     return shared[0]
 
@@ -174,7 +174,8 @@ def _pin(mechanism: Mechanism, pivot: str) -> str:
             said(
                 "the driving link {number} has no second letter: give it the crank pin, e.g. A",
                 number=crank.number,
-            )
+            ),
+            f"link {crank.number}, points",
         )
     return (pinned or others)[0]
 
@@ -224,10 +225,14 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
             said(
                 "link {listed} is tied to nothing: give it a letter of another link, or a slide",
                 listed=", ".join(map(str, loose)),
-            )
+            ),
+            *(f"link {number}" for number in loose),
         )
     for slide_owner in (p for p in pairs if p.slide is not None and p.links[0] == p.links[1]):
-        raise StructureError(said("link {links} slides on itself", links=slide_owner.links[0]))
+        raise StructureError(
+            said("link {links} slides on itself", links=slide_owner.links[0]),
+            f"link {slide_owner.links[0]}, slides",
+        )
     numbers = list(mechanism.by_number)
     for place, first in enumerate(numbers):
         for second in numbers[place + 1 :]:
@@ -235,12 +240,13 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
             if len(shared) > 1:
                 raise StructureError(
                     said(
-                        "links {first} and {second} share {listed}: they cannot move against each "
-                        "other; make them one link",
+                        "links {first} and {second} share {listed}: they cannot move against each other; make them one link",
                         first=first,
                         second=second,
                         listed=", ".join(shared),
-                    )
+                    ),
+                    f"link {first}, points",
+                    f"link {second}, points",
                 )
 
 
@@ -297,11 +303,12 @@ def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:
     if kinds == ("P", "P"):
         raise StructureError(
             said(
-                "links {first} and {second} are joined by three sliding pairs: they make no Assur "
-                "group (a turning pair is needed)",
+                "links {first} and {second} are joined by three sliding pairs: they make no Assur group (a turning pair is needed)",
                 first=first,
                 second=second,
-            )
+            ),
+            f"link {first}, slides",
+            f"link {second}, slides",
         )
     if kinds == ("R", "R"):
         return Group(3, legs if inner.links[0] == first else (legs[1], legs[0]), inner)

@@ -109,7 +109,8 @@ def record(bench: Bench) -> KinematicPlans:
             said(
                 "trajectories: no path closes after one turn, group {group} flips an odd number of times in it: leave trajectories out",
                 group=tried.returning_late[0],
-            )
+            ),
+            "plans.trajectories",
         )
     _draw_trajectories(draft, positions, scene.trajectories, row.count)
     velocities = accelerations = None
@@ -165,7 +166,8 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
                 section=section,
                 missing=", ".join(missing),
                 known=", ".join(names),
-            )
+            ),
+            "drive.accelerations" if section == "accelerations" else f"{section}.positions",
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
@@ -207,6 +209,7 @@ def _draw_trajectories(
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
             raise StructureError(
-                said("trajectories: there is no point {letter} on the plan", letter=letter)
+                said("trajectories: there is no point {letter} on the plan", letter=letter),
+                "plans.trajectories",
             )
         draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)
