@@ -8,9 +8,9 @@ import pytest
 from support.effects import LOADS, PLACED, named, needs, only, steps
 from support.gallery import SHEETS
 
+from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import record
 
 FULL = (
     "windrower",

@@ -8,17 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from graphic_tmm.parts import draw_parts
 from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.language.captions import CAPTIONS, UNITS_RU
-from graphic_tmm.parts import draw_parts
 from graphic_tmm.readers.protocol import part_protocol
+from graphic_tmm.readers.table import table
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import part_warnings, sheets, table
+from graphic_tmm.studio import sheets
 
 GIVEN = """teeth      = [25, "?", "?"]     # z1 is given, the others are found: 32 and 89
 satellites = 3 """
@@ -108,7 +110,7 @@ def test_a_part_stands_beside_a_mechanism() -> None:
     engine, cam = read(SHEETS / "engine"), read(SHEETS / "cam")
     both = replace(engine, cam=cam.cam, sheets=(*engine.sheets, SheetOrder("A1", ("cam",))))
     made, paper = sheets(both)
-    assert made.work is not None
+    assert made.mechanism is not None
     assert len(paper) == 2
     text = table(made, "json")
     assert isinstance(text, str)
@@ -158,7 +160,7 @@ def test_what_cannot_be_made_is_one_message(
 def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None:
     scene = read(scene_of(tmp_path, "cam", ('"52.1 mm"', '"40 mm"')))
     (part,) = draw_parts(scene)
-    told = part_warnings(part)
+    told = warnings(part)
     assert any("pressure angle reaches" in text and "φ" in text for text in told)
     done = invoke("table", tmp_path / "scene.toml")
     assert "pressure angle reaches" in done.stderr

@@ -9,17 +9,18 @@ from clock import ROOT, Row, in_turns, show
 
 import effects  # isort: skip
 
+from support.boards import drawn_of
+
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import work
 
 SCENES = ("windrower", "crank-press")
 
 
 def running(scene: Scene) -> tuple[int, Any]:
     """Return the number of a scene's steps, and a call that runs its log."""
-    made = work(scene)
+    made = drawn_of(scene)
     log = made.project.construction
     program = prepare(log)
     return len(log.steps), partial(program.run, made.given, hand=made.hand)

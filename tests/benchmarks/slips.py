@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 from clock import ROOT, Row, show
+from support.boards import drawn_of
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import HANDS, Slip, Slipping
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 TRIALS = 10_000
 ROUNDS = 7
@@ -21,7 +21,7 @@ ROUNDS = 7
 
 def rows() -> list[Row]:
     """Return the lines of the table."""
-    made = work(replace(read(ROOT / "sheets" / "windrower"), diagrams=None))
+    made = drawn_of(replace(read(ROOT / "sheets" / "windrower"), diagrams=None))
     log = made.project.construction
     wanted = [
         step.it

@@ -9,11 +9,11 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 from clock import ROOT, Row, in_turns, process, show
+from support.boards import drawn_of
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 PROJECT = ("windrower", "cam", "gear-pair", "planetary")
 """The scenes of the windrower's project, all on A1 sheets."""
@@ -43,7 +43,7 @@ def closed_form(phi: np.ndarray) -> np.ndarray:
 
 def warm() -> list[Row]:
     """Return the lines of a dozen positions: all steps of the three plans, everything kept."""
-    made = work(
+    made = drawn_of(
         replace(read(ROOT / "sheets" / "windrower"), diagrams=None, flywheel=None, forces=None)
     )
     log = made.project.construction

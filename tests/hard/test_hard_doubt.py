@@ -19,7 +19,7 @@ from support import dynamics, oracle
 from support.drawn import board
 from support.hard_judge import DIGITS, Verdict, exact_of, judge
 from support.loaded import Solved, errors, order_of, places, solve, weighed
-from support.mechanisms import Drawn, sample
+from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
 
 from graphic_tmm.board.findings import DOUBTFUL, Finding, examine
@@ -86,7 +86,7 @@ def rubbing(mechanism: Mechanism, f: float) -> Friction:
     )
 
 
-def forced(drawn: Drawn, degrees: float, seed: int, f: float = 0.0) -> tuple[float, Solved] | None:
+def forced(drawn: Sampled, degrees: float, seed: int, f: float = 0.0) -> tuple[float, Solved] | None:
     """Draw all forces of a position; return the largest error, as a share of the largest force.
 
     It is infinite where no forces are in equilibrium.
@@ -126,7 +126,7 @@ def named(solved: Solved) -> tuple[Finding, ...]:
     return examine(solved.log, given, [step.it for step in solved.log.steps])
 
 
-def near(count: int, seed: int, most: int = 2) -> list[tuple[Drawn, float, float]]:
+def near(count: int, seed: int, most: int = 2) -> list[tuple[Sampled, float, float]]:
     """Return random mechanisms that lock, each with a crank angle so many rad before."""
     found = []
     for k, drawn in enumerate(sample(count, seed=seed, dyads=(1, most))):
@@ -167,7 +167,7 @@ def test_forces_with_friction_that_are_not_named_are_right() -> None:
     _forces_right(near(9, 300, most=1), 0.1)
 
 
-def _forces_right(cases: list[tuple[Drawn, float, float]], share: float) -> None:
+def _forces_right(cases: list[tuple[Sampled, float, float]], share: float) -> None:
     counts = [0, 0]
     for k, (drawn, angle, off) in enumerate(cases):
         found = forced(drawn, angle, k, share * math.sqrt(off))

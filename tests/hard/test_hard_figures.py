@@ -18,11 +18,11 @@ from support.mechanisms import sample
 from test_hard_forces import weighed
 
 from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
-from graphic_tmm.work import Work
 
 
-def named(made: Work, told: Told) -> bool:
+def named(made: Drawn, told: Told) -> bool:
     """Whether a finding names the plan and the position of a figure that is left out."""
     plan = told.key[0]
     return any(

@@ -17,10 +17,11 @@ from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.readers.columns import Column, columns, segment_name
+from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
-from graphic_tmm.studio import table, table_columns
 
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
@@ -118,7 +119,7 @@ def test_a_value_is_its_segment_times_mu(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_accelerations_are_null_where_they_have_no_plan_and_nothing_else_is(name: str) -> None:
-    made, places = printed_of(name), drawn(name).project.accelerated
+    made, places = printed_of(name), KINEMATICS.on(drawn(name)).accelerated
     for one in made["columns"]:
         if one["plan"] in GRAPHS:
             continue  # test_chart_tables.py
@@ -240,7 +241,7 @@ def test_text_and_figures_of_a_scene_agree() -> None:
     parts = table(drawn("engine"), "text")
     assert isinstance(parts, list)
     text = printed(*parts)
-    due = next(c for c in table_columns(drawn("engine")) if c.segment == "pb").mm
+    due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").mm
     row = next(line for line in text.splitlines() if line.split()[1:2] == ["pb"])
     cells = [cell.strip() for cell in row.strip("│").split("│")][2:]
     assert cells == [f"{mm:.1f}".replace(".", ",") for mm in due if mm is not None]

@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
+from graphic_tmm.project import record
 from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene, SheetOrder
-from graphic_tmm.work import record
 
 Steps = Counter[tuple[str, str]]
 """How many steps each view has, by operation."""

@@ -13,11 +13,12 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.work import Work
+from graphic_tmm.studio import fitted
 
 ORDER = KinematicOrder("B", start="displacement")
 
@@ -30,12 +31,12 @@ def engine(order: KinematicOrder) -> Scene:
 
 
 @cache
-def drawn(start: str = "displacement", exact: bool = True) -> Work:
+def drawn(start: str = "displacement", exact: bool = True) -> Drawn:
     return fitted(engine(replace(ORDER, start=start)), exact=exact)
 
 
-def found(work: Work) -> dict[str, Column]:
-    return {c.segment: c for c in table_columns(work) if c.plan == "diagrams"}
+def found(work: Drawn) -> dict[str, Column]:
+    return {c.segment: c for c in columns_of(work) if c.plan == "diagrams"}
 
 
 def exact_motion() -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from support.boards import drawn_of
 from support.gallery import SHEETS, drawn
 
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.readers.protocol import protocol
+from graphic_tmm.readers.table import table
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import table, warnings
-from graphic_tmm.work import work
 
 
 def test_columns_are_what_the_ruler_reads_times_their_scale() -> None:
@@ -66,7 +67,7 @@ def test_a_machine_that_locks_part_of_the_turn_has_no_flywheel_and_says_so() -> 
     rod = scene.mechanism.by_number[2]
     short = replace(rod, points={**rod.points, "B": 0.29 + 0j})
     links = tuple(short if link.number == 2 else link for link in scene.mechanism.links)
-    made = work(replace(scene, mechanism=replace(scene.mechanism, links=links)))
+    made = drawn_of(replace(scene, mechanism=replace(scene.mechanism, links=links)))
     results = json.loads(table(made, "json"))["results"]
     assert "J_fly" not in results
     assert any("a position of the row is missing" in text for text in warnings(made))
