@@ -8,7 +8,7 @@ by being there, and gone when its folder is. What a chapter is asked and what it
 from __future__ import annotations
 
 import pkgutil
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.scales import Scale
     from graphic_tmm.drawn import Drawn
     from graphic_tmm.fitting.scales import Fitting
-    from graphic_tmm.paper.drawing import Drawing
+    from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import Column
     from graphic_tmm.scene.records import Scene
@@ -123,6 +123,12 @@ class Place:
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
 
 
+def _no_plan(
+    drawn: Drawn, plan: str, place: int, name: str, title: str, upon: Sequence[Stroke]
+) -> Drawing:
+    raise KeyError(plan)
+
+
 @dataclass(frozen=True)
 class Chapter:
     """What a chapter declares of itself.
@@ -182,6 +188,10 @@ class Chapter:
     plans_rank: int = 0
     views: Callable[[Project], Mapping[str, Iterable[str]]] = lambda project: {}
     equations: Callable[[Drawn, str, str], Iterable[str]] = lambda drawn, view, language: ()
+    pointed: tuple[str, ...] = ()
+    plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
+    named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
+    speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
     titles: Callable[[Drawn, str, str], str] = lambda drawn, view, language: ""
 
 

@@ -74,9 +74,14 @@ class Drawn:
         """The numbers at all positions."""
         return self.numbers.whole
 
+    @property
+    def all(self) -> tuple[int, ...]:
+        """All positions (indices)."""
+        return tuple(range(len(self.names)))
+
     def row(self, view: str) -> tuple[int, ...]:
         """Return the positions (indices) at which a view is drawn."""
-        return self.project.rows.get(view, tuple(range(len(self.names))))
+        return self.project.rows.get(view, self.all)
 
     def of(self, view: str) -> Reading | None:
         """Return the numbers of a view at the positions of its row; None if it has no position."""

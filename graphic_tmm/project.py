@@ -114,7 +114,8 @@ class Bench:
         log = self.draft.board.construction()
         given, made = dict(self.draft.given), dict(self.made)
         rows, told = dict(self.rows), dict(self.told)
-        whole = max((np.shape(v)[1] for v in given.values() if np.ndim(v) == 2), default=1)  # type: ignore[call-overload]
+        arrays = (np.asarray(v) for v in given.values() if isinstance(v, np.ndarray))
+        whole = max((v.shape[1] for v in arrays if v.ndim == 2), default=1)
         count = self.count or whole
         names = self.names or tuple(str(k + 1) for k in range(whole))
         angles = self.angles or (None,) * len(names)

@@ -26,10 +26,11 @@ from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting, whole
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.language.words import fixed, number
 from graphic_tmm.scene.records import FORCE_PLACES, Scene
-from graphic_tmm.studio import Made, make
+from graphic_tmm.studio import make
 
 DRAWINGS, FEW = 100, 20
 """How often a hand that slips draws at a setting; and to see whether it is worth more."""
@@ -198,7 +199,7 @@ def _measured(candidate: Candidate, judge: References, percent: float) -> dict[s
     return errors
 
 
-def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str, float]]:
+def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dict[str, float]]:
     """Return the scene of a candidate and its errors with the scales that its own sheets give it."""
     scene = candidate.scene
     try:
@@ -216,11 +217,11 @@ def _as_drawn(candidate: Candidate, made: Made) -> tuple[Scene | None, dict[str,
         return None, {}
 
 
-def _sheets(made: Made) -> int:
+def _sheets(made: DrawnScene) -> int:
     """Return how many sheets a scene takes."""
     from graphic_tmm.paper.measuring import Trial, needed
 
-    tried = Trial.of(made.work) if made.work is not None else None
+    tried = Trial.of(made.mechanism) if made.mechanism is not None else None
     return needed(made.scene, tried, made.parts, {})
 
 

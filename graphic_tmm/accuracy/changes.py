@@ -11,15 +11,15 @@ from graphic_tmm.chapters.diagrams.plan import BASE, VIEWS
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.scene.records import Scales, Scene
-from graphic_tmm.studio import Made
 
 
-def enlarge(scene: Scene, made: Made, times: float) -> Scene:
+def enlarge(scene: Scene, made: DrawnScene, times: float) -> Scene:
     """Return a scene drawn so many times larger than it was ``made``: every μ so much finer."""
     found = scene
-    if made.work is not None:
-        mu = {plan: scale.value / times for plan, scale in made.work.scales.items()}
+    if made.mechanism is not None:
+        mu = {plan: scale.value / times for plan, scale in made.mechanism.scales.items()}
         scales = Scales(
             mu_l=mu.get("positions"), mu_v=mu.get("velocities"), mu_a=mu.get("accelerations")
         )
@@ -90,10 +90,10 @@ def _diagrams(order: KinematicOrder, mu: dict[str, float], times: float) -> Kine
     return replace(order, base=base, mu_along=along, S=drawn["S"], V=drawn["V"], a=drawn["a"])
 
 
-def farther(scene: Scene, made: Made, times: float) -> Scene:
+def farther(scene: Scene, made: DrawnScene, times: float) -> Scene:
     """Return a scene whose diagrams, as ``made``, have their poles so many times farther."""
     order = scene.diagrams
-    if order is None or made.work is None:
+    if order is None or made.mechanism is None:
         return scene
     drawn: dict[str, ScaleOrder] = {}
     for symbol, change in finer(order.start, times).items():
@@ -101,6 +101,6 @@ def farther(scene: Scene, made: Made, times: float) -> Scene:
         if one.pole is not None:
             drawn[symbol] = ScaleOrder(None, one.pole * times)
         else:
-            drawn[symbol] = ScaleOrder(made.work.scales[VIEWS[symbol]].value * change)
+            drawn[symbol] = ScaleOrder(made.mechanism.scales[VIEWS[symbol]].value * change)
     other = (drawn.get("S", order.S), drawn.get("V", order.V), drawn.get("a", order.a))
     return replace(scene, diagrams=replace(order, S=other[0], V=other[1], a=other[2]))

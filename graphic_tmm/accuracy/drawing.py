@@ -17,12 +17,12 @@ from graphic_tmm.chapters.flywheel.plan import VIEWS as FLYWHEEL
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.parts import draw_parts, draws_mechanism
 from graphic_tmm.project import Project
 from graphic_tmm.scaling import Sizes, extents
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import Made
 from graphic_tmm.work import doubted, executed, record
 
 MECHANISM = "mechanism"
@@ -55,23 +55,23 @@ class Drawing:
     tried: Mapping[Mark, Trial] = field(default_factory=dict)
 
 
-def pinned(made: Made) -> dict[tuple[str, str, str], object]:
+def pinned(made: DrawnScene) -> dict[tuple[str, str, str], object]:
     """Return the scale factors of a scene as drawn, and how often its lever is enlarged."""
     found: dict[tuple[str, str, str], object] = {}
     for board, log, given in _boards(made):
         for mark in log.given:
             if mark in given and mark.unit.endswith(PER_MM):
                 found[board, mark.view, mark.letter] = given[mark]
-    if made.work is not None and made.work.project.forces is not None:
-        times = made.work.project.forces.lever.times
-        found[MECHANISM, times.view, times.letter] = made.work.given[times]
+    if made.mechanism is not None and made.mechanism.project.forces is not None:
+        times = made.mechanism.project.forces.lever.times
+        found[MECHANISM, times.view, times.letter] = made.mechanism.given[times]
     return found
 
 
-def _boards(made: Made) -> list[tuple[str, Construction, Mapping[Mark, object]]]:
+def _boards(made: DrawnScene) -> list[tuple[str, Construction, Mapping[Mark, object]]]:
     found = [(part.kind, part.construction, part.given) for part in made.parts]
-    if made.work is not None:
-        found.append((MECHANISM, made.work.project.construction, made.work.given))
+    if made.mechanism is not None:
+        found.append((MECHANISM, made.mechanism.construction, made.mechanism.given))
     return found
 
 

@@ -10,9 +10,9 @@ import numpy as np
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.drawn import hand_of
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import hand_of
 
 ALL = ("all",)
 

@@ -8,13 +8,13 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.values import Point
-from graphic_tmm.studio import Made, scene_columns, scene_results
+from graphic_tmm.chapter import chapters
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.readers.table import scene_columns, scene_results
 
 Key = tuple[str, str, str]
 """Plan, segment, position ("" for a result)."""
 RESULTS = "results"
-POINTED = ("positions", "velocities", "accelerations")
-"""Plans whose points can be compared by their coordinates."""
 
 
 class Cell(NamedTuple):
@@ -29,14 +29,19 @@ class Cell(NamedTuple):
     spot: complex | None = None
 
 
-def position_names(made: Made) -> tuple[str, ...]:
+def pointed() -> tuple[str, ...]:
+    """Return the plans whose points can be compared by their coordinates."""
+    return tuple(plan for one in chapters() for plan in one.pointed)
+
+
+def position_names(made: DrawnScene) -> tuple[str, ...]:
     """Return the numbers of the positions of a scene."""
-    if made.work is not None:
-        return made.work.project.names
+    if made.mechanism is not None:
+        return made.mechanism.names
     return tuple(dict.fromkeys(name for column in scene_columns(made) for name, _ in column.at))
 
 
-def cells(made: Made) -> dict[Key, Cell]:
+def cells(made: DrawnScene) -> dict[Key, Cell]:
     """Return every figure that a scene has."""
     names = position_names(made)
     found: dict[Key, Cell] = {}
@@ -72,31 +77,26 @@ def plans(found: Mapping[Key, Cell]) -> Iterator[str]:
     yield from dict.fromkeys(plan for plan, _, _ in found)
 
 
-def points(made: Made) -> dict[Key, complex]:
+def points(made: DrawnScene) -> dict[Key, complex]:
     """Return where every point of a mechanism's plans stands, mm from the pole (or the crank's pivot)."""
-    work = made.work
+    drawn, plans = made.mechanism, pointed()
     found: dict[Key, complex] = {}
-    if work is None:
-        return found
-    project, everywhere = work.project, tuple(range(len(work.project.names)))
-    for step in project.construction.steps:
+    for step in drawn.construction.steps if drawn is not None else ():
         plan = step.it.view
-        if plan not in POINTED or step.it.kind is not Point or step.op.across:
+        if drawn is None or plan not in plans or step.it.kind is not Point or step.op.across:
             continue
-        reading, places = (work.reading, everywhere)
-        if plan == "accelerations":
-            if work.accelerated is None:
-                continue
-            reading, places = work.accelerated, project.accelerated
+        reading = drawn.of(plan)
+        if reading is None:
+            continue
         row = reading[step.it][0]
-        for k, place in enumerate(places):
+        for k, place in enumerate(drawn.row(plan)):
             z = complex(row[k if row.size > 1 else 0])
             if cmath.isfinite(z):
-                found[plan, step.it.letter, project.names[place]] = z
+                found[plan, step.it.letter, drawn.names[place]] = z
     return found
 
 
-def cells_and_points(made: Made) -> dict[Key, Cell]:
+def cells_and_points(made: DrawnScene) -> dict[Key, Cell]:
     """Return every figure that a scene has, and every point of its plans."""
     spots = {key: Cell(None, None, "mm", spot) for key, spot in points(made).items()}
     return spots | cells(made)

@@ -13,7 +13,8 @@ from graphic_tmm.checking.known import known
 from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make, scene_name
+from graphic_tmm.scenes import scene_name
+from graphic_tmm.studio import make
 
 TRIALS = 400
 """How often the hand draws to tell how far it scatters."""

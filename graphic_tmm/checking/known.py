@@ -8,12 +8,12 @@ from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, points
 from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.report.words import WORDS
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.studio import Made
 
 
 def known(
-    made: Made, readings: Sequence[Taken], source: str
+    made: DrawnScene, readings: Sequence[Taken], source: str
 ) -> tuple[tuple[Taken, ...], tuple[str, ...]]:
     """Return the readings whose figures are known, and a note on each of the others.
 

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.chapters.kinematics.ink_plans import (
-    Place,
-    draw_plan,
-)
-from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.records import WRONG, Judged, Report
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
 from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.symbols.kinematic import arrowhead
-from graphic_tmm.readers.columns import UNITS
-from graphic_tmm.studio import Made
 
 FORMATS = ("A4", "A1")
 CROSS = 1.2
@@ -29,7 +25,7 @@ SEEN = 0.5
 """A deviation shorter than this on the sheet has no arrow, mm."""
 
 
-def overlay_sheet(made: Made, report: Report, enlarge: float) -> Sheet:
+def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
     """Return a sheet with the exact plans and what was read of them, the smallest that holds them.
 
     Raises
@@ -71,33 +67,14 @@ def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, 
     raise SheetError("--overlay: more plans were read than an A1 sheet holds; check fewer at once")
 
 
-def _plan(made: Made, plan: str, position: str, upon: Sequence[Stroke], title: str) -> Drawing:
+def _plan(
+    made: DrawnScene, plan: str, position: str, upon: Sequence[Stroke], title: str
+) -> Drawing:
     """Return the exact plan in one position, all of it thin, with what was read drawn upon it."""
-    assert made.work is not None
-    work, name = made.work, f"overlay-{plan}-{position}"
-    project = work.project
-    place = project.names.index(position)
-    if plan == "positions":
-        found = draw_position_ink(
-            project.construction, work.reading, work.reaches, place, name, title, upon=upon
-        )
-    else:
-        accelerated = plan == "accelerations"
-        reading = work.accelerated if accelerated else work.reading
-        at = project.accelerated.index(place) if accelerated else place
-        assert reading is not None
-        mu = work.scales[plan].value
-        found = draw_plan(
-            project.construction,
-            reading,
-            plan,
-            [Place(at)],
-            name,
-            title,
-            mu,
-            UNITS[plan],
-            upon=upon,
-        )
+    assert made.mechanism is not None
+    drawn, name = made.mechanism, f"overlay-{plan}-{position}"
+    (chapter,) = (one for one in drawn.project.chapters if plan in one.pointed)
+    found = chapter.plan_at(drawn, plan, drawn.names.index(position), name, title, upon)
     told = {stroke.title for stroke in upon}
     strokes = (one if one.title in told else one._replace(pen="thin") for one in found.strokes)
     return found._replace(strokes=tuple(strokes))

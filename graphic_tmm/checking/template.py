@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from graphic_tmm.checking.cells import POINTED, RESULTS, points, position_names
+from graphic_tmm.checking.cells import RESULTS, points, position_names
 from graphic_tmm.checking.readings.writing import template
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.table import scene_columns, scene_results
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make, scene_columns, scene_results
+from graphic_tmm.studio import make
 
 
 def template_of(scene: Scene) -> str:
@@ -16,5 +17,5 @@ def template_of(scene: Scene) -> str:
     rows = list(scene_columns(made))
     for name, (value, unit) in scene_results(made).items():
         rows.append(Column(RESULTS, name, name, unit, (None,), (value,)))
-    letters = dict.fromkeys((plan, letter) for plan, letter, _ in points(made) if plan in POINTED)
+    letters = dict.fromkeys((plan, letter) for plan, letter, _ in points(made))
     return template(rows, names, tuple(letters), language=scene.language)

@@ -17,7 +17,7 @@ def new(folder: str, like: str | None) -> None:
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun
     from graphic_tmm.scene.read import FILE, SCENE, read
-    from graphic_tmm.studio import scene_path
+    from graphic_tmm.scenes import scene_path
 
     target = Path(folder)
     if (target / FILE).exists():

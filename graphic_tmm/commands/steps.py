@@ -7,19 +7,23 @@ import click
 from graphic_tmm.commands.shared.scenes import read_scene
 from graphic_tmm.commands.shared.telling import warn
 
-PLANS = (
-    "extremes",
-    "positions",
-    "velocities",
-    "accelerations",
-    "forces",
-    "engine",
-    "diagrams",
-    "flywheel",
-    "cam",
-    "gears",
-    "planetary",
-)
+
+class Plans(click.Choice[str]):
+    """The plans of all chapters, looked up when one is asked for: help of other commands stays light."""
+
+    def __init__(self) -> None:
+        super().__init__([])
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """``all``, and every plan."""
+        from graphic_tmm.readers.protocol import plans
+
+        return ("all", *plans())
+
+    @choices.setter
+    def choices(self, value: object) -> None:
+        """Leave them to be looked up."""
 
 
 @click.command()
@@ -27,7 +31,7 @@ PLANS = (
 @click.option(
     "-p",
     "--plan",
-    type=click.Choice(["all", "synthesis", *PLANS]),
+    type=Plans(),
     default="all",
     show_default=True,
 )
@@ -38,13 +42,12 @@ def steps(
     scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.readers.protocol import steps_of
+    from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)
-    known = ("synthesis", *PLANS)
-    chosen = known if plan == "all" else (plan,)
+    chosen = plans() if plan == "all" else (plan,)
     spoken = language or drawn.scene.language
-    for line in steps_of(drawn.work, drawn.parts, drawn.scene, chosen, position, spoken, known):
+    for line in steps_of(drawn, chosen, position, spoken):
         click.echo(line)
     warn(drawn)

@@ -51,8 +51,8 @@ def table(
     budget: str | None,
 ) -> None:
     """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
+    from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
-    from graphic_tmm.studio import table as told
 
     drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
     wide = width or terminal_width()

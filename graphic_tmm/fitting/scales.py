@@ -136,7 +136,7 @@ def executed(
 def _graph_scales(fitting: Fitting) -> dict[Mark, float]:
     """Return the values of the scale marks of the graphs, all other scale factors being given."""
     project, share = fitting.project, fitting.sizes.get("graphs", 1.0)
-    heights = {}
+    heights: dict[str, float] = {}
     for one in project.chapters:
         height = HEIGHT[_graphs_on(fitting.scene, {place.name for place in one.places})]
         heights |= {chart.view: height * share for chart in one.charts(project.made[one.name])}

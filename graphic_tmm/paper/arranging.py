@@ -11,7 +11,9 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.drawing import Drawing, Label, Within
 from graphic_tmm.paper.layout import bounds, settled
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 
 CAPTION = 5.0
 SMALL = 3.5

@@ -94,5 +94,3 @@ class Spots:
         for a, b in zip(starts, ends, strict=True):
             if np.isfinite(a) and np.isfinite(b) and abs(b - a) > 0.3:
                 yield line("thin", complex(a), complex(b))
-
-

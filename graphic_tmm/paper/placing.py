@@ -12,7 +12,9 @@ import shapely
 from numpy.typing import NDArray
 
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke, line
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 
 CLEAR = 0.8
 """Clear space about a label, mm."""

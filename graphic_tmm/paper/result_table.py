@@ -11,9 +11,11 @@ from graphic_tmm.language.words import fixed, unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.layout import settled
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
 from graphic_tmm.paper.lettering.letters import (
     escape,
-    markup,
 )
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.equations import quantity

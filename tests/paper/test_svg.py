@@ -17,7 +17,10 @@ from support.each import each
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
-from graphic_tmm.paper.lettering.letters import escape, missing
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+    missing,
+)
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write.svg import Under, clean, number, path_data, svg
 

@@ -10,8 +10,12 @@ import pytest
 from support.scenes import source, written
 from support.words import BLOCK, worded
 
-from graphic_tmm.paper.lettering.letters import escape
-from graphic_tmm.paper.lettering.letters import plain as lettered
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
+from graphic_tmm.paper.lettering.letters import (
+    plain as lettered,
+)
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets

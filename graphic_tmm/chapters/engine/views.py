@@ -14,7 +14,9 @@ from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import (
     SIZE,
     result_table,

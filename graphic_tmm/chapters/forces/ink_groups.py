@@ -20,7 +20,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import HEAVY, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.captions.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.lettering.letters import (
+from graphic_tmm.paper.lettering.indices import (
     markup,
 )
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place

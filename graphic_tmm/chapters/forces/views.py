@@ -23,7 +23,9 @@ from graphic_tmm.language.captions.symbols import symbol
 from graphic_tmm.language.words import number, plain, unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import (
     result_table,
 )

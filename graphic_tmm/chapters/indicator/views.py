@@ -9,7 +9,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 
 
 def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:

@@ -32,7 +32,7 @@ from graphic_tmm.chapters.kinematics.scales import (
     plan_scales,
     sizes_of,
 )
-from graphic_tmm.chapters.kinematics.table import kinematic_columns
+from graphic_tmm.chapters.kinematics.table import kinematic_columns, rate_marks, speed_marks
 from graphic_tmm.project import Project
 
 
@@ -106,5 +106,9 @@ CHAPTER = Chapter(
     ranges=_ranges,
     plans=(EXTREMES, *PLANS),
     columns=kinematic_columns,
+    pointed=PLANS,
+    plan_at=views.plan_at,
+    named_marks=rate_marks,
+    speeds=speed_marks,
     views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)},
 )

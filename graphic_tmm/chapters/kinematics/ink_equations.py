@@ -6,7 +6,9 @@ from collections.abc import Sequence
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.paper.drawing import Drawing, Label
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 from graphic_tmm.readers.equations import Equation
 
 HEAD = 5.0

@@ -17,7 +17,9 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, measure_a
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.lettering.letters import markup
+from graphic_tmm.paper.lettering.indices import (
+    markup,
+)
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
@@ -184,5 +186,3 @@ def _letters(
             near.append(text)
     for spot, names in groups:
         yield Wanted(", ".join(names), spot, SMALL if common else SIZE, 1.0, spot - middle)
-
-

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.ink_plans import (
     Place,
     draw_plan,
 )
-from graphic_tmm.chapters.kinematics.ink_positions import draw_positions_ink
+from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink, draw_positions_ink
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
     KINEMATICS,
@@ -19,8 +21,10 @@ from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned, in_cells, mu_text
-from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import result_table
 from graphic_tmm.readers.columns import UNITS
 from graphic_tmm.readers.equations import equations
@@ -129,3 +133,16 @@ def _table(plan: str, drawn: Drawn) -> list[Drawing]:
     if KINEMATICS.on(drawn).motion(plan) is None or drawn.of(plan) is None:
         return []
     return [result_table(plan, rows, drawn.names, drawn.scene.language)]
+
+
+def plan_at(
+    drawn: Drawn, plan: str, place: int, name: str, title: str, upon: Sequence[Stroke]
+) -> Drawing:
+    """Return a plan in one position, whose letters keep off what is drawn ``upon`` it."""
+    log, reading = drawn.construction, drawn.of(plan)
+    assert reading is not None
+    if plan == POSITIONS:
+        return draw_position_ink(log, reading, reaches(drawn), place, name, title, upon=upon)
+    at = [Place(drawn.row(plan).index(place))]
+    mu = drawn.scales[plan].value
+    return draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon)

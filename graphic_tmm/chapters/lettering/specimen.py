@@ -8,7 +8,11 @@ from collections.abc import Iterable
 
 from graphic_tmm.paper.drawing import Drawing, Label, line
 from graphic_tmm.paper.lettering.glyphs import characters
-from graphic_tmm.paper.lettering.letters import SIZES, escape, letter
+from graphic_tmm.paper.lettering.letters import (
+    SIZES,
+    escape,
+    letter,
+)
 from graphic_tmm.paper.lettering.notation import SLANT
 
 SHOWN = 10.0

@@ -25,7 +25,9 @@ from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, line
 from graphic_tmm.paper.layout import bounds
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 from graphic_tmm.paper.placing import Wanted, box, interrupt, leaders, place
 
 NAME = "planetary"

@@ -15,7 +15,9 @@ from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 from graphic_tmm.paper.ruled import PADDING, table
 
 SIZE = 3.5

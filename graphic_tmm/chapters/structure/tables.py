@@ -10,7 +10,9 @@ from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.letters import (
+    escape,
+)
 from graphic_tmm.paper.result_table import SIZE
 
 

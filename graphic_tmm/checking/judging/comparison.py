@@ -18,14 +18,14 @@ from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_o
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
-from graphic_tmm.studio import Made
+from graphic_tmm.drawn import DrawnScene
 
 
 @dataclass(frozen=True)
 class Comparison:
     """A scene drawn exactly, with the readings of a drawing; ``rows``: one kind of figure each."""
 
-    made: Made
+    made: DrawnScene
     rows: Sequence[Taken]
     by: Yardstick
 
@@ -47,21 +47,21 @@ class Comparison:
     @cached_property
     def steps(self) -> Mapping[tuple[str, str], Step]:
         """The steps that can be read, by plan and name."""
-        return steps_of(self.made.work)
+        return steps_of(self.made.mechanism)
 
     @cached_property
     def found(self) -> tuple[dict[Mark, Any], dict[Mark, Grain]]:
         """What was read of marks, and how far rounding alone may carry it; (1, position)."""
-        if self.made.work is None:
+        if self.made.mechanism is None:
             return {}, {}
-        return as_marks(self.made.work, self.steps, self.rows, self.due, self.by.reader)
+        return as_marks(self.made.mechanism, self.steps, self.rows, self.due, self.by.reader)
 
     @cached_property
     def run(self) -> Run:
         """The log run with what was read."""
-        if self.made.work is None:
+        if self.made.mechanism is None:
             return Run({}, {})
-        return run(self.made.work, *self.found)
+        return run(self.made.mechanism, *self.found)
 
     def step(self, taken: Taken) -> Step | None:
         """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
@@ -81,7 +81,7 @@ class Comparison:
 
     def place(self, taken: Taken) -> int:
         """Return the index of the position of a reading; -1 where it has none."""
-        names = self.made.work.project.names if self.made.work is not None else ()
+        names = self.made.mechanism.names if self.made.mechanism is not None else ()
         return names.index(taken.position) if taken.position in names else -1
 
     def scale(self, taken: Taken) -> float:
@@ -91,7 +91,11 @@ class Comparison:
             return float("nan")
         if cell.mm and cell.value:
             return abs(cell.value / cell.mm)
-        return scale_of(self.made.work, taken.plan) if self.made.work is not None else float("nan")
+        return (
+            scale_of(self.made.mechanism, taken.plan)
+            if self.made.mechanism is not None
+            else float("nan")
+        )
 
     def errors(self, taken: Taken) -> tuple[tuple[Step, float, float], ...]:
         """Return the errors of the steps that led to a reading: step, error, grain; none if they are not known.
@@ -156,9 +160,9 @@ class Comparison:
         if (length := self.beside(taken)) is not None:
             return (length,)
         step, place = self.step(taken), self.place(taken)
-        if step is None or self.made.work is None:
+        if step is None or self.made.mechanism is None:
             return ()
-        marks = read_of(self.made.work.project.construction, step, self.found[0])
+        marks = read_of(self.made.mechanism.construction, step, self.found[0])
         return tuple(self._by_mark[m, place] for m in marks if (m, place) in self._by_mark)
 
     def carried(self, taken: Taken, source: Taken) -> float:
@@ -179,11 +183,11 @@ class Comparison:
 
     def _with_right(self, mark: Mark) -> Run:
         """Return the log run with what was read, but for one mark, which is what is due."""
-        assert self.made.work is not None
-        due = exact(self.made.work, mark)
+        assert self.made.mechanism is not None
+        due = exact(self.made.mechanism, mark)
         due = np.where(np.isnan(self.found[0][mark]), np.nan, due)
         due = np.abs(due) if mark.kind is Length else due
-        return run(self.made.work, {**self.found[0], mark: due}, {})
+        return run(self.made.mechanism, {**self.found[0], mark: due}, {})
 
 
 def _at(row: Any, place: int) -> float:

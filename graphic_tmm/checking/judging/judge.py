@@ -23,7 +23,7 @@ from graphic_tmm.checking.judging.scatter import Scatter, times_off
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.readings.units import due_figure, half_of, taken_figure
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
-from graphic_tmm.studio import Made
+from graphic_tmm.drawn import DrawnScene
 
 LEAST = 1e-9
 """A deviation below this share of the plan is none."""
@@ -54,7 +54,7 @@ class _Own(NamedTuple):
     error: float
 
 
-def judge(made: Made, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged, ...]:
+def judge(made: DrawnScene, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged, ...]:
     """Return every reading with its verdict; a row with mm, a quantity and a place is as many readings.
 
     ``made``: drawn by the exact hand.
@@ -212,6 +212,6 @@ def _milder(one: str, other: str) -> bool:
 
 def _named(drawing: Comparison, step: Step | None) -> str:
     """Return a step as a report names it: its number in its plan, its letter; empty for none."""
-    if step is None or drawing.made.work is None:
+    if step is None or drawing.made.mechanism is None:
         return ""
-    return f"{step_number(drawing.made.work.project.construction, step)} {step.it.name}"
+    return f"{step_number(drawing.made.mechanism.construction, step)} {step.it.name}"

@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.instruments import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Line, Point, Reals, Side
 from graphic_tmm.board.values import given as as_value
-from graphic_tmm.work import Work
+from graphic_tmm.drawn import Drawn
 
 MET = (meet, cut, cross)
 """Operations that mark where two lines or arcs meet."""
@@ -57,7 +57,7 @@ class Run(NamedTuple):
     due: Mapping[Mark, Any]
 
 
-def run(work: Work, found: Found, grain: Mapping[Mark, Grain]) -> Run:
+def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
     """Run a log with what was read in the place of what it measured, calculated and marked.
 
     Parameters
@@ -69,7 +69,7 @@ def run(work: Work, found: Found, grain: Mapping[Mark, Grain]) -> Run:
     grain
         How far each figure that was read may be from what was meant, by rounding alone.
     """
-    log = work.project.construction
+    log = work.construction
     values: dict[int, Any] = {
         mark.slot: as_value(work.given[mark], mark.kind) for mark in log.given if mark in work.given
     }
@@ -141,19 +141,18 @@ def _grain(step: Step, value: Any, drawn: list[Any], grain: Mapping[Mark, Grain]
     return whole
 
 
-def exact(work: Work, mark: Mark) -> Any:
+def exact(work: Drawn, mark: Mark) -> Any:
     """Return the numbers of a mark as drawn, along all positions (1, position); NaN where it is not drawn."""
-    reading, places = work.reading, tuple(range(len(work.project.names)))
-    if mark.view == "accelerations" and work.accelerated is not None:
-        reading, places = work.accelerated, work.project.accelerated
+    reading = work.of(mark.view)
+    reading, places = (reading, work.row(mark.view)) if reading else (work.reading, work.all)
     value = reading[mark]
-    row = np.full((value.shape[0], len(work.project.names)), np.nan, value.dtype)
+    row = np.full((value.shape[0], len(work.names)), np.nan, value.dtype)
     row[:, list(places)] = value
     return row
 
 
 def _parts(
-    work: Work,
+    work: Drawn,
     lines: Mapping[Mark, Step],
     step: Step,
     found: Any,

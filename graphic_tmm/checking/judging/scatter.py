@@ -13,7 +13,8 @@ from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
-from graphic_tmm.studio import Made, drawings
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.studio import drawings
 
 NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
 """A figure an order of magnitude off is absurd where no drawing of the hand is off by four times."""
@@ -66,7 +67,7 @@ class Scatter(NamedTuple):
 
 
 def scatter(
-    made: Made, by: Reader, wanted: Mapping[Key, Iterable[bool]], limits: Limits
+    made: DrawnScene, by: Reader, wanted: Mapping[Key, Iterable[bool]], limits: Limits
 ) -> dict[tuple[Key, bool], Scatter]:
     """Return how what is read of the hand's drawings scatters, by figure and whether it is in mm."""
     due = cells(made)

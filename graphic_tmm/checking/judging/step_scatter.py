@@ -13,7 +13,7 @@ from graphic_tmm.board.values import Length, Point, Reals
 from graphic_tmm.checking.judging.own_errors import Found, Own, exact, run
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
-from graphic_tmm.work import Work
+from graphic_tmm.drawn import Drawn
 
 LEAST = 1e-9
 """Errors of a step are never taken for smaller than this, mm."""
@@ -90,7 +90,7 @@ def share_of_slip(seen: Sequence[tuple[StepScatter, Sequence[float]]]) -> float:
 
 
 def step_scatters(
-    work: Work, found: Found, by: Reader, limits: Limits
+    work: Drawn, found: Found, by: Reader, limits: Limits
 ) -> dict[tuple[Mark, int], StepScatter]:
     """Return how far off the hand's own steps are, by mark and position (its index), where they were read."""
     if not found:
@@ -139,7 +139,7 @@ def _at(values: Reals, place: int) -> Reals:
     return row[np.isfinite(row)]
 
 
-def _read(drawn: Work, mark: Mark, there: Any, by: Reader) -> Any:
+def _read(drawn: Drawn, mark: Mark, there: Any, by: Reader) -> Any:
     """Return what the hand would read of a mark, (trial, position); NaN where it was not read."""
     row = exact(drawn, mark)
     row = np.broadcast_to(row, (drawn.hand.trials, row.shape[1]))
@@ -147,7 +147,7 @@ def _read(drawn: Work, mark: Mark, there: Any, by: Reader) -> Any:
     if mark.kind is Point:
         row = by.pointed(row, key)
     elif mark.kind is Length:
-        log = drawn.project.construction
+        log = drawn.construction
         step = next(step for step in log.steps if step.it == mark)
         row = np.abs(row) if step.op.reads else by.measured(np.abs(row), key)
     return np.where(np.isnan(there), np.nan, row)

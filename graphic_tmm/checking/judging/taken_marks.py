@@ -9,47 +9,47 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
-from graphic_tmm.checking.cells import POINTED, Cell, Key
+from graphic_tmm.checking.cells import Cell, Key, pointed
 from graphic_tmm.checking.judging.own_errors import Grain, alone
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import Taken
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import segment_name
-from graphic_tmm.work import Work
 
 
-def steps_of(work: Work | None) -> dict[tuple[str, str], Step]:
+def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
     """Return the steps of a mechanism that can be read: its lengths, points and rates, by plan and name."""
     if work is None:
         return {}
-    log = work.project.construction
+    log = work.construction
     found: dict[tuple[str, str], Step] = {}
+    plans = pointed()
     steps = {step.it: step for step in alone(log)}
     for mark, step in steps.items():
-        if mark.view in POINTED and mark.kind is Length:
+        if mark.view in plans and mark.kind is Length:
             found.setdefault((mark.view, segment_name(mark.letter)), step)
-        if mark.view in POINTED and mark.kind is Point:
+        if mark.view in plans and mark.kind is Point:
             found.setdefault((mark.view, mark.letter), step)
-    for plan, sign in (("velocities", "omega"), ("accelerations", "epsilon")):
-        shared = getattr(work.project, plan)
-        for link, mark in (shared.rates if shared is not None else {}).items():
+    for chapter in work.project.chapters:
+        for key, mark in chapter.named_marks(work.project).items():
             if mark in steps and mark.kind is Number:
-                found[plan, f"{sign}{link}"] = steps[mark]
+                found[key] = steps[mark]
     return found
 
 
-def scale_of(work: Work, plan: str) -> float:
+def scale_of(work: Drawn, plan: str) -> float:
     """Return μ of a plan, SI per mm; NaN if it has none."""
-    view = work.project.construction.view(plan)
+    view = work.construction.view(plan)
     mark = None if view is None else view.scale
-    for reading in (work.reading, work.accelerated):
+    for reading in (work.reading, work.of(plan)):
         if mark is not None and reading is not None and mark in reading:
             return float(reading[mark][0, 0])
     return float("nan")
 
 
 def as_marks(
-    work: Work,
+    work: Drawn,
     steps: Mapping[tuple[str, str], Step],
     readings: Iterable[Taken],
     cells: Mapping[Key, Cell],
@@ -59,7 +59,7 @@ def as_marks(
 
     A length that was read in mm and as a quantity is taken in mm.
     """
-    names = work.project.names
+    names = work.names
     found: dict[Mark, Any] = {}
     grain: dict[Mark, Grain] = {}
     for taken in sorted(readings, key=lambda one: one.mm is not None):
@@ -79,7 +79,7 @@ def as_marks(
 
 
 def mark_figure(
-    work: Work, step: Step, taken: Taken, cell: Cell | None, by: Reader
+    work: Drawn, step: Step, taken: Taken, cell: Cell | None, by: Reader
 ) -> tuple[complex | float, float, float] | None:
     """Return a reading in the unit of its mark (mm; of a rate its own), and how far rounding may carry it.
 

@@ -13,7 +13,7 @@ from graphic_tmm.checking.judging.scatter import Limits, Scatter, scatter
 from graphic_tmm.checking.judging.step_scatter import StepScatter, step_scatters
 from graphic_tmm.checking.judging.taken_marks import as_marks, steps_of
 from graphic_tmm.checking.records import Taken
-from graphic_tmm.studio import Made
+from graphic_tmm.drawn import DrawnScene
 
 
 class Yardstick(NamedTuple):
@@ -26,7 +26,7 @@ class Yardstick(NamedTuple):
 
 
 def yardstick(
-    made: Made, readings: Sequence[Taken], hand: Hand, limits: Limits, points: str = "paper"
+    made: DrawnScene, readings: Sequence[Taken], hand: Hand, limits: Limits, points: str = "paper"
 ) -> Yardstick:
     """Return by what readings of these figures are judged.
 
@@ -49,7 +49,7 @@ def yardstick(
     for taken in rows:
         wanted.setdefault(taken.key, set()).add(taken.in_mm)
     own: dict[tuple[Mark, int], StepScatter] = {}
-    if made.work is not None:
-        found, _ = as_marks(made.work, steps_of(made.work), rows, cells(made), by)
-        own = step_scatters(made.work, found, by, limits)
+    if made.mechanism is not None:
+        found, _ = as_marks(made.mechanism, steps_of(made.mechanism), rows, cells(made), by)
+        own = step_scatters(made.mechanism, found, by, limits)
     return Yardstick(by, limits, scatter(made, by, wanted, limits), own)

@@ -16,31 +16,28 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Side
 from graphic_tmm.checking.cells import Cell, Key, cells_and_points, position_names
-from graphic_tmm.studio import Made
+from graphic_tmm.drawn import DrawnScene
 
 Figures = Mapping[Key, Cell]
 
 
 def altered(
-    made: Made, change: Callable[[Step], Step], given: Mapping[Mark, object]
+    made: DrawnScene, change: Callable[[Step], Step], given: Mapping[Mark, object]
 ) -> Figures | None:
     """Return the figures of a mechanism whose log has been changed step by step; None if nothing changes."""
-    if made.work is None:
+    if made.mechanism is None:
         return None
-    project = made.work.project
-    steps = tuple(change(step) for step in project.construction.steps)
-    if steps == project.construction.steps and not given:
+    drawn, log = made.mechanism, made.mechanism.construction
+    steps = tuple(change(step) for step in log.steps)
+    if steps == log.steps and not given:
         return None
-    log = project.construction._replace(steps=steps)
-    work = replace(
-        made.work,
-        project=replace(project, construction=log),
-        given={**made.work.given, **given},
-    )
-    return cells_and_points(made._replace(work=work.drawn_by(EXACT)))
+    project = replace(drawn.project, construction=log._replace(steps=steps))
+    other = replace(drawn, project=project, given={**drawn.given, **given})
+    rest = (one for one in made.boards if one is not drawn)
+    return cells_and_points(made._replace(boards=(other.drawn_by(EXACT), *rest)))
 
 
-def running(name: str, run: Callable[..., Any]) -> Callable[[Made], Iterator[Figures]]:
+def running(name: str, run: Callable[..., Any]) -> Callable[[DrawnScene], Iterator[Figures]]:
     """Return the mistake of calculating one operation by another formula: run(right result, *values)."""
 
     def change(step: Step) -> Step:
@@ -49,7 +46,7 @@ def running(name: str, run: Callable[..., Any]) -> Callable[[Made], Iterator[Fig
         right = step.op.run
         return step._replace(op=step.op._replace(run=lambda *v, **c: run(right(*v, **c), *v)))
 
-    def figures(made: Made) -> Iterator[Figures]:
+    def figures(made: DrawnScene) -> Iterator[Figures]:
         found = altered(made, change, {})
         if found is not None:
             yield found
@@ -57,7 +54,7 @@ def running(name: str, run: Callable[..., Any]) -> Callable[[Made], Iterator[Fig
     return figures
 
 
-def wrong_end(made: Made) -> Iterator[Figures]:
+def wrong_end(made: DrawnScene) -> Iterator[Figures]:
     """A normal component points from its centre."""
 
     def change(step: Step) -> Step:
@@ -70,11 +67,11 @@ def wrong_end(made: Made) -> Iterator[Figures]:
         yield found
 
 
-def wrong_link(made: Made) -> Iterator[Figures]:
+def wrong_link(made: DrawnScene) -> Iterator[Figures]:
     """Another link's length divides a normal component: of any that has one, or of the crank."""
-    if made.work is None:
+    if made.mechanism is None:
         return
-    steps = made.work.project.construction.steps
+    steps = made.mechanism.construction.steps
     rays = {step.it for step in steps if step.op.name == "ray"}
     cranks = [
         step.uses[1]
@@ -98,7 +95,7 @@ def wrong_link(made: Made) -> Iterator[Figures]:
                 yield found
 
 
-def not_reversed(made: Made) -> Iterator[Figures]:
+def not_reversed(made: DrawnScene) -> Iterator[Figures]:
     """Inertia forces point along the accelerations."""
 
     def change(step: Step) -> Step:
@@ -111,11 +108,11 @@ def not_reversed(made: Made) -> Iterator[Figures]:
         yield found
 
 
-def other_assembly(made: Made) -> Iterator[Figures]:
+def other_assembly(made: DrawnScene) -> Iterator[Figures]:
     """One dyad is assembled the other way."""
-    if made.work is None:
+    if made.mechanism is None:
         return
-    for mark, value in made.work.given.items():
+    for mark, value in made.mechanism.given.items():
         if mark.kind is Side:
             flipped = -np.asarray(value, dtype=np.float64)
             found = altered(made, lambda step: step, {mark: flipped})
@@ -123,19 +120,21 @@ def other_assembly(made: Made) -> Iterator[Figures]:
                 yield found
 
 
-def speed_by(factor: float) -> Callable[[Made], Iterator[Figures]]:
+def speed_by(factor: float) -> Callable[[DrawnScene], Iterator[Figures]]:
     """Return the mistake of a crank that many times as fast."""
 
-    def figures(made: Made) -> Iterator[Figures]:
-        if made.work is None or made.work.project.velocities is None:
+    def figures(made: DrawnScene) -> Iterator[Figures]:
+        if made.mechanism is None:
             return
-        speed = made.work.project.velocities.speed
-        rates = made.work.project.velocities.rates.values()
+        project = made.mechanism.project
+        speeds = {mark for one in project.chapters for mark in one.speeds(project)}
         given = {
-            mark: np.asarray(made.work.given[mark]) * factor
-            for mark in {speed, *rates}
-            if mark is not None and mark in made.work.given
+            mark: np.asarray(value) * factor
+            for mark, value in made.mechanism.given.items()
+            if mark in speeds
         }
+        if not given:
+            return
         found = altered(made, lambda step: step, given)
         if found is not None:
             yield found
@@ -143,10 +142,10 @@ def speed_by(factor: float) -> Callable[[Made], Iterator[Figures]]:
     return figures
 
 
-def cellwise(change: Callable[[Key, Cell], Cell]) -> Callable[[Made], Iterator[Figures]]:
+def cellwise(change: Callable[[Key, Cell], Cell]) -> Callable[[DrawnScene], Iterator[Figures]]:
     """Return the mistake of changing figures one by one."""
 
-    def figures(made: Made) -> Iterator[Figures]:
+    def figures(made: DrawnScene) -> Iterator[Figures]:
         yield {key: change(key, cell) for key, cell in cells_and_points(made).items()}
 
     return figures
@@ -161,18 +160,18 @@ def _by(factor: float, *, mm: bool = True) -> Callable[[Key, Cell], Cell]:
     return change
 
 
-def decimal(made: Made) -> Iterator[Figures]:
+def decimal(made: DrawnScene) -> Iterator[Figures]:
     """The decimal point stands one or two places off."""
     for factor in (10.0, 0.1, 100.0, 0.01):
         yield {key: _by(factor)(key, cell) for key, cell in cells_and_points(made).items()}
 
 
-def opposite(made: Made) -> Iterator[Figures]:
+def opposite(made: DrawnScene) -> Iterator[Figures]:
     """Figures and points on the other side; then the angular acceleration that was given."""
     yield {key: _opposite(cell) for key, cell in cells_and_points(made).items()}
-    if made.work is None:
+    if made.mechanism is None:
         return
-    given = made.work.given
+    given = made.mechanism.given
     turned = {mark: -np.asarray(given[mark]) for mark in given if mark.unit == "1/s²"}
     if turned:
         found = altered(made, lambda step: step, turned)
@@ -185,7 +184,7 @@ def _opposite(cell: Cell) -> Cell:
     return Cell(mm, value, cell.unit, spot)  # type: ignore[arg-type]
 
 
-def turned(made: Made) -> Iterator[Figures]:
+def turned(made: DrawnScene) -> Iterator[Figures]:
     """The plan of velocities is drawn a quarter to either side."""
     found = cells_and_points(made)
     for quarter in (1j, -1j):
@@ -212,11 +211,11 @@ def degrees(key: Key, cell: Cell) -> Cell:
     return cell._replace(value=cell.value * factor)
 
 
-def of_another_plan(made: Made) -> Iterator[Figures]:
+def of_another_plan(made: DrawnScene) -> Iterator[Figures]:
     """Each plan's mm times the scale factor of another."""
-    if made.work is None:
+    if made.mechanism is None:
         return
-    found, factors = cells_and_points(made), [s.value for s in made.work.scales.values()]
+    found, factors = cells_and_points(made), [s.value for s in made.mechanism.scales.values()]
     for mu in dict.fromkeys(factors):
         yield {
             key: cell if cell.mm is None else cell._replace(value=cell.mm * mu)
@@ -234,11 +233,11 @@ def further(shift: int) -> Callable[[int, int], int]:
     return lambda place, count: (place + shift) % count
 
 
-def half_way(made: Made) -> Iterator[Figures]:
+def half_way(made: DrawnScene) -> Iterator[Figures]:
     """The crank's angles are counted from half a turn further on."""
-    if made.work is None:
+    if made.mechanism is None:
         return
-    given = made.work.given
+    given = made.mechanism.given
     counted = [mark for mark in given if mark.kind is Angle and mark.letter == "Δφ"]
     found = altered(
         made, lambda step: step, {mark: np.asarray(given[mark]) + 180.0 for mark in counted}
@@ -247,12 +246,12 @@ def half_way(made: Made) -> Iterator[Figures]:
         yield found
 
 
-def numbered(to: Callable[[int, int], int]) -> Callable[[Made], Iterator[Figures]]:
+def numbered(to: Callable[[int, int], int]) -> Callable[[DrawnScene], Iterator[Figures]]:
     """Return the mistake of numbering the positions otherwise."""
 
-    def figures(made: Made) -> Iterator[Figures]:
+    def figures(made: DrawnScene) -> Iterator[Figures]:
         found, names = cells_and_points(made), position_names(made)
-        count = made.work.project.count if made.work is not None else len(names)
+        count = made.mechanism.project.count if made.mechanism is not None else len(names)
         order = list(range(count))
         moved = [to(k, count) for k in order]
         other = {names[k]: names[moved[k]] for k in order}
@@ -264,12 +263,12 @@ def numbered(to: Callable[[int, int], int]) -> Callable[[Made], Iterator[Figures
     return figures
 
 
-def at_the_end(made: Made) -> Iterator[Figures]:
+def at_the_end(made: DrawnScene) -> Iterator[Figures]:
     """A chord's value stands at an end of its interval instead of its middle."""
-    if made.work is None or made.work.project.kinematic is None:
+    if made.mechanism is None:
         return
-    views = {chart.view for chart in made.work.project.kinematic.charts.values()}
-    steps = made.work.project.construction.steps
+    views = {chart.view for chart in made.mechanism.project.charts}
+    steps = made.mechanism.construction.steps
     halved = {s.it: s.uses for s in steps if s.op.name == "halve" and s.it.view in views}
     for end in (1, 0):
 

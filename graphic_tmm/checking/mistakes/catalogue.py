@@ -33,7 +33,7 @@ from graphic_tmm.checking.mistakes.alterations import (
     wrong_end,
     wrong_link,
 )
-from graphic_tmm.studio import Made
+from graphic_tmm.drawn import DrawnScene
 
 EVERYWHERE, POSITION, READING = "everywhere", "position", "reading"
 
@@ -47,7 +47,7 @@ class Mistake(NamedTuple):
     name: str
     en: str
     ru: str
-    figures: Callable[[Made], Iterator[Figures]]
+    figures: Callable[[DrawnScene], Iterator[Figures]]
     reach: str = POSITION
 
 

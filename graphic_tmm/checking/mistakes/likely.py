@@ -22,7 +22,7 @@ from graphic_tmm.checking.mistakes.comparing import (
 )
 from graphic_tmm.checking.readings.units import due_figure
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Likely
-from graphic_tmm.studio import Made
+from graphic_tmm.drawn import DrawnScene
 
 SEGMENT = (
     "another segment",
@@ -46,7 +46,7 @@ MOST_LEFT = 0.25
 
 
 def likely(
-    made: Made,
+    made: DrawnScene,
     judged: Sequence[Judged],
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
@@ -88,7 +88,7 @@ def _same(one: Tried, other: Tried) -> bool:
 
 
 def _tried(
-    made: Made,
+    made: DrawnScene,
     judged: Sequence[Judged],
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
@@ -139,7 +139,7 @@ def _factor(
 
 
 def _other_segments(
-    made: Made,
+    made: DrawnScene,
     judged: Sequence[Judged],
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,

@@ -16,12 +16,14 @@ F = TypeVar("F", bound=Callable[..., Any])
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
     """Return the scene of a path or a name; ``lettered``: refuse letters that cannot be written on a sheet."""
     from graphic_tmm.scene.read import read
-    from graphic_tmm.studio import scene_path
+    from graphic_tmm.scenes import scene_path
 
     path = scene_path(name)
     if not lettered:
         return read(path)
-    from graphic_tmm.paper.lettering.letters import missing
+    from graphic_tmm.paper.lettering.letters import (
+        missing,
+    )
 
     return read(path, missing=missing)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from graphic_tmm.studio import Made
+    from graphic_tmm.drawn import DrawnScene
 
 
 def say(text: str) -> None:
@@ -18,14 +18,13 @@ def say(text: str) -> None:
     click.echo("\n".join(printable(line) for line in text.split("\n")), err=True)
 
 
-def warn(made: Made, *, sheets: bool = False) -> None:
+def warn(made: DrawnScene, *, sheets: bool = False) -> None:
     """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    from graphic_tmm.readers.warnings import warnings
     from graphic_tmm.scene.remarks import unplaced
-    from graphic_tmm.studio import part_warnings, warnings
 
     told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
-    told += list(warnings(made.work)) if made.work is not None else []
-    told += [text for part in made.parts for text in part_warnings(part)]
+    told += [text for drawn in made.boards for text in warnings(drawn)]
     for text in told:
         say(f"graphic-tmm: {made.scene.source}: warning: {text}")
 
@@ -34,7 +33,7 @@ def terminal_width() -> int:
     """Return how many characters a line of the terminal has, many if nothing is printed to one."""
     import shutil
 
-    from graphic_tmm.studio import WIDTH
+    from graphic_tmm.readers.table import WIDTH
 
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDTH
 

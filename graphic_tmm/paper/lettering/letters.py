@@ -9,13 +9,11 @@ tells it in full): ``v_A  v_{BA}  n_{BA}^{t}  \bar{v}  \u{..}  \uu{..}`` and ``\
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable
 from functools import cache, lru_cache
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.paper.lettering.glyphs import characters, glyph
 from graphic_tmm.paper.lettering.markup import (
     INDICES,
@@ -374,18 +372,3 @@ def _step(dx: float, dy: float, bulge: float) -> str:
     if abs(dx) < 5e-3:
         return f"v{_number(dy)}"
     return _pair("l", dx, dy)
-
-
-def markup(letter: str, number: str = "") -> str:
-    """Return a letter of the log as lettered on the sheet: figures become indices, d3d -> d_{3}d.
-
-    The number of a position follows in the last index: a_{3,5}.
-    """
-    if "_" in letter:
-        return letter
-    text = re.sub(r"([^\W\d])(\d+)", r"\1_{\2}", letter)
-    if not number:
-        return text
-    return f"{text[:-1]},{number}}}" if text.endswith("}") else f"{text}_{{{number}}}"
-
-

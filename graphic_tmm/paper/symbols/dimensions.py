@@ -7,7 +7,9 @@ import math
 from typing import NamedTuple
 
 from graphic_tmm.paper.drawing import Label, Stroke, line
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 ARROW = 3.0

@@ -18,7 +18,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     vectors,
 )
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.paper.lettering.letters import (
+from graphic_tmm.paper.lettering.indices import (
     markup,
 )
 from graphic_tmm.paper.placing import box

@@ -26,7 +26,9 @@ from graphic_tmm.chapters.planetary.tables import (
 from graphic_tmm.chapters.planetary.task import PlanetaryOrder
 from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.write.svg import svg
 
