@@ -86,7 +86,9 @@ def rubbing(mechanism: Mechanism, f: float) -> Friction:
     )
 
 
-def forced(drawn: Sampled, degrees: float, seed: int, f: float = 0.0) -> tuple[float, Solved] | None:
+def forced(
+    drawn: Sampled, degrees: float, seed: int, f: float = 0.0
+) -> tuple[float, Solved] | None:
     """Draw all forces of a position; return the largest error, as a share of the largest force.
 
     It is infinite where no forces are in equilibrium.

@@ -26,8 +26,8 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import Line, plain, protocol, spoken
 from graphic_tmm.paper.lettering.markup import plain as lettered
-from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.protocol import protocol as told
+from graphic_tmm.readers.protocol import steps_of
 from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.read import read
@@ -69,17 +69,12 @@ class Told(NamedTuple):
 @cache
 def scene(name: str, language: str) -> Told:
     found = made(name)
-    lines = (
-        list(told(found.mechanism, PLANS, None, language)) if found.mechanism is not None else []
-    )
-    return Told(found, (*lines, *part_protocol(found.parts, PLANS, language)))
+    return Told(found, tuple(steps_of(found, PLANS, None, language)))
 
 
 def logs(made: DrawnScene) -> Iterator[tuple[Construction, Reading]]:
-    if made.mechanism is not None:
-        yield made.mechanism.project.construction, made.mechanism.reading
-    for part in made.parts:
-        yield part.construction, part.reading
+    for board in made.boards:
+        yield board.construction, board.reading
 
 
 def names(log: Construction, language: str) -> set[str]:

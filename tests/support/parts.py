@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.studio import make
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 from support.boards import parts
 from support.scenes import written
 

@@ -7,13 +7,14 @@ import io
 
 import pytest
 from support import gallery
+from support.boards import parts
 from support.gallery import NAMES
 
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import result_columns, template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.table import columns_of, table
+from graphic_tmm.readers.table import columns_of, results_of, table
 
 COLUMNS = (
     Column("velocities", "pb", "pb", "m/s", (0.0, 1.0, None), (0.0, 0.25, None)),
@@ -82,7 +83,7 @@ def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
     made = gallery.made(name)
     work = made.mechanism
     columns = columns_of(work) if work is not None else []
-    results = {k: v for part in made.parts for k, v in part.results().items()}
+    results = {k: v for part in parts(made) for k, v in results_of(part).items()}
     columns = [*columns, *result_columns(results)]
     names = work.project.names if work is not None else ()
     due = {
