@@ -120,7 +120,8 @@ def test_no_letter_stands_on_another(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
-    (_, made, _), papers = paper(name)
+    whole, papers = paper(name)
+    made = whole.mechanism
     plans = {view.name: view for sheet in papers for view in sheet.drawings}
     placed = {plan for order in made.scene.sheets for plan in order.place}
     due = {"positions"} if "positions" in placed else set()
@@ -138,7 +139,8 @@ def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
-    (_, made, _), papers = paper(name)
+    whole, papers = paper(name)
+    made = whole.mechanism
     due = [order.format for order in made.scene.sheets]
     due += ["A4"] * (name == "slider-diagrams")  # three diagrams take two sheets
     assert [sheet.format for sheet in papers] == due

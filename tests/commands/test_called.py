@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from support.boards import parts
 from support.command import invoke, printed, rows, warned
 from support.gallery import FOLDERS
 from support.scenes import MECHANISM, SECTIONS, calling
@@ -148,9 +149,9 @@ def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
     made = make(scene, wanted=scene.shown)
     assert made.mechanism is not None
     assert FORCES.of(made.mechanism) is None
-    assert made.parts == ()
+    assert parts(made) == ()
     assert FORCES.of(make(scene).mechanism) is not None  # type: ignore[union-attr]
-    assert [part.kind for part in make(scene).parts] == ["gears"]
+    assert [part.board for part in parts(make(scene))] == ["gears"]
 
 
 def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None:
@@ -158,9 +159,9 @@ def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None
     scene = read(calling(tmp_path, "forces", "load", "effects", sheet=sheet))
     drawn, tabled = make(scene, wanted=scene.shown), make(scene)
     assert drawn.mechanism is not None
-    assert tabled.work is not None
+    assert tabled.mechanism is not None
     for plan in ("positions", "velocities"):
-        assert drawn.mechanism.scales[plan] == tabled.work.scales[plan]
+        assert drawn.mechanism.scales[plan] == tabled.mechanism.scales[plan]
 
 
 def test_positions_named_for_accelerations_reach_the_table(tmp_path: Path) -> None:

@@ -8,14 +8,17 @@ import numpy as np
 import shapely
 from shapely import affinity
 
-from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
-from graphic_tmm.chapters.gears.plan import Gear, draw_gear, gear_scales
+from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
 from graphic_tmm.chapters.gears.task import GearOrder
 from graphic_tmm.chapters.gears.teeth import Flank
+from graphic_tmm.fitting.scales import Fitting
+from graphic_tmm.project import record
+from graphic_tmm.scene.records import Scene
 
 FINE = 32
 """Chords to an arc of a curve, at most 1/8 mm long on the gears of the tests."""
@@ -51,11 +54,11 @@ class Pair(NamedTuple):
 
 
 def pair(order: GearOrder, **options: Any) -> Pair:
-    draft = Draft()
-    gear = draw_gear(draft, order)
-    given = {**draft.given, **gear_scales(draft, gear)}
-    log = draft.board.construction()
-    return Pair(gear, log, given, execute(log, given, **options))
+    project = record(Scene("", "T", "en", gears=order), GEARS.chapter)
+    fitting = Fitting(project, {}, Doubts((), {}), {}, dict(project.given))
+    given = {**project.given, **gear_scales(fitting)}
+    log = project.construction
+    return Pair(GEARS.on(project), log, given, execute(log, given, **options))
 
 
 def dense(curve: Curve, trial: int = 0) -> np.ndarray:

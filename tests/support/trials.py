@@ -29,6 +29,7 @@ from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.studio import drawings
+from support.boards import parts
 from support.gallery import exact
 
 FRESH = 1 << 20
@@ -235,9 +236,9 @@ def blamed(name: str, trials: int, seed: int = FRESH) -> Blamed:
 
 
 def _rays(scene: DrawnScene) -> Iterator[Step]:
-    if scene.work is None:
+    if scene.mechanism is None:
         return
-    for step in scene.work.project.construction.steps:
+    for step in scene.mechanism.project.construction.steps:
         if step.it.view in ("velocities", "accelerations") and step.op.name in (
             "parallel",
             "square",
@@ -247,8 +248,8 @@ def _rays(scene: DrawnScene) -> Iterator[Step]:
 
 def _turned(scene: DrawnScene, step: Step) -> DrawnScene:
     """Return the scene whose log turns one ray by the slip."""
-    assert scene.work is not None
-    project, right = scene.work.project, step.op.run
+    assert scene.mechanism is not None
+    project, right = scene.mechanism.project, step.op.run
 
     def run(*values: Any, **choice: Any) -> Line:
         line = right(*values, **choice)
@@ -257,7 +258,8 @@ def _turned(scene: DrawnScene, step: Step) -> DrawnScene:
     wrong = step._replace(op=step.op._replace(run=run))
     log = project.construction
     log = log._replace(steps=tuple(wrong if one is step else one for one in log.steps))
-    return scene._replace(work=replace(scene.work, project=replace(project, construction=log)))
+    board = replace(scene.mechanism, project=replace(project, construction=log))
+    return scene._replace(boards=(board, *parts(scene)))
 
 
 def _long(drawn: DrawnScene, step: Step) -> Iterable[str]:

@@ -30,7 +30,7 @@ def drawn() -> Drawn:
 
 
 def column(made: Drawn, segment: str) -> np.ndarray:
-    found = next(c for c in engine_columns(made.project, made.reading) if c.segment == segment)
+    found = next(c for c in engine_columns(made) if c.segment == segment)
     return np.array([math.nan if x is None else x for x in found.value])
 
 
@@ -136,7 +136,7 @@ def test_newtons_are_the_kgf_times_g() -> None:
 
 def test_the_exact_split_of_the_rod_is_the_lever_rule() -> None:
     made = drawn_of(with_engine(share=None, mass=None), exact=True)
-    found = engine_results(made.project, made.reading)
+    found = engine_results(made)
     assert found["m_rod_at_slider"][0] == pytest.approx(17.1 * 0.25)
     assert found["m_to_and_fro"][0] == pytest.approx(17.1 + 17.1 * 0.25)
     length = R / LAMBDA
