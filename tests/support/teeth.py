@@ -10,14 +10,17 @@ from shapely import affinity
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
 from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
+from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearOrder
 from graphic_tmm.chapters.gears.teeth import Flank
+from graphic_tmm.drawn import Drawn, Numbers
 from graphic_tmm.fitting.scales import Fitting
-from graphic_tmm.project import record
+from graphic_tmm.project import Project, record
 from graphic_tmm.scene.records import Scene
 
 FINE = 32
@@ -27,10 +30,32 @@ FINE = 32
 class Pair(NamedTuple):
     """A gear pair drawn and executed."""
 
-    gear: Gear
-    log: Construction
+    project: Project
     given: dict[Mark, Any]
     reading: Reading
+
+    @property
+    def gear(self) -> Gear:
+        return GEARS.on(self.project)
+
+    @property
+    def log(self) -> Construction:
+        return self.project.construction
+
+    def results(self) -> dict[str, tuple[float, str]]:
+        """The results as a table tells them."""
+        by = Drawn(
+            self.project,
+            self.given,
+            {},
+            Numbers(self.reading, {}),
+            EXACT,
+            Doubts((), {}),
+            (),
+            {},
+            {},
+        )
+        return gear_results(by)
 
     def one(self, mark: Mark) -> complex:
         return complex(self.reading[mark][0, 0])
@@ -57,8 +82,7 @@ def pair(order: GearOrder, **options: Any) -> Pair:
     project = record(Scene("", "T", "en", gears=order), GEARS.chapter)
     fitting = Fitting(project, {}, Doubts((), {}), {}, dict(project.given))
     given = {**project.given, **gear_scales(fitting)}
-    log = project.construction
-    return Pair(GEARS.on(project), log, given, execute(log, given, **options))
+    return Pair(project, given, execute(project.construction, given, **options))
 
 
 def dense(curve: Curve, trial: int = 0) -> np.ndarray:

@@ -13,7 +13,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.read import read
@@ -83,7 +83,7 @@ def test_a_velocity_diagram_that_starts_from_the_plan_does_not_differ_from_it() 
 
 
 def test_scales_are_told_and_turn_mm_into_values() -> None:
-    document = json.loads(table(drawn(), "json"))
+    document = json.loads(table(DrawnScene(drawn().scene, (drawn(),)), "json"))
     scales = document["scales"]
     assert {"mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base"} <= set(scales)
     for column in document["columns"]:

@@ -20,6 +20,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     draw_positions_ink,
 )
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.placing import box, shape
@@ -27,11 +28,7 @@ from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
 
 
 def crank(name: str) -> tuple[Mark, Mark]:
-    project = drawn(name, exact=True).project
-    marks = KINEMATICS.on(project).positions.bodies[KINEMATICS.on(project).structure.driver].marks
-    return marks[KINEMATICS.on(project).structure.pivot], marks[
-        KINEMATICS.on(project).structure.pin
-    ]
+    return KINEMATICS.on(drawn(name, exact=True)).crank
 
 
 @cache
@@ -42,7 +39,7 @@ def plan(
     return draw_positions_ink(
         work.project.construction,
         work.reading,
-        work.reaches,
+        reaches(work),
         main=main,
         names=work.project.names,
         skipped=skipped,
