@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.cost import REFINEMENT
+from graphic_tmm.board import roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Length, Point
@@ -61,10 +62,10 @@ def pinned(made: DrawnScene) -> dict[tuple[str, str, str], object]:
     for board, log, given in _boards(made):
         for mark in log.given:
             if mark in given and mark.unit.endswith(PER_MM):
-                found[board, mark.view, mark.letter] = given[mark]
+                found[board, *mark.key] = given[mark]
     if made.mechanism is not None and made.mechanism.project.forces is not None:
         times = made.mechanism.project.forces.lever.times
-        found[MECHANISM, times.view, times.letter] = made.mechanism.given[times]
+        found[MECHANISM, *times.key] = made.mechanism.given[times]
     return found
 
 
@@ -145,7 +146,7 @@ def _farther(project: Project, given: Mapping[Mark, object], times: float) -> di
     return found | {
         mark: np.asarray(value) * times
         for mark, value in given.items()
-        if mark.letter in ("H", "H_S", "H_V", "H_a") and mark.kind is Length
+        if mark.role == roles.POLE_DISTANCE
     }
 
 
@@ -153,12 +154,12 @@ def _pin(
     board: str, given: dict[Mark, object], log: Construction, scales: Pinned
 ) -> dict[Mark, object]:
     """Enter the pinned scales; polygons of earlier passes of friction take the scale of the last."""
+    last = {view.name: view.last for view in log.views}
     for mark in log.given:
-        view = mark.view
-        if (board, view, mark.letter) not in scales and view.startswith("forces "):
-            view = " ".join(view.split(" ")[:2])
-        if (board, view, mark.letter) in scales:
-            given[mark] = scales[board, view, mark.letter]
+        view, letter = mark.key
+        for key in ((board, last.get(view, view), letter), (board, view, letter)):
+            if key in scales:
+                given[mark] = scales[key]
     return given
 
 

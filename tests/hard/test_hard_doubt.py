@@ -10,15 +10,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import mpmath as mp  # type: ignore[import-untyped]
-import numpy as np
 import pytest
-from support import dynamics, oracle
-from support.drawn import board
+from support import dynamics
 from support.hard_judge import DIGITS, Verdict, exact_of, judge
 from support.loaded import Solved, errors, order_of, places, solve, weighed
+from support.locks import locks, solved_at
 from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
 
@@ -29,44 +27,6 @@ from graphic_tmm.mechanism.structure import dissect
 
 OFFS = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 """How far from locking, rad."""
-
-
-def locks(mechanism: Mechanism, start: float) -> float | None:
-    """Return up to which crank angle (degrees) a mechanism assembles from ``start`` on; None if it turns."""
-    sheet = board(mechanism)
-
-    def there(angles: list[float]) -> Any:
-        found = sheet.read([angles])["r"].values()
-        return np.logical_and.reduce(
-            [np.isfinite(np.broadcast_to(v, (len(angles),))) for v in found]
-        )
-
-    rows = [start + k for k in range(360)]
-    bad = np.flatnonzero(~there(rows))
-    if not bad.size:
-        return None
-    low, high = rows[bad[0] - 1], rows[bad[0]]
-    for _ in range(44):
-        middle = (low + high) / 2
-        low, high = (middle, high) if there([middle])[0] else (low, middle)
-    return low
-
-
-def solved_at(mechanism: Mechanism, degrees: float) -> tuple[dict[int, Any], Any] | None:
-    """Return poses (floats) and rates in digits, near to where the board stands; None where it does not."""
-    read = board(mechanism).read([[degrees]])["r"]
-    at = {letter: complex(z[0]) for (letter, _), z in read.items()}
-    if not np.isfinite(list(at.values())).all():
-        return None
-    start = oracle.poses_from_points(mechanism, degrees, at)
-
-    def phi() -> Any:
-        return mp.mpf(degrees) * mp.pi / 180
-
-    try:
-        return dict(start), oracle.solve_digits(mechanism, phi, start, dps=DIGITS)
-    except oracle.OracleError:
-        return None
 
 
 def moved(mechanism: Mechanism, degrees: float) -> Verdict | None:

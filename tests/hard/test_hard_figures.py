@@ -14,8 +14,8 @@ import pytest
 from support.command import invoke
 from support.figures_judge import Told, dead_centre, drawn_at, figures, rows
 from support.gallery import CASES
+from support.hard_mechanisms import weighed
 from support.mechanisms import sample
-from test_hard_forces import weighed
 
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.drawn import Drawn

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from rich.console import Console
+from support import gallery
 from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
 from support.scenes import edited
@@ -40,7 +41,7 @@ COLUMN = Column("velocities", "pb", "pb", "m/s", (1.0, -0.0, None), (0.25, -0.0,
 
 @cache
 def printed_of(name: str) -> dict[str, Any]:
-    text = table(drawn(name), "json")
+    text = table(gallery.made(name), "json")
     assert isinstance(text, str)
     return json.loads(text)
 
@@ -139,12 +140,12 @@ def test_every_turning_link_has_its_rates_with_their_sign() -> None:
 
 @pytest.mark.slow
 def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
-    exact = table(drawn("windrower", exact=True), "json")
-    assert isinstance(exact, str)
-    rows = [one for one in json.loads(exact)["columns"] if one["plan"] == "velocities"]
+    text = table(gallery.exact("windrower"), "json")
+    assert isinstance(text, str)
+    rows = [one for one in json.loads(text)["columns"] if one["plan"] == "velocities"]
     found = {one["segment"]: one["mm"] for one in rows}
     assert found["pd"][0] == found["pd"][-1] == 0
-    assert not re.search(r"-0\.0\b", exact)
+    assert not re.search(r"-0\.0\b", text)
     every = [abs(mm) for one in rows for mm in one["mm"] if mm]
     assert min(every) > 1e-12 * max(every)
 
@@ -179,8 +180,8 @@ def test_twelve_digits_are_kept() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_csv_holds_what_json_holds(name: str) -> None:
-    exact = drawn(name, exact=True)
-    text, whole = table(exact, "csv"), table(exact, "json")
+    drawing = gallery.exact(name)
+    text, whole = table(drawing, "csv"), table(drawing, "json")
     assert isinstance(text, str)
     assert isinstance(whole, str)
     rows = list(csv.DictReader(io.StringIO(text)))
@@ -238,7 +239,7 @@ def test_a_table_for_people_shows_only_positions_that_have_a_plan() -> None:
 
 
 def test_text_and_figures_of_a_scene_agree() -> None:
-    parts = table(drawn("engine"), "text")
+    parts = table(gallery.made("engine"), "text")
     assert isinstance(parts, list)
     text = printed(*parts)
     due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").mm

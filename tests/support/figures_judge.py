@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-from test_hard_doubt import locks, solved_at
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.chapters.forces.plan import FORCES
@@ -29,6 +28,7 @@ from support.boards import drawn_of
 from support.dynamics import Loaded
 from support.hard_judge import DIGITS, exact_of
 from support.loaded import order_of, places, weighed
+from support.locks import locks, solved_at
 from support.mechanisms import Sampled
 
 SHOWN = ("positions", "velocities", "accelerations", "forces", "lever", "force table")

@@ -27,6 +27,9 @@ from support.dynamics import Loaded, Statics, put_loads
 from support.mechanisms import Sampled
 from support.oracle import State, solve_fast
 
+RATIO = 1e-9
+"""How far forces may be off, of the largest."""
+
 
 class Solved(NamedTuple):
     """The forces of one position: their log, marks, numbers with all scales 1, and the judge's."""

@@ -142,18 +142,17 @@ def _refuse_triangle(order: CamOrder) -> None:
 
 def _roller(draft: Draft, order: CamOrder, centre: Centre, curvature: TurnDiagram) -> RollerSize:
     """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
-    board = draft.board
-    board.open(PROFILE)
+    draft.open(PROFILE)
     shares = (order.share_of_r0, order.share_of_curvature)
     limits = []
     for name, share, whole in zip(
         "rρ", shares, (centre.r0, curvature.extremes[0].value), strict=True
     ):
         k = draft.take(Number, f"k_{name}", share)
-        limits.append(board.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
+        limits.append(draft.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
     if order.roller is not None:
         chosen = draft.take(Number, "r", order.roller, "m")
     else:
-        lesser = board.draw(f.lesser_radius, "[r]", *limits, unit="m")
-        chosen = board.draw(f.whole_mm_below, "r", lesser, unit="m")
+        lesser = draft.draw(f.lesser_radius, "[r]", *limits, unit="m")
+        chosen = draft.draw(f.whole_mm_below, "r", lesser, unit="m")
     return RollerSize(limits[0], limits[1], chosen)

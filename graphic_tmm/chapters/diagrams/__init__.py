@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
@@ -55,7 +56,7 @@ CHAPTER = Chapter(
     record=record,
     charts=lambda made: made.charts.values(),
     scales=lambda fitting: fitting.shorter(
-        "graphs", [("diagrams.base", view, "L") for view in (VIEWS["S"], VIEWS["V"])]
+        "graphs", [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
     named=_named,
     size_keys=tuple(

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, Scaled, ScaleOrder, derived_scale, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Boundaries
@@ -121,9 +121,8 @@ def _base(
     draft: Draft, velocities: Motion, order: KinematicOrder, numbers: np.ndarray, count: int
 ) -> Base:
     """Take the base, its scale over time or angle."""
-    board = draft.board
     first = "V" if order.start == "velocity" else "S"
-    board.open(VIEWS[first])
+    draft.open(VIEWS[first])
     omega = velocities.speed
     assert omega is not None
     over_time = order.over == "time"
@@ -131,29 +130,27 @@ def _base(
     if order.mu_along is not None:
         mu = draft.take(Number, letter, order.mu_along, unit)
         length = (
-            board.draw(mm_of_time, "L", omega, mu) if over_time else board.draw(mm_of_turn, "L", mu)
+            draft.draw(mm_of_time, "L", omega, mu) if over_time else draft.draw(mm_of_turn, "L", mu)
         )
     else:
-        length = draft.take(Length, "L", order.base or BASE, "mm")
+        length = draft.take(Length, "L", order.base or BASE, "mm", roles.BASE)
         if over_time:
-            mu = board.draw(time_per_mm, letter, omega, length, unit=unit)
+            mu = draft.draw(time_per_mm, letter, omega, length, unit=unit)
         else:
-            mu = board.draw(turn_per_mm, letter, length, unit=unit)
+            mu = draft.draw(turn_per_mm, letter, length, unit=unit)
     return graphs.lay_base(draft, length, mu, count, numbers[None, :])
 
 
 def _from_displacement(
     draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicOrder
 ) -> dict[str, Chart]:
-    board = draft.board
     point = positions.point(order.point)
-    board.open(POSITIONS)
-    start = board.draw(at_zero, board.free(f"{order.point}_0"), point)
-    travel = board.draw(measure_along, f"s_{order.point}", start, point, leg.line)
-    board.open(VIEWS["S"])
-    mu = board.take(Number, "μ_S", "m/mm")
-    assert draft.mu_l is not None
-    length = board.draw(rescaled, "y_S", travel, draft.mu_l, mu)
+    draft.open(POSITIONS)
+    start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
+    travel = draft.draw(measure_along, f"s_{order.point}", start, point, leg.line)
+    draft.open(VIEWS["S"])
+    mu = draft.scale("μ_S", "m/mm")
+    length = draft.draw(rescaled, "y_S", travel, mu)
     axes = graphs.draw_axes(draft, VIEWS["S"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "s")
     charts = {"S": _chart(draft, "S", axes, at, True, order.S)}
@@ -167,10 +164,9 @@ def _from_displacement(
 def _from_velocity(
     draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicOrder
 ) -> dict[str, Chart]:
-    board = draft.board
-    board.open(VIEWS["V"])
-    mu = board.take(Number, "μ_V", "(m/s)/mm")
-    length = board.draw(rescaled, "y_V", velocities.readings[leg.link], velocities.mu, mu)
+    draft.open(VIEWS["V"])
+    mu = draft.scale("μ_V", "(m/s)/mm")
+    length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
     axes = graphs.draw_axes(draft, VIEWS["V"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "v")
     charts = {"V": _chart(draft, "V", axes, at, True, order.V)}
@@ -184,7 +180,7 @@ def _derivative(
     draft: Draft, symbol: str, source: Axes, at: Boundaries, curve: Mark, order: KinematicOrder
 ) -> tuple[Chart, tuple[Axes, Boundaries], Mark]:
     """Differentiate once; return the chart, its axes with its points, its curve."""
-    draft.board.open(VIEWS[symbol])
+    draft.open(VIEWS[symbol])
     drawn: ScaleOrder = getattr(order, symbol)
     unit = f"({UNITS[symbol]})/mm"
     scaled = derived_scale(draft, symbol, unit, source.mu, source.base.mu, drawn)
@@ -203,7 +199,7 @@ def _derivative(
 
 def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) -> Chart:
     """Integrate the velocities once; the pole stands left of their origin."""
-    draft.board.open(VIEWS["S"])
+    draft.open(VIEWS["S"])
     scaled: Scaled = integrated_scale(draft, "S", "m/mm", source.mu, source.base.mu, order.S)
     axes = graphs.draw_axes(draft, VIEWS["S"], source.base, scaled.mu)
     pole = graphs.set_pole(draft, source, scaled.distance)
@@ -211,13 +207,13 @@ def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) ->
     found = graphs.through(draft, axes, points, closed=False)
     at = graphs.on_curve(draft, axes, found, "s")
     chart = _chart(draft, "S", axes, at, scaled.chosen, order.S)
-    end = draft.board.draw(measure_along, "S_N", axes.end, points.end, axes.up)
+    end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up)
     return chart._replace(end=end)
 
 
 def _chart(
     draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, drawn: ScaleOrder
 ) -> Chart:
-    draft.board.open(axes.view)
+    draft.open(axes.view)
     ordinate = graphs.read(draft, axes, at.points, symbol)
     return Chart(axes.view, symbol, UNITS[symbol], axes.mu, (ordinate,), chosen, drawn.mu, ROOM)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
@@ -76,7 +77,11 @@ CHAPTER = Chapter(
     record=record,
     charts=lambda made: made.charts,
     scales=lambda fitting: fitting.shorter(
-        "graphs", [("flywheel.base", VIEWS["moment"], "L"), ("flywheel.H", VIEWS["work"], "H")]
+        "graphs",
+        [
+            ("flywheel.base", VIEWS["moment"], roles.BASE),
+            ("flywheel.H", VIEWS["work"], roles.POLE_DISTANCE),
+        ],
     ),
     size_keys=tuple(f"flywheel.{key}" for key in ("base", "H", "mu_M")),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),

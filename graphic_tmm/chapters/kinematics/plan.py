@@ -123,7 +123,6 @@ def record(bench: Bench) -> KinematicPlans:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
             draft.given[positions.sides[group.name]] = _sides(side, angles, mechanism.drive)
-    assert draft.mu_l is not None
     return KinematicPlans(
         mechanism,
         structure,
@@ -200,5 +199,4 @@ def _draw_trajectories(
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
             raise StructureError(f"trajectories: there is no point {letter} on the plan")
-        name = draft.board.free(f"({letter}–{letter})")
-        draft.board.draw(french_curve, name, positions.point(letter), row=count)
+        draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)

@@ -80,12 +80,12 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
     _refuse_strange_sides(mechanism, structure)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
-    phi = draft.board.take(Angle, "φ", "°")
+    phi = draft.ask(Angle, "φ", "°")
     positions = draw_positions(draft, mechanism, structure, frame, phi)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     pole = velocities.images.pole
-    x = draft.board.draw(ray, "(px)", pole, draft.direction(0.0))
-    y = draft.board.draw(ray, "(py)", pole, draft.direction(90.0))
+    x = draft.draw(ray, "(px)", pole, draft.direction(0.0))
+    y = draft.draw(ray, "(py)", pole, draft.direction(90.0))
     axes = {}
     for number, body in positions.bodies.items():
         for letter in body.link.points:
@@ -93,9 +93,8 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
             if image == pole or (letter, "x") in axes:
                 continue
             for name, axis in (("x", x), ("y", y)):
-                free = draft.board.free(f"{image.letter}{name}")
-                axes[letter, name] = draft.board.draw(measure_along, free, pole, image, axis)
-    assert draft.mu_l is not None
+                along = f"{image.letter}{name}"
+                axes[letter, name] = draft.draw(measure_along, along, pole, image, axis)
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     return Survey(
         mechanism, structure, draft.board.construction(), given, positions, velocities, axes

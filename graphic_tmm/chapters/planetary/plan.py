@@ -75,13 +75,11 @@ def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Pl
         If the order is not sound, no train fulfils it, or the one given breaks a condition.
     """
     train = choose(order)
-    board = draft.board
-    board.open(VIEW)
-    mu = board.take(Number, "μ_l", "m/mm")
-    draft.mu_l = mu
-    board.lay_out(None, mu)
+    draft.open(VIEW)
+    mu = draft.mu_l = draft.scale("μ_l", "m/mm")
+    draft.lay_out()
     sizes = calculate_train(draft, order, train)
-    end = draw_end_view(draft, train, sizes, mu)
+    end = draw_end_view(draft, train, sizes)
     axial = draw_axial_view(draft, train, end)
     picture = draw_picture(draft, order, end, sizes)
     rates = draw_rates(draft, order, train, end, sizes, picture)
@@ -104,9 +102,9 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
     StructureError
         If a tooth number is none.
     """
-    board, letters = draft.board, []
-    board.open(VIEW)
+    letters = []
+    draft.open(VIEW)
     for letter, z in (("z_a", driving), ("z_b", driven)):
         PLANETARY["behind"].refuse("planetary", "behind", z)
         letters.append(draft.take(Number, letter, float(z)))
-    return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])
+    return draft.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

@@ -143,7 +143,7 @@ def _read(drawn: Drawn, mark: Mark, there: Any, by: Reader) -> Any:
     """Return what the hand would read of a mark, (trial, position); NaN where it was not read."""
     row = exact(drawn, mark)
     row = np.broadcast_to(row, (drawn.hand.trials, row.shape[1]))
-    key = f"{mark.view}|{mark.letter}"
+    key = "|".join(mark.key)
     if mark.kind is Point:
         row = by.pointed(row, key)
     elif mark.kind is Length:

@@ -12,10 +12,9 @@ import pytest
 from support.boards import drawn_of
 from support.dynamics import Loaded
 from support.gallery import SHEETS
-from support.loaded import errors, order_of, solve, weighed
+from support.loaded import RATIO, errors, order_of, solve, weighed
 from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
-from test_forces_oracle import RATIO
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.forces.plan import FORCES

@@ -5,10 +5,8 @@ from __future__ import annotations
 import random
 
 import pytest
-from support.loaded import errors, order_of, solve, weighed
+from support.loaded import RATIO, errors, order_of, solve, weighed
 from support.mechanisms import KINDS, Sampled, sample
-
-RATIO = 1e-9
 
 
 def check(drawn: Sampled, seed: int) -> None:
