@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from graphic_tmm.board.dimensions import fault, unit_of
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import KINDS, Kind, Point
 from graphic_tmm.errors import ConstructionError
@@ -155,7 +156,8 @@ class Board:
         ------
         ConstructionError
             If the kinds of the marks are not those the operation takes, a choice is not one of its
-            choices, or a point of that letter stands in this view already and is not to be ``free``.
+            choices, the unit is not what the formula makes of theirs, or a point of that letter stands in
+            this view already and is not to be ``free``.
         """
         kinds = tuple(mark.kind for mark in uses)
         if kinds != op.takes:
@@ -165,6 +167,10 @@ class Board:
             )
         if unknown := set(choice) - set(op.choices):
             raise ConstructionError(f"{self._place(op, letter)} has no choice {sorted(unknown)}")
+        if op.formula:
+            units = tuple(unit_of(mark.kind, mark.unit) for mark in uses)
+            if says := fault(op.name, units, unit_of(op.leaves, unit)):
+                raise ConstructionError(f"{self._place(op, letter)} {says}")
         mark = self._mark(letter, op.leaves, unit, role, free or op.leaves is not Point)
         self._steps.append(Step(op, mark, uses, choice, self._note))
         self._note = ""

@@ -39,8 +39,8 @@ class Sheet:
         self.board.open("plan")
         self.given: dict[Mark, Any] = {}
 
-    def take(self, kind: Any, letter: str, value: Any) -> Mark:
-        mark = self.board.take(kind, letter)
+    def take(self, kind: Any, letter: str, value: Any, unit: str = "") -> Mark:
+        mark = self.board.take(kind, letter, unit)
         self.given[mark] = value
         return mark
 
@@ -84,8 +84,8 @@ def test_five_slips_are_as_large_as_the_hand_says() -> None:
     sheet = Sheet()
     a = sheet.take(Point, "A", 0j)
     direction, length = sheet.take(Angle, "α", math.degrees(0.7)), sheet.take(Length, "l", 80.0)
-    real = sheet.take(Number, "l_real", 80.0)
-    mu = sheet.take(Number, "μ", 3.0)
+    real = sheet.take(Number, "l_real", 80.0, "m")
+    mu = sheet.take(Number, "μ", 3.0, "m/mm")
     drawn = sheet.draw("(a)", ray, a, direction)
     b = sheet.draw("B", lay_off, drawn, length)
     arc = sheet.draw("(A)", strike, a, length)

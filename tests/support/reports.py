@@ -12,7 +12,8 @@ from rich.console import Console
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Likely, Report, Taken
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
-from graphic_tmm.checking.report.text import markdown_report, text_report
+from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.checking.report.text import text_report
 
 LANGUAGES = ("ru", "en")
 HOSTILE = [

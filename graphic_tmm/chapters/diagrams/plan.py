@@ -39,6 +39,7 @@ VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
 BASE_VIEW = "base"
 """Under which the scale of the common base is told."""
 UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
+"""Of the diagrams over time."""
 ROOM = 50.0
 """Room for the highest ordinate of a diagram, mm."""
 BASE = 120.0
@@ -153,7 +154,7 @@ def _from_displacement(
     length = draft.draw(rescaled, "y_S", travel, mu)
     axes = graphs.draw_axes(draft, VIEWS["S"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "s")
-    charts = {"S": _chart(draft, "S", axes, at, True, order.S)}
+    charts = {"S": _chart(draft, "S", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
     speeds, at_v, curve_v = _derivative(draft, "V", axes, at, curve, order)
     charts["V"] = speeds
@@ -169,7 +170,7 @@ def _from_velocity(
     length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
     axes = graphs.draw_axes(draft, VIEWS["V"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "v")
-    charts = {"V": _chart(draft, "V", axes, at, True, order.V)}
+    charts = {"V": _chart(draft, "V", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
     charts["a"], _, _ = _derivative(draft, "a", axes, at, curve, order)
     charts["S"] = _integral(draft, axes, curve, order)
@@ -182,8 +183,9 @@ def _derivative(
     """Differentiate once; return the chart, its axes with its points, its curve."""
     draft.open(VIEWS[symbol])
     drawn: ScaleOrder = getattr(order, symbol)
-    unit = f"({UNITS[symbol]})/mm"
-    scaled = derived_scale(draft, symbol, unit, source.mu, source.base.mu, drawn)
+    scaled = derived_scale(
+        draft, symbol, _scale_unit(symbol, order), source.mu, source.base.mu, drawn
+    )
     axes = graphs.draw_axes(draft, VIEWS[symbol], source.base, scaled.mu)
     pole = graphs.set_pole(draft, axes, scaled.distance)
     letter = symbol.lower()
@@ -194,26 +196,41 @@ def _derivative(
         middles = graphs.by_chords(draft, source, at, axes, pole, f"{letter}′")
         found = graphs.through(draft, axes, middles)
         points = graphs.on_curve(draft, axes, found, letter)
-    return _chart(draft, symbol, axes, points, scaled.chosen, drawn), (axes, points), found
+    return _chart(draft, symbol, axes, points, scaled.chosen, order), (axes, points), found
 
 
 def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) -> Chart:
     """Integrate the velocities once; the pole stands left of their origin."""
     draft.open(VIEWS["S"])
-    scaled: Scaled = integrated_scale(draft, "S", "m/mm", source.mu, source.base.mu, order.S)
+    scaled: Scaled = integrated_scale(
+        draft, "S", _scale_unit("S", order), source.mu, source.base.mu, order.S
+    )
     axes = graphs.draw_axes(draft, VIEWS["S"], source.base, scaled.mu)
     pole = graphs.set_pole(draft, source, scaled.distance)
     points = graphs.integrate(draft, source, curve, axes, pole, "s′")
     found = graphs.through(draft, axes, points, closed=False)
     at = graphs.on_curve(draft, axes, found, "s")
-    chart = _chart(draft, "S", axes, at, scaled.chosen, order.S)
+    chart = _chart(draft, "S", axes, at, scaled.chosen, order)
     end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up)
     return chart._replace(end=end)
 
 
 def _chart(
-    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, drawn: ScaleOrder
+    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, order: KinematicOrder
 ) -> Chart:
     draft.open(axes.view)
     ordinate = graphs.read(draft, axes, at.points, symbol)
-    return Chart(axes.view, symbol, UNITS[symbol], axes.mu, (ordinate,), chosen, drawn.mu, ROOM)
+    unit, drawn = unit_of(symbol, order), getattr(order, symbol)
+    return Chart(axes.view, symbol, unit, axes.mu, (ordinate,), chosen, drawn.mu, ROOM)
+
+
+def unit_of(symbol: str, order: KinematicOrder) -> str:
+    """Return the unit of a diagram's ordinates; over the angle all have that of the first one drawn."""
+    if order.over == "angle":
+        symbol = "V" if order.start == "velocity" else "S"
+    return UNITS[symbol]
+
+
+def _scale_unit(symbol: str, order: KinematicOrder) -> str:
+    unit = unit_of(symbol, order)
+    return f"({unit})/mm" if "/" in unit else f"{unit}/mm"
