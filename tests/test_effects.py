@@ -106,6 +106,6 @@ def test_without_friction_the_polygons_are_drawn_once() -> None:
     frictionless = views(whole, effects - {"friction"})
     assert "friction" not in frictionless
     assert len([view for view in frictionless if view.startswith("forces 2-3")]) == 1
-    passes = whole.forces.friction.passes if whole.forces and whole.forces.friction else 0
+    passes = whole.tasks["forces"].friction.passes
     drawn = [view for view in views(whole, effects) if view.startswith("forces 2-3")]
     assert len(drawn) == passes + 1

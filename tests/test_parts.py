@@ -107,7 +107,9 @@ def test_the_commands_take_a_part(name: str) -> None:
 @pytest.mark.slow
 def test_a_part_stands_beside_a_mechanism() -> None:
     engine, cam = read(SHEETS / "engine"), read(SHEETS / "cam")
-    both = replace(engine, cam=cam.cam, sheets=(*engine.sheets, SheetOrder("A1", ("cam",))))
+    both = replace(engine, sheets=(*engine.sheets, SheetOrder("A1", ("cam",)))).asking(
+        cam=cam.tasks["cam"]
+    )
     made, paper = sheets(both)
     assert made.mechanism is not None
     assert len(paper) == 2

@@ -8,7 +8,6 @@ import pytest
 import shapely
 from support.gallery import SHEETS
 
-from graphic_tmm.chapter import MECHANISM, places
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.fit import fitted
@@ -16,22 +15,12 @@ from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
-from graphic_tmm.scene.records import PART_PLACES, Scene, SheetOrder
-from graphic_tmm.scene.values import FREE_PLACES, PLACES
+from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets
 
 
 def views(scene: Scene) -> dict[str, Drawing]:
     return {view.name: view for sheet in sheets(scene)[1] for view in sheet.drawings}
-
-
-def test_every_place_of_a_scene_has_its_view() -> None:
-    there = places()
-    assert set(PLACES) == set(there)
-    for names, own in ((PART_PLACES, True), (FREE_PLACES, False)):
-        boards = {there[name][0].board for name in names}
-        assert MECHANISM not in boards
-        assert all(map(bool, boards)) == own
 
 
 def test_the_main_position_is_the_one_asked_for() -> None:

@@ -8,6 +8,9 @@ from graphic_tmm.accuracy.lessons import Optimum, along, divisions
 from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
 from graphic_tmm.accuracy.words import WORDS, counted
+from graphic_tmm.chapters.cam.task import ASKED as CAM
+from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
+from graphic_tmm.chapters.gears.task import ASKED as GEARS
 from graphic_tmm.language.words import number, sentence, view_name
 
 KNOWN, LEVEL = 0.5, 0.25
@@ -90,10 +93,10 @@ def _advice(study: Study, one: Optimum) -> str:
 def _own(study: Study, axis: str) -> int:
     """Return into how many parts the scene itself divides its drawing."""
     scene = study.scene
-    if axis == "parts" and scene.cam is not None:
-        return scene.cam.divisions
-    if axis == "steps" and scene.gears is not None:
-        return scene.gears.steps
+    if axis == "parts" and (cam := CAM.of(scene)) is not None:
+        return cam.divisions
+    if axis == "steps" and (gears := GEARS.of(scene)) is not None:
+        return gears.steps
     return scene.row.count
 
 
@@ -114,7 +117,8 @@ def step_name(study: Study, steps: Steps, share: Share) -> str:
     language = study.scene.language
     view = share.step.it.view
     places = [step.it for step in steps.log.steps if step.it.view == view]
-    point = study.scene.diagrams.point if study.scene.diagrams is not None else ""
+    diagrams = DIAGRAMS.of(study.scene)
+    point = diagrams.point if diagrams is not None else ""
     return WORDS[language]["step of"].format(
         view=view_name(view, language, point),
         number=places.index(share.step.it) + 1,

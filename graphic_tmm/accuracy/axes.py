@@ -13,9 +13,15 @@ from typing import NamedTuple
 from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, at_count, named
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.board.hand import HANDS, Hand
+from graphic_tmm.chapters.cam.task import ASKED as CAM
+from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS_ASKED
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.engine.task import ASKED as ENGINE_ASKED
 from graphic_tmm.chapters.engine.task import EngineOrder
-from graphic_tmm.scene.records import ENGINE_PLACES, Scene
+from graphic_tmm.chapters.flywheel.task import ASKED as FLYWHEEL_ASKED
+from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
+from graphic_tmm.chapters.gears.task import ASKED as GEARS
+from graphic_tmm.scene.records import Scene
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
@@ -68,14 +74,14 @@ def rows(scene: Scene) -> Iterator[tuple[str, list[tuple[str, Scene]]]]:
         counts = sorted({*COUNTS, *LONG, scene.row.count})
         found = [(str(n), at_count(scene, n)) for n in counts]
         yield "positions", [(value, one) for value, one in found if one is not None]
-    if scene.cam is not None and "cam" in shown:
-        cam, parts = scene.cam, sorted({*PARTS, scene.cam.divisions})
+    if (cam := CAM.of(scene)) is not None:
+        parts = sorted({*PARTS, cam.divisions})
         divided = [(str(n), replace(cam, divisions=n, per_turn=None)) for n in parts]
-        yield "parts", [(value, replace(scene, cam=order)) for value, order in divided]
-    if scene.gears is not None and "gears" in shown:
-        gears, steps = scene.gears, sorted({*STEPS, scene.gears.steps})
+        yield "parts", [(value, CAM.put(scene, order)) for value, order in divided]
+    if (gears := GEARS.of(scene)) is not None:
+        steps = sorted({*STEPS, gears.steps})
         rolled = [(str(n), replace(gears, steps=n)) for n in steps]
-        yield "steps", [(value, replace(scene, gears=order)) for value, order in rolled]
+        yield "steps", [(value, GEARS.put(scene, order)) for value, order in rolled]
 
 
 def singly(own: Setting, trials: int) -> Iterator[Place]:
@@ -108,11 +114,11 @@ def _sizes(own: Setting, trials: int) -> Iterator[Place]:
 
 
 def _diagrams(own: Setting) -> KinematicOrder | None:
-    return own.scene.diagrams if "diagrams" in own.scene.called else None
+    return DIAGRAMS_ASKED.of(own.scene)
 
 
 def _ordered(own: Setting, order: KinematicOrder) -> Setting:
-    return replace(own, scene=replace(own.scene, diagrams=order))
+    return replace(own, scene=DIAGRAMS_ASKED.put(own.scene, order))
 
 
 def _methods(own: Setting, trials: int) -> Iterator[Place]:
@@ -136,30 +142,32 @@ def _starts(own: Setting, trials: int) -> Iterator[Place]:
 
 def _poles(own: Setting, trials: int) -> Iterator[Place]:
     kinematic = _diagrams(own) is not None
-    flywheel = own.scene.flywheel if "flywheel" in own.scene.called else None
+    flywheel = FLYWHEEL_ASKED.of(own.scene)
     for times in POLES if kinematic or flywheel is not None else ():
         only = (*(DIAGRAMS if kinematic else ()), *(FLYWHEEL if flywheel is not None else ()))
         yield Place("pole", f"{times:g}", replace(own, pole=times), only)
 
 
 def _passes(own: Setting, trials: int) -> Iterator[Place]:
-    forces = own.scene.forces
-    if forces is None or forces.friction is None or "forces" not in own.scene.called:
+    forces = FORCES_ASKED.of(own.scene)
+    if forces is None or forces.friction is None:
         return
     for n in PASSES:
         order = replace(forces, friction=replace(forces.friction, passes=n))
-        yield Place("passes", str(n), replace(own, scene=replace(own.scene, forces=order)), BALANCE)
+        yield Place(
+            "passes", str(n), replace(own, scene=FORCES_ASKED.put(own.scene, order)), BALANCE
+        )
 
 
 def _engines(
     own: Setting, axis: str, change: Callable[[EngineOrder], list[tuple[str, EngineOrder]]]
 ) -> Iterator[Place]:
-    engine = own.scene.engine
-    if engine is None or not own.scene.called & set(ENGINE_PLACES):
+    engine = ENGINE_ASKED.of(own.scene)
+    if engine is None:
         return
     for value, order in change(engine):
         yield Place(
-            axis, value, replace(own, scene=replace(own.scene, engine=order)), ("M_engine",)
+            axis, value, replace(own, scene=ENGINE_ASKED.put(own.scene, order)), ("M_engine",)
         )
 
 

@@ -26,10 +26,12 @@ from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting, whole
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
+from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
+from graphic_tmm.chapters.forces import CHAPTER as FORCES
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.language.words import fixed, number
-from graphic_tmm.scene.records import FORCE_PLACES, Scene
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
 DRAWINGS, FEW = 100, 20
@@ -41,8 +43,8 @@ POLES = (1.0, 2.0)
 ASKED = {
     "v": ("velocities",),
     "a": ("accelerations",),
-    "P_bal": FORCE_PLACES,
-    "M_bal": FORCE_PLACES,
+    "P_bal": tuple(place.name for place in FORCES.places),
+    "M_bal": tuple(place.name for place in FORCES.places),
 }
 """Quantities that are asked for only if one of these places is on a sheet; others always."""
 
@@ -126,12 +128,12 @@ def _worst(errors: Mapping[str, float]) -> float:
 
 def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
     """Yield every candidate with its minutes at the board."""
-    graphs = scene.diagrams is not None and "diagrams" in scene.called
+    graphs = DIAGRAMS.of(scene) is not None
     for divided, one in _divided(scene):
         for method in ("chords", "tangents") if graphs else (None,):
             own = one
-            if method is not None and one.diagrams is not None:
-                own = replace(one, diagrams=replace(one.diagrams, method=method))
+            if method is not None and (order := DIAGRAMS.of(one)) is not None:
+                own = DIAGRAMS.put(one, replace(order, method=method))
             try:
                 minutes = _minutes(own, scales)
             except TmmError:

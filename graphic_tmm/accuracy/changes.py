@@ -6,10 +6,16 @@ from dataclasses import replace
 
 from graphic_tmm.accuracy.drawing import finer
 from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.chapters.cam.task import ASKED as CAM
 from graphic_tmm.chapters.cam.task import CamOrder
 from graphic_tmm.chapters.diagrams.plan import BASE, VIEWS
+from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.engine.task import ASKED as ENGINE
+from graphic_tmm.chapters.flywheel.task import ASKED as FLYWHEEL
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.forces.task import ASKED as FORCES
+from graphic_tmm.chapters.gears.task import ASKED as GEARS
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.scene.records import Scales, Scene
@@ -24,29 +30,28 @@ def enlarge(scene: Scene, made: DrawnScene, times: float) -> Scene:
             mu_l=mu.get("positions"), mu_v=mu.get("velocities"), mu_a=mu.get("accelerations")
         )
         found = replace(found, scales=scales)
-        if scene.diagrams is not None:
-            found = replace(found, diagrams=_diagrams(scene.diagrams, mu, times))
-        if scene.flywheel is not None:
-            found = replace(found, flywheel=_flywheel(scene.flywheel, mu, times))
-        if scene.forces is not None and scene.forces.mu is not None:
-            found = replace(found, forces=replace(scene.forces, mu=scene.forces.mu / times))
-        if scene.engine is not None:
-            indicator = _indicator(scene.engine.indicator, times)
-            engine = replace(scene.engine, indicator=indicator, base=scene.engine.base * times)
-            found = replace(found, engine=engine)
+        if (diagrams := DIAGRAMS.of(scene)) is not None:
+            found = DIAGRAMS.put(found, _diagrams(diagrams, mu, times))
+        if (flywheel := FLYWHEEL.of(scene)) is not None:
+            found = FLYWHEEL.put(found, _flywheel(flywheel, mu, times))
+        forces, engine = FORCES.of(scene), ENGINE.of(scene)
+        if forces is not None and forces.mu is not None:
+            found = FORCES.put(found, replace(forces, mu=forces.mu / times))
+        if engine is not None:
+            indicator = _indicator(engine.indicator, times)
+            engine = replace(engine, indicator=indicator, base=engine.base * times)
+            found = ENGINE.put(found, engine)
     for part in made.parts:
         own = part.scales()
-        if part.kind == "gears" and scene.gears is not None:
-            found = replace(found, gears=replace(scene.gears, mu=own["gear"].value / times))
-        if part.kind == "cam" and scene.cam is not None:
-            found = replace(found, cam=_cam(scene, times))
+        gears, cam = GEARS.of(scene), CAM.of(scene)
+        if part.kind == "gears" and gears is not None:
+            found = GEARS.put(found, replace(gears, mu=own["gear"].value / times))
+        if part.kind == "cam" and cam is not None:
+            found = CAM.put(found, _cam(cam, times))
     return found
 
 
-def _cam(scene: Scene, times: float) -> CamOrder:
-    cam = scene.cam
-    assert cam is not None
-
+def _cam(cam: CamOrder, times: float) -> CamOrder:
     def finer(mu: float | None) -> float | None:
         return None if mu is None else mu / times
 
@@ -92,7 +97,7 @@ def _diagrams(order: KinematicOrder, mu: dict[str, float], times: float) -> Kine
 
 def farther(scene: Scene, made: DrawnScene, times: float) -> Scene:
     """Return a scene whose diagrams, as ``made``, have their poles so many times farther."""
-    order = scene.diagrams
+    order = DIAGRAMS.of(scene)
     if order is None or made.mechanism is None:
         return scene
     drawn: dict[str, ScaleOrder] = {}
@@ -103,4 +108,4 @@ def farther(scene: Scene, made: DrawnScene, times: float) -> Scene:
         else:
             drawn[symbol] = ScaleOrder(made.mechanism.scales[VIEWS[symbol]].value * change)
     other = (drawn.get("S", order.S), drawn.get("V", order.V), drawn.get("a", order.a))
-    return replace(scene, diagrams=replace(order, S=other[0], V=other[1], a=other[2]))
+    return DIAGRAMS.put(scene, replace(order, S=other[0], V=other[1], a=other[2]))

@@ -93,24 +93,26 @@ def _due_marks(quantity: Quantity) -> list[Mark]:
 
 def _finer(scene: Scene, quantity: Quantity) -> Scene | None:
     """Return the scene that tells a quantity as it should be."""
-    if quantity.name == "r0_min" and scene.cam is not None:
-        return replace(scene, cam=replace(scene.cam, divisions=DIVISIONS, per_turn=None))
-    if quantity.name in CONVERGED and scene.flywheel is not None:
+    if quantity.name == "r0_min" and scene.tasks.get("cam") is not None:
+        return scene.asking(cam=replace(scene.tasks["cam"], divisions=DIVISIONS, per_turn=None))
+    if quantity.name in CONVERGED and scene.tasks.get("flywheel") is not None:
         fine = at_count(scene, FINE)
-        order = replace(scene.flywheel, integration="areas")
+        order = replace(scene.tasks["flywheel"], integration="areas")
         if order.tangents is not None:
             order = replace(order, tangents="curve")
-        if fine is None or fine.flywheel is None:
+        if fine is None or fine.tasks.get("flywheel") is None:
             return None
-        return replace(fine, flywheel=replace(order, indicator=fine.flywheel.indicator))
+        return fine.asking(flywheel=replace(order, indicator=fine.tasks["flywheel"].indicator))
     same = at_count(scene, quantity.row)
     if same is None:
         return None
-    if quantity.name == "M_engine" and same.engine is not None:
-        forces = ForcesOrder(ALL, inertia=True, gas=same.engine.indicator, balance="moment")
+    if quantity.name == "M_engine" and same.tasks.get("engine") is not None:
+        forces = ForcesOrder(
+            ALL, inertia=True, gas=same.tasks["engine"].indicator, balance="moment"
+        )
         sheet = SheetOrder("A1", ("positions", "forces"))
-        return replace(same, forces=forces, engine=None, flywheel=None, sheets=(sheet,))
-    if same.forces is not None and same.forces.friction is not None:
-        many = replace(same.forces.friction, passes=PASSES)
-        return replace(same, forces=replace(same.forces, friction=many))
+        return replace(same.asking(forces=forces, engine=None, flywheel=None), sheets=(sheet,))
+    if same.tasks.get("forces") is not None and same.tasks["forces"].friction is not None:
+        many = replace(same.tasks["forces"].friction, passes=PASSES)
+        return same.asking(forces=replace(same.tasks["forces"], friction=many))
     return None

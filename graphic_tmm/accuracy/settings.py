@@ -8,6 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from graphic_tmm.board.hand import HANDS, Hand
+from graphic_tmm.chapters.engine.task import ASKED as ENGINE
+from graphic_tmm.chapters.flywheel.task import ASKED as FLYWHEEL
+from graphic_tmm.chapters.forces.task import ASKED as FORCES
 from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
 from graphic_tmm.drawn import hand_of
@@ -62,9 +65,10 @@ def whole(scene: Scene) -> Scene:
     if "diagrams" in scene.called:
         first = replace(sheets[0], place=(*sheets[0].place, "accelerations"))
         sheets = (first, *sheets[1:])
-    forces = replace(scene.forces, positions=ALL) if scene.forces is not None else None
     row = replace(scene.row, accelerations=ALL)
-    return replace(scene, forces=forces, row=row, main=None, sheets=sheets)
+    found = replace(scene, row=row, main=None, sheets=sheets)
+    forces = FORCES.of(scene)
+    return found if forces is None else FORCES.put(found, replace(forces, positions=ALL))
 
 
 def at_count(scene: Scene, count: int) -> Scene | None:
@@ -78,10 +82,10 @@ def at_count(scene: Scene, count: int) -> Scene | None:
         return scene
     accelerations = _renamed(row.accelerations, row, count)
     main = _renamed((scene.main,) if scene.main is not None else (), row, count)
-    forces = _forces(scene.forces, row, count) if scene.forces is not None else None
-    if accelerations is None or main is None or (forces is None and scene.forces is not None):
+    given, flywheel, engine = FORCES.of(scene), FLYWHEEL.of(scene), ENGINE.of(scene)
+    forces = _forces(given, row, count) if given is not None else None
+    if accelerations is None or main is None or (forces is None and given is not None):
         return None
-    flywheel, engine = scene.flywheel, scene.engine
     if flywheel is not None and flywheel.indicator is not None:
         flywheel = replace(flywheel, indicator=_indicator(flywheel.indicator, count))
     if engine is not None:
@@ -90,10 +94,7 @@ def at_count(scene: Scene, count: int) -> Scene | None:
         scene,
         row=replace(row, count=count, accelerations=accelerations),
         main=main[0] if main else None,
-        forces=forces,
-        flywheel=flywheel,
-        engine=engine,
-    )
+    ).asking(forces=forces, flywheel=flywheel, engine=engine)
 
 
 def _renamed(names: Sequence[str], row: Row, count: int) -> tuple[str, ...] | None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import subprocess
 import sys
 import tracemalloc
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -54,7 +53,7 @@ def positions() -> Row:
 def trials() -> Row:
     """Return the line of the windrower by trials."""
     made = drawn_of(
-        replace(read(ROOT / "sheets" / "windrower"), diagrams=None, flywheel=None, forces=None)
+        read(ROOT / "sheets" / "windrower").asking(diagrams=None, flywheel=None, forces=None)
     )
     log = made.project.construction
     marks = [step.it for step in log.steps if step.it.view == "accelerations"]

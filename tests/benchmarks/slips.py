@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import statistics
 import time
-from dataclasses import replace
 
 import numpy as np
 from clock import ROOT, Row, show
@@ -21,7 +20,7 @@ ROUNDS = 7
 
 def rows() -> list[Row]:
     """Return the lines of the table."""
-    made = drawn_of(replace(read(ROOT / "sheets" / "windrower"), diagrams=None))
+    made = drawn_of(read(ROOT / "sheets" / "windrower").asking(diagrams=None))
     log = made.project.construction
     wanted = [
         step.it

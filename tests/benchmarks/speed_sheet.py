@@ -71,7 +71,7 @@ def rows() -> list[Row]:
     """Return the lines of the table: the windrower's A1 sheet behind its construction, and plain svgwrite."""
     scene = read(WINDROWER)
     full = (*scene.sheets[0].place, "results")
-    scene = replace(scene, diagrams=None, sheets=(SheetOrder("A1", full),))
+    scene = replace(scene, sheets=(SheetOrder("A1", full),)).asking(diagrams=None)
     made = fitted(scene)
     (composed,) = compose(made.scene, made)
     plain = Plain.of(svg(composed))

@@ -32,7 +32,7 @@ CASES = [
 def drawn(name: str, start: str, method: str) -> Drawn:
     order = KinematicOrder(POINTS[name], start=start, method=method)
     sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
-    scene = replace(read(SHEETS / name), diagrams=order, flywheel=None, sheets=sheets)
+    scene = replace(read(SHEETS / name), sheets=sheets).asking(diagrams=order, flywheel=None)
     return fitted(scene, exact=True)
 
 

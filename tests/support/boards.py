@@ -32,15 +32,8 @@ def recorded(
 ) -> Project:
     """Record plans of a mechanism over a row of positions; ``asked``: sections of a scene and what they ask."""
     scene = Scene(
-        "",
-        "T",
-        "en",
-        mechanism,
-        row,
-        turned=turned,
-        trajectories=tuple(trajectories),
-        **asked,
-    )
+        "", "T", "en", mechanism, row, turned=turned, trajectories=tuple(trajectories)
+    ).asking(**asked)
     return record(scene, wanted={*plans, *asked})
 
 

@@ -79,7 +79,7 @@ class Pair(NamedTuple):
 
 
 def pair(order: GearOrder, **options: Any) -> Pair:
-    project = record(Scene("", "T", "en", gears=order), GEARS.chapter)
+    project = record(Scene("", "T", "en").asking(gears=order), GEARS.chapter)
     fitting = Fitting(project, {}, Doubts((), {}), {}, dict(project.given))
     given = {**project.given, **gear_scales(fitting)}
     return Pair(project, given, execute(project.construction, given, **options))

@@ -132,11 +132,16 @@ def _refuse_triangle(order: CamOrder) -> None:
         if not least < r0 < most:
             raise StructureError(
                 f"cam: with a lever of {follower.lever:g} m and centres {follower.centres:g} m apart r0 lies "
-                f"between {least:.4g} and {most:.4g} m, not at {r0:g} m"
+                f"between {least:.4g} and {most:.4g} m, not at {r0:g} m",
+                "cam.r0",
+                "cam.lever",
+                "cam.centres",
             )
     elif not isinstance(follower, FlatFollower) and abs(follower.offset) >= r0:
         raise StructureError(
-            f"cam: the offset {follower.offset:g} m is not less than r0 = {r0:g} m: take a smaller one"
+            f"cam: the offset {follower.offset:g} m is not less than r0 = {r0:g} m: take a smaller one",
+            "cam.offset",
+            "cam.r0",
         )
 
 

@@ -89,8 +89,13 @@ def record(bench: Bench) -> Kinematic | None:
     return Kinematic(order, base, charts, planned)
 
 
-def sliding_leg(positions: Positions, letter: str, frame: int, section: str) -> GuideLeg:
-    """Return the leg by which a point's link slides on the frame; StructureError if it does not."""
+def sliding_leg(
+    positions: Positions, letter: str, frame: int, section: str, key: str = ""
+) -> GuideLeg:
+    """Return the leg by which a point's link slides on the frame; StructureError if it does not.
+
+    ``section``: of a scene, whose ``key`` (``point``, if it is not told) names the point.
+    """
     for closing in positions.closings:
         for leg in closing.legs:
             owns = letter in positions.bodies[leg.link].link.points
@@ -105,7 +110,8 @@ def sliding_leg(positions: Positions, letter: str, frame: int, section: str) -> 
     ]
     there = f"points that do are {', '.join(sliding)}" if sliding else "this mechanism has none"
     raise StructureError(
-        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}"
+        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}",
+        key or f"{section}.point",
     )
 
 
@@ -114,7 +120,8 @@ def _refuse_poles(order: KinematicOrder) -> None:
         drawn: ScaleOrder = getattr(order, symbol)
         if drawn.pole is not None and not drawn.pole > 0.0:
             raise StructureError(
-                f"diagrams: the pole distance H_{symbol} = {drawn.pole:g} mm is not greater than 0"
+                f"diagrams: the pole distance H_{symbol} = {drawn.pole:g} mm is not greater than 0",
+                f"diagrams.H_{symbol}",
             )
 
 

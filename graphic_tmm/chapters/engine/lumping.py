@@ -62,7 +62,10 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrd
     elif slider.mass is None or parts is None:
         raise StructureError(
             f"engine: links {rod.number} and {slider.number} need a mass, and the rod a share or its centre: "
-            "give them, or the mass that goes to and fro"
+            "give them, or the mass that goes to and fro",
+            f"link {rod.number}, mass",
+            f"link {slider.number}, mass",
+            "engine.share",
         )
     else:
         own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")

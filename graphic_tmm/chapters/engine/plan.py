@@ -154,7 +154,8 @@ def _legs(machine: Machine, cylinder: Cylinder, order: EngineOrder) -> _Legs:
             return _Legs(first, second)
     raise StructureError(
         f"engine: no connecting rod joins the crank to {order.point}: "
-        "these forces are those of a crank, a rod and a slider on the frame"
+        "these forces are those of a crank, a rod and a slider on the frame",
+        "engine.point",
     )
 
 

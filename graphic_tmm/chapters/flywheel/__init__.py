@@ -17,7 +17,7 @@ from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
-from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -74,6 +74,7 @@ CHAPTER = Chapter(
     sizes=(Size("sketch"),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,
     scales=lambda fitting: fitting.shorter(
@@ -83,7 +84,6 @@ CHAPTER = Chapter(
             ("flywheel.H", VIEWS["work"], roles.POLE_DISTANCE),
         ],
     ),
-    size_keys=tuple(f"flywheel.{key}" for key in ("base", "H", "mu_M")),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     warnings=_warnings,
     plans=(FLYWHEEL.chapter,),

@@ -36,7 +36,8 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         parts |= _of_link(draft, mechanism, link, velocities)
     if not parts:
         raise StructureError(
-            "flywheel: no link has a mass or J: write mass and J of the links that have them"
+            "flywheel: no link has a mass or J: write mass and J of the links that have them",
+            "flywheel",
         )
     total: Mark | None = None
     for part in parts.values():

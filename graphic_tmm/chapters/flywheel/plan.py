@@ -34,7 +34,6 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.bounds import DELTA
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
@@ -45,6 +44,7 @@ from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.declare import bound_of
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 
@@ -141,10 +141,12 @@ def draw_flywheel(
 
 
 def _refuse(order: FlywheelOrder) -> None:
-    DELTA.refuse("flywheel", "delta", order.delta)
+    bound_of(FlywheelOrder, "delta").refuse("flywheel", "delta", order.delta)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
-        raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")
+        raise StructureError(
+            f"flywheel: the pole distance H = {pole:g} mm is not greater than 0", "flywheel.H"
+        )
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -166,13 +168,14 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
     if forces is None:
         raise StructureError(
-            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
+            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]",
+            "flywheel",
         )
     moments = forces.lever.moments
     found = [one.value for load in forces.loads.outer for one in moments if one.load == load]
     if not found:
         raise StructureError(
-            "flywheel: no load does work: give gravity or a [[load]] besides inertia"
+            "flywheel: no load does work: give gravity or a [[load]] besides inertia", "flywheel"
         )
     total = found[0]
     for more in found[1:]:

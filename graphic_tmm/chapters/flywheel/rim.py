@@ -41,13 +41,15 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
     """
     if not 0.0 < order.ratio < 1.0:
         raise StructureError(
-            f"flywheel: D_i/D_e = {order.ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85"
+            f"flywheel: D_i/D_e = {order.ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85",
+            "flywheel.ratio",
         )
     most = 2.0 * order.speed_limit / abs(speed)
     if order.outer > most:
         raise StructureError(
             f"flywheel: a rim of {order.outer:g} m runs faster than {order.speed_limit:g} m/s at this speed: "
-            f"D_e is {most:.3g} m at most"
+            f"D_e is {most:.3g} m at most",
+            "flywheel.D_e",
         )
     limit = draft.take(Number, "v_{max}", order.speed_limit, "m/s")
     largest = draft.draw(largest_rim, "D_{max}", limit, omega, unit="m")

@@ -126,8 +126,11 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
             loads.add(_weight(ground, link, order.g))
         if order.inertia:
             _inertia(ground, link, loads, single=link.number in order.single)
-    for load in order.loads:
-        loads.add(_given(ground, load))
+    for k, load in enumerate(order.loads, 1):
+        try:
+            loads.add(_given(ground, load))
+        except StructureError as error:
+            raise error.inside(f"load {k}") from None
     if gas is not None:
         loads.add(_gas(ground, gas))
     return loads
@@ -205,13 +208,14 @@ def _gas(ground: Ground, cylinder: Cylinder) -> Force:
 def _given(ground: Ground, load: Load) -> Force | Couple:
     links = ground.mechanism.by_number
     if load.link not in links or load.link == ground.mechanism.frame.number:
-        raise StructureError(f"load: there is no moving link {load.link}")
+        raise StructureError(f"load: there is no moving link {load.link}", "link")
     if load.point is None:
         return _moment(ground, load)
     if load.point not in links[load.link].points:
         known = ", ".join(links[load.link].points)
         raise StructureError(
-            f"load on link {load.link}: it has no point {load.point}; its points are {known}"
+            f"load on link {load.link}: it has no point {load.point}; its points are {known}",
+            "point",
         )
     draft = ground.draft
     point, image = _at(ground, load.link, load.point)
@@ -223,7 +227,8 @@ def _given(ground: Ground, load: Load) -> Force | Couple:
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
         raise StructureError(
-            f"load on link {load.link}: {load.point} does not move: give the direction as an angle"
+            f"load on link {load.link}: {load.point} does not move: give the direction as an angle",
+            "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N")
     line = _against(ground, letter, point, image, reading)
@@ -261,7 +266,8 @@ def _moment(ground: Ground, load: Load) -> Couple:
     rate = plan.rates.get(load.link)
     if rate is None:
         raise StructureError(
-            f"load on link {load.link}: it does not turn: leave the moment's direction out"
+            f"load on link {load.link}: it does not turn: leave the moment's direction out",
+            "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N·m")
     fastest = plan.rates[ground.mechanism.drive.link]
@@ -284,7 +290,9 @@ def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     elif isinstance(load.size, tuple):
         if len(load.size) != intervals:
             raise StructureError(
-                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: give one for each"
+                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: "
+                "give one for each",
+                "by_position",
             )
         value = np.array([*load.size, *[np.nan] * (ground.numbers.size - intervals)])[None, :]
     return draft.take(Number, letter, value, unit)

@@ -46,7 +46,7 @@ def by_travel(
         If the point does not slide on the frame, or the row does not begin at an end of its travel.
     """
     letter, unit = named
-    sliding_leg(positions, travel.of, mechanism.frame.number, "load")
+    sliding_leg(positions, travel.of, mechanism.frame.number, "load", "of")
     point = positions.point(travel.of)
     start = draft.draw(at_zero, f"{travel.of}_0", point, free=True)
     way = draft.draw(measure, f"s_{travel.of}", start, point)
@@ -83,7 +83,9 @@ def _parts(
     if along.min() < -SLACK:
         raise StructureError(
             f"load: the row does not begin where the travel of {travel.of} does: begin at an extreme "
-            f'position, zero = {{ point = "{travel.of}", at = "left" }}'
+            f'position, zero = {{ point = "{travel.of}", at = "left" }}',
+            "drive.zero",
+            "of",
         )
     turn = numbers[int(np.argmax(shares))]
     return [

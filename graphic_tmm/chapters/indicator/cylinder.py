@@ -117,10 +117,13 @@ def _refuse_zero(
     fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
     if abs(found[0]) > STANDS * fastest:
         raise StructureError(
-            f"indicator: the row does not begin at a dead centre of {point}: {remedy}"
+            f"indicator: the row does not begin at a dead centre of {point}: {remedy}",
+            "drive.zero",
+            "indicator.point",
         )
     sides = (order.cover, order.shaft)
     if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
         raise StructureError(
-            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}"
+            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}",
+            "drive.zero",
         )

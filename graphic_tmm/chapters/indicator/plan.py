@@ -140,7 +140,8 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
         pressure = draft.take(Number, f"p_{sign}", values, "Pa")
     else:
         raise StructureError(
-            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
+            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each",
+            f"indicator.{name}",
         )
     height = draft.draw(to_board, f"h_{sign}", pressure)
     points = draft.draw(lay_off, sign, on.lines, height)

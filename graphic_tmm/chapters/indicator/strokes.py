@@ -79,5 +79,7 @@ def _at(gas: Gas, place: int, shares: Reals) -> Stretch:
             return stretch
     raise StructureError(
         f"indicator: no part of the diagram stands over {share:.3f} of the stroke {way}: "
-        "let its parts go from 0 to 1 and back"
+        "let its parts go from 0 to 1 and back",
+        "indicator.cover_strokes",
+        "indicator.shaft_strokes",
     )

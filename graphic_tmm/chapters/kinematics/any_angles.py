@@ -131,16 +131,8 @@ def _plain(scene: Scene) -> Scene:
     if not row.accelerations:
         numbers = range(row.first, row.first + row.count)
         row = replace(row, accelerations=tuple(map(str, numbers)))
-    return replace(
-        scene,
-        row=row,
-        sheets=(SheetOrder(form, PLANS),),
-        trajectories=(),
-        diagrams=None,
-        flywheel=None,
-        forces=None,
-        engine=None,
-    )
+    sheets = (SheetOrder(form, PLANS),)
+    return replace(scene, row=row, sheets=sheets, trajectories=(), tasks={})
 
 
 def _drawn(scene: Scene, row: Reals, mu: Sequence[float]) -> _Drawn:

@@ -77,7 +77,8 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     if axis is None:
         raise StructureError(
             f"zero: {extreme.point} is not a moving point of the mechanism (moving: "
-            f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})"
+            f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})",
+            "drive.zero",
         )
     mark = survey.positions.point(extreme.point)
     closed = [
@@ -88,11 +89,14 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     for root in closed:
         place = np.where(undefined(reading[root])[0], np.nan, place)
     if not np.isfinite(place).any():
-        raise StructureError(f"zero: {extreme.point} cannot be drawn at any crank angle")
+        raise StructureError(
+            f"zero: {extreme.point} cannot be drawn at any crank angle", "drive.zero"
+        )
     if np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
         ways = "left nor right" if name == "x" else "up nor down"
         raise StructureError(
-            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle"
+            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle",
+            "drive.zero",
         )
     best = int(np.nanargmax(way * place))
     low, high = _bracket(survey, axis, float(angles[0, best]))
@@ -101,12 +105,15 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
             f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does "
-            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle there"
+            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle "
+            "there",
+            "drive.zero",
         )
     if not np.isfinite(angle):
         raise StructureError(
             f"zero: {extreme.point} has no extreme position at {extreme.at} "
-            f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle"
+            f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle",
+            "drive.zero",
         )
     return _Tried(float(low), float(high), angle)
 

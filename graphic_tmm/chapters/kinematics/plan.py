@@ -106,7 +106,8 @@ def record(bench: Bench) -> KinematicPlans:
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
-            "number of times in it: leave trajectories out"
+            "number of times in it: leave trajectories out",
+            "plans.trajectories",
         )
     _draw_trajectories(draft, positions, scene.trajectories, row.count)
     velocities = accelerations = None
@@ -157,7 +158,8 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     missing = [name for name in wanted if name not in names]
     if missing:
         raise StructureError(
-            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}",
+            "drive.accelerations" if section == "accelerations" else f"{section}.positions",
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
@@ -198,5 +200,7 @@ def _draw_trajectories(
 ) -> None:
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
-            raise StructureError(f"trajectories: there is no point {letter} on the plan")
+            raise StructureError(
+                f"trajectories: there is no point {letter} on the plan", "plans.trajectories"
+            )
         draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)

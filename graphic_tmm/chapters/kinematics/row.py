@@ -69,7 +69,9 @@ def _refuse_repeated(row: Row) -> None:
     for place, extra in enumerate(row.extra):
         if extra in row.extra[:place]:
             said = f'"{extra}"' if isinstance(extra, str) else f"{extra:.10g}°"
-            raise StructureError(f"extra: {said} is named twice: leave one of the two out")
+            raise StructureError(
+                f"extra: {said} is named twice: leave one of the two out", "drive.extra"
+            )
 
 
 def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | str) -> Mark:
@@ -78,12 +80,15 @@ def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | s
     if not isinstance(row.zero, Extreme):
         raise StructureError(
             'extra: "other extreme" needs a zero position that is an extreme itself: '
-            'give zero = { point = "D", at = "left" }, or the crank angle in degrees'
+            'give zero = { point = "D", at = "left" }, or the crank angle in degrees',
+            "drive.extra",
+            "drive.zero",
         )
     if survey.returning_late:
         raise StructureError(
             f'extra: "other extreme" may lie in the second turn (group {survey.returning_late[0]} flips an odd '
-            "number of times in a turn): give the crank angle in degrees"
+            "number of times in a turn): give the crank angle in degrees",
+            "drive.extra",
         )
     other = Extreme(row.zero.point, OPPOSITE[row.zero.at])
     return draw_extreme(draft, survey, frame, other, "*")

@@ -109,10 +109,12 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
             a, c = (leg.pair.name for leg in group.legs)
             links = "{} or {}".format(*group.links)
             remedy = f'give link {links} side = "left of {a}{c}" or "right of {a}{c}"'
+            key = f"link {group.links[0]}"
         else:
             pair = group.legs[1].pair if group.kind == 2 else group.inner
             remedy = f'give slides of link {pair.links[0]} side = "+" or "-"'
-        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}")
+            key = f"link {pair.links[0]}, slides"
+        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}", key)
 
 
 def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
@@ -128,11 +130,13 @@ def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
             if side.left_of not in ((a, c), (c, a)):
                 raise StructureError(
                     f"link {number}: its side speaks of {''.join(side.left_of or ())}, but group {group.name} "
-                    f'has its outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of {a}{c}"'
+                    f'has its outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of {a}{c}"',
+                    f"link {number}, side",
                 )
             told.append((side.sign if side.left_of == (a, c) else -side.sign, side.flips_at))
         if len(set(told)) > 1:
             raise StructureError(
                 f"links {group.links[0]} and {group.links[1]} give group {group.name} different sides: "
-                "leave the side of one of them out"
+                "leave the side of one of them out",
+                *(f"link {number}, side" for number in group.links),
             )

@@ -27,7 +27,7 @@ def engine(order: KinematicOrder) -> Scene:
     """The engine with diagrams instead of its flywheel."""
     place = ("positions", "velocities", "accelerations", "diagrams")
     sheets = (SheetOrder("A1", place),)
-    return replace(read(SHEETS / "engine"), diagrams=order, flywheel=None, sheets=sheets)
+    return replace(read(SHEETS / "engine"), sheets=sheets).asking(diagrams=order, flywheel=None)
 
 
 @cache
@@ -112,7 +112,7 @@ def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
 
 def test_without_an_order_there_is_no_column_and_no_step() -> None:
     work = gallery.drawn("shaper")
-    if work.scene.diagrams is None:
+    if "diagrams" not in work.scene.tasks:
         assert not found(work)
         assert not any(
             step.it.view.startswith("diagram") for step in work.project.construction.steps

@@ -41,7 +41,7 @@ def drawn(name: str, count: int = 0, **order: object) -> Drawn:
     wanted = KinematicOrder(POINTS[name], **order)  # type: ignore[arg-type]
     sheets = (SheetOrder("A1", ("positions", "velocities", "accelerations", "diagrams")),)
     return drawn_of(
-        replace(scene, row=row, diagrams=wanted, sheets=sheets, flywheel=None, forces=None),
+        replace(scene, row=row, sheets=sheets).asking(diagrams=wanted, flywheel=None, forces=None),
         exact=True,
     )
 
@@ -151,10 +151,10 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
 
 
 def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
-    scene = replace(read(SHEETS / "windrower"), diagrams=KinematicOrder("C"))
-    with pytest.raises(StructureError, match=r"diagrams: point C does not slide.*are D"):
+    scene = read(SHEETS / "windrower").asking(diagrams=KinematicOrder("C"))
+    with pytest.raises(StructureError, match=r"diagrams.point: point C does not slide.*are D"):
         drawn_of(scene)
-    none = replace(read(SHEETS / "crank-rocker"), diagrams=KinematicOrder("B"))
+    none = read(SHEETS / "crank-rocker").asking(diagrams=KinematicOrder("B"))
     none = replace(none, sheets=(SheetOrder("A1", ("positions", "diagrams")),))
     with pytest.raises(StructureError, match="this mechanism has none"):
         drawn_of(none)
@@ -164,7 +164,7 @@ def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
 def test_a_pole_distance_that_is_none_is_refused(pole: float) -> None:
     order = KinematicOrder("D", V=ScaleOrder(pole=pole))
     with pytest.raises(StructureError, match=r"H_V = .* is not greater than 0"):
-        drawn_of(replace(read(SHEETS / "windrower"), diagrams=order))
+        drawn_of(read(SHEETS / "windrower").asking(diagrams=order))
 
 
 def test_positions_that_are_missing_leave_the_rest_and_are_told() -> None:

@@ -35,12 +35,12 @@ def column(made: Drawn, segment: str) -> np.ndarray:
 
 
 def order(**changes: object) -> EngineOrder:
-    assert SCENE.engine is not None
-    return replace(SCENE.engine, **changes)  # type: ignore[arg-type]
+    assert SCENE.tasks.get("engine") is not None
+    return replace(SCENE.tasks["engine"], **changes)  # type: ignore[arg-type]
 
 
 def with_engine(**changes: object) -> Scene:
-    return replace(SCENE, engine=order(**changes))
+    return SCENE.asking(engine=order(**changes))
 
 
 @pytest.mark.parametrize(
@@ -153,6 +153,6 @@ def test_the_series_can_stand_for_the_plan() -> None:
 
 def test_a_mechanism_without_a_rod_is_refused() -> None:
     yoke = read(SHEETS / "scotch-yoke")
-    scene = replace(yoke, engine=SCENE.engine, sheets=SCENE.sheets)
+    scene = replace(yoke, sheets=SCENE.sheets).asking(engine=SCENE.tasks["engine"])
     with pytest.raises(StructureError):
         drawn_of(scene)

@@ -74,8 +74,8 @@ def test_a_machine_that_locks_part_of_the_turn_has_no_flywheel_and_says_so() -> 
 
 def test_a_scene_without_a_flywheel_has_no_column_of_it() -> None:
     found = made("offset-slider")
-    assert found.scene.flywheel is None
+    assert "flywheel" not in found.scene.tasks
     document = json.loads(table(found, "json"))
     assert not [c for c in document["columns"] if c["plan"] == "flywheel"]
     assert set(document["results"]) == {"W", "formula"}
-    assert isinstance(drawn("engine", exact=True).scene.flywheel, FlywheelOrder)
+    assert isinstance(drawn("engine", exact=True).scene.tasks["flywheel"], FlywheelOrder)

@@ -26,7 +26,9 @@ SHEET = (SheetOrder("A1", ("positions", "velocities", "forces")),)
 def loaded(*loads: Load, scene: Scene = ENGINE, **options: object) -> Drawn:
     order = ForcesOrder(("all",), tuple(loads), **options)  # type: ignore[arg-type]
     flywheel = None
-    return drawn_of(replace(scene, forces=order, flywheel=flywheel, sheets=SHEET), exact=True)
+    return drawn_of(
+        replace(scene, sheets=SHEET).asking(forces=order, flywheel=flywheel), exact=True
+    )
 
 
 def force(made: Drawn, letter: str) -> np.ndarray:
@@ -106,11 +108,11 @@ def test_travel_begins_where_the_stroke_does() -> None:
 
 
 def test_the_gas_pushes_the_piston() -> None:
-    assert ENGINE.flywheel is not None
-    made = loaded(gas=ENGINE.flywheel.indicator)
+    assert ENGINE.tasks.get("flywheel") is not None
+    made = loaded(gas=ENGINE.tasks["flywheel"].indicator)
     area = np.pi * 0.12**2 / 4
-    assert ENGINE.flywheel.indicator is not None
-    pressures = np.array(ENGINE.flywheel.indicator.cover.pressures)
+    assert ENGINE.tasks["flywheel"].indicator is not None
+    pressures = np.array(ENGINE.tasks["flywheel"].indicator.cover.pressures)
     np.testing.assert_allclose(force(made, "P"), -pressures * area, rtol=1e-9)
     # the reduced moment of the flywheel's first step, reversed: P_b·OA
     speed = made.reading[KINEMATICS.on(made).velocities.readings[3]][0]  # type: ignore[union-attr]
@@ -122,7 +124,7 @@ def test_the_gas_pushes_the_piston() -> None:
 def test_the_gas_balances_what_the_flywheel_is_driven_by() -> None:
     """The reduced moment of A2 is minus the balancing moment of the gas alone."""
     engine = drawn_of(ENGINE, exact=True)
-    made = loaded(gas=ENGINE.flywheel.indicator, balance="moment")  # type: ignore[union-attr]
+    made = loaded(gas=ENGINE.tasks["flywheel"].indicator, balance="moment")  # type: ignore[union-attr]
     chart = next(c for c in FLYWHEEL.on(engine).charts if c.view == "moment")  # type: ignore[union-attr]
     moment = engine.reading[chart.ordinates[0]] * engine.reading[chart.mu]
     np.testing.assert_allclose(balance(made), -moment[0], atol=1e-8)

@@ -29,17 +29,14 @@ SHAFT = (20e3, 30e3, 45e3, 70e3, 110e3, 160e3, 320e3, 310e3, 250e3, 170e3, 120e3
 @cache
 def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Drawn:
     scene = read(SHEETS / "engine")
-    assert scene.flywheel is not None
+    assert scene.tasks.get("flywheel") is not None
     shaft = Gas(SHAFT, BORE, ROD) if double else None
     order = IndicatorOrder("B", Gas(COVER, BORE), shaft, base=80.0, mu=2000.0)
     row = replace(scene.row, extra=extra)
     return drawn_of(
         replace(
-            scene,
-            row=row,
-            flywheel=replace(scene.flywheel, indicator=order),
-            sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),),
-        ),
+            scene, row=row, sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),)
+        ).asking(flywheel=replace(scene.tasks["flywheel"], indicator=order)),
         exact=True,
     )
 
@@ -112,8 +109,10 @@ def test_positions_outside_the_row_have_no_pressure_and_disturb_none() -> None:
 
 def test_a_scale_that_is_not_given_is_standard_and_has_room() -> None:
     scene = drawn().scene
-    assert scene.flywheel is not None
-    order = replace(scene.flywheel.indicator, mu=None, height=120.0)
-    free = drawn_of(replace(scene, flywheel=replace(scene.flywheel, indicator=order)), exact=True)
+    assert scene.tasks.get("flywheel") is not None
+    order = replace(scene.tasks["flywheel"].indicator, mu=None, height=120.0)
+    free = drawn_of(
+        scene.asking(flywheel=replace(scene.tasks["flywheel"], indicator=order)), exact=True
+    )
     assert free.scales["indicator"].value == 2500.0
     assert Row().count == 12

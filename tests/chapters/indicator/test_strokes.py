@@ -33,12 +33,12 @@ TRACED = (
 
 def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -> Drawn:
     scene = read(SHEETS / "engine")
-    assert scene.flywheel is not None
+    assert scene.tasks.get("flywheel") is not None
     gas = Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.flywheel, indicator=IndicatorOrder("B", gas, mu=2000.0))
+    order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
     row = replace(scene.row, count=count, extra=extra, accelerations=())
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
-    return drawn_of(replace(scene, flywheel=order, row=row, sheets=sheets), exact=True)
+    return drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
 
 
 def pressures(made: Drawn) -> np.ndarray:
@@ -93,12 +93,12 @@ def test_a_gap_in_the_diagram_is_told() -> None:
 
 def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
     scene = read(SHEETS / "engine")
-    assert scene.flywheel is not None
+    assert scene.tasks.get("flywheel") is not None
     gas = Gas((1e5,) * 12, BORE) if not stretches else Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.flywheel, indicator=IndicatorOrder("B", gas, mu=2000.0))
+    order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
     row = replace(scene.row, zero=zero, accelerations=())
-    drawn_of(replace(scene, flywheel=order, row=row, sheets=sheets), exact=True)
+    drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
 
 
 @pytest.mark.slow
