@@ -16,6 +16,7 @@ from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import Line, view_name
 from graphic_tmm.language.words import protocol as narrate
 from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
 MOST = 0.8
@@ -161,11 +162,12 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
         if at is None or place not in row:
             return
         index = row.index(place) if view in drawn.project.rows else place
-        turned = drawn.scene.turned and view == "velocities"
+        turned = drawn.scene.turned
         lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
         if not lines:
             return
-        yield f"{_title(drawn, view, language)}, {CAPTIONS[language]['position']} {drawn.names[place]}"
+        title = title_of(drawn.project, view, language)
+        yield f"{title}, {CAPTIONS[language]['position']} {drawn.names[place]}"
         for one in drawn.project.chapters:
             yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
     for line in lines:
@@ -173,8 +175,9 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
     yield ""
 
 
-def _title(drawn: Drawn, view: str, language: str) -> str:
-    titles = (one.titles(drawn, view, language) for one in drawn.project.chapters)
+def title_of(project: Project, view: str, language: str) -> str:
+    """Return what a view is called in a protocol, as plain text."""
+    titles = (one.titles(project, view, language) for one in project.chapters)
     return next((title for title in titles if title), "") or view_name(view, language)
 
 

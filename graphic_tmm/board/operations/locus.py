@@ -15,6 +15,8 @@ from graphic_tmm.board.values import Angle, Reals
 
 PARTS = 16
 PASSES = 14
+REFINE = "refine"
+"""What the operation is called."""
 
 
 def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
@@ -51,7 +53,7 @@ def refinement(tried: Callable[[Reals], Reals], en: str, ru: str) -> Operation:
         return Angle(narrow(tried, low, high))
 
     return Operation(
-        "refine",
+        REFINE,
         refine,
         (Angle, Angle),
         ("low", "high"),

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.readings.csv_cells import HEADS
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.readers.columns import Column
 
-RESULTS = "results"
-"""The plan of the results of the whole project, which have no position."""
 _SIGNS = {"en": (",", ".", ""), "ru": (";", ",", "\ufeff")}
 """The separator, the decimal sign and what a file begins with, so that spreadsheets take it as it is."""
 _QUOTED = frozenset('"\r\n#')
