@@ -15,6 +15,8 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
+from graphic_tmm.readers.varied import NOTHING, Accuracy
+
 if TYPE_CHECKING:
     import numpy as np
 
@@ -152,6 +154,7 @@ class Chapter:
     ``plans``: what protocols call its plans, ``plans_rank``: where these stand among the plans of all chapters if
     not in the order of the book (ten a chapter); ``views``: the views of the board that each is drawn in.
     ``equations``: a view -> lines that stand before its protocol. ``titles``: a view -> what it is called there.
+    ``accuracy``: what it tells of its accuracy.
     """
 
     name: str
@@ -193,7 +196,8 @@ class Chapter:
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
-    titles: Callable[[Drawn, str, str], str] = lambda drawn, view, language: ""
+    titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
+    accuracy: Accuracy = NOTHING
 
 
 _ADDED: list[Chapter] = []

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
 
 from graphic_tmm.commands.shared.scenes import read_scene
@@ -10,8 +12,13 @@ from graphic_tmm.commands.shared.telling import warn
 from graphic_tmm.language.reader import asked
 from graphic_tmm.language.said import said
 
+if TYPE_CHECKING:
+    Choice = click.Choice[str]
+else:
+    Choice = click.Choice  # no generic class before click 8.2
 
-class Plans(click.Choice[str]):
+
+class Plans(Choice):
     """The plans of all chapters, looked up when one is asked for: help of other commands stays light."""
 
     def __init__(self) -> None:

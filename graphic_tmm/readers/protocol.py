@@ -16,6 +16,7 @@ from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.said import said
 from graphic_tmm.language.words import view_name
 from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.project import Project
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.records import Scene
@@ -169,7 +170,8 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
         lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
         if not lines:
             return
-        yield f"{_title(drawn, view, language)}, {CAPTIONS[language]['position']} {drawn.names[place]}"
+        title = title_of(drawn.project, view, language)
+        yield f"{title}, {CAPTIONS[language]['position']} {drawn.names[place]}"
         for one in drawn.project.chapters:
             yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
     for line in lines:
@@ -177,8 +179,9 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
     yield ""
 
 
-def _title(drawn: Drawn, view: str, language: str) -> str:
-    titles = (one.titles(drawn, view, language) for one in drawn.project.chapters)
+def title_of(project: Project, view: str, language: str) -> str:
+    """Return what a view is called in a protocol, as plain text."""
+    titles = (one.titles(project, view, language) for one in project.chapters)
     return next((title for title in titles if title), "") or view_name(view, language)
 
 

@@ -16,6 +16,8 @@ from graphic_tmm.language.said import said
 
 PARTS = 16
 PASSES = 14
+REFINE = "refine"
+"""What the operation is called."""
 
 
 def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
@@ -53,7 +55,7 @@ def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
         return Angle(narrow(tried, low, high))
 
     return Operation(
-        "refine",
+        REFINE,
         refine,
         (Angle, Angle),
         ("low", "high"),

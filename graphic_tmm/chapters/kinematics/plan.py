@@ -37,6 +37,8 @@ LAST = 12
 POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
 """The plans: places of sheets, views of the board, and what other chapters need."""
 PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+ALL = ("all",)
+"""What is written for the positions of a row where none is left out."""
 
 
 @dataclass(frozen=True)
@@ -157,7 +159,7 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     StructureError
         If there is no such position.
     """
-    if wanted == ("all",):
+    if wanted == ALL:
         return tuple(range(len(names)))
     missing = [name for name in wanted if name not in names]
     if missing:

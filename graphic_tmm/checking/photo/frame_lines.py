@@ -54,7 +54,7 @@ pencil is lost."""
 
 BEND, STRAY = 0.1, 0.1
 """In the path: the cost of a step aside, and that of the edge of the strip, as shares of darkness. Could
-be 0.02 to 0.5, and 0 at least."""
+be 0.02 to 0.5, and 0 to 1."""
 
 DEGREE, ROUNDS, CUT = 4, 12, 4.7
 """The smooth curve fitted to a line, rounds of Tukey's biweight, its cut in standard deviations (the

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.readings.csv_cells import heads
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.readers.columns import Column
 
-RESULTS = "results"
-"""The plan of the results of the whole project, which have no position."""
 _SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
 """By the decimal sign: separator and what a file begins with, so that spreadsheets take it as it is."""
 _QUOTED = frozenset('"\r\n#')
