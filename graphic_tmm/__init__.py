@@ -6,26 +6,26 @@ from importlib import import_module
 from typing import Any
 
 _HOMES = {
+    "Drawn": "drawn",
     "Scene": "scene.records",
     "SceneError": "errors",
     "SheetError": "errors",
     "StructureError": "errors",
     "TmmError": "errors",
-    "Work": "work",
     "dissect": "mechanism.structure",
-    "fitted": "studio",
+    "fitted": "fitting.fit",
     "motion": "chapters.kinematics.any_angles",
     "read": "scene.read",
     "sheets": "studio",
     "svg": "paper.write.svg",
 }
 __all__ = [
+    "Drawn",
     "Scene",
     "SceneError",
     "SheetError",
     "StructureError",
     "TmmError",
-    "Work",
     "dissect",
     "fitted",
     "motion",

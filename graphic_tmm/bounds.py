@@ -1,12 +1,8 @@
-"""Between which bounds the numbers of an order lie: stated here, and nowhere else.
-
-The check of a scene, its schema and the plans' refusals read them, so that what one of them takes, all take.
-"""
+"""What a number may be, and the refusal of one that is not. The bounds themselves stand with the keys."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from graphic_tmm.errors import StructureError
@@ -16,7 +12,7 @@ class OrderError(StructureError):
     """An order that makes no sense; ``key``: the section and the key of a scene that say so."""
 
     def __init__(self, section: str, key: str, message: str) -> None:
-        super().__init__(f"{section}: {message}")
+        super().__init__(f"{section}: {message}", f"{section}.{key}")
         self.key, self.says = (section, key), message
 
 
@@ -82,71 +78,6 @@ class Bound:
             raise OrderError(section, key, f"{key} = {told}: {self.wanted} is wanted")
 
 
-_SHARE = Bound(0, 1, above=True, below=True)
-_ANGLE = Bound(0, 90, above=True, below=True)
-_RACK = Bound(0, 45, above=True, below=True)
-_SHIFT = Bound(-5, 5)
-_TEETH = Bound(1, 1000, whole=True)
 POSITIVE = Bound(0, above=True)
-_ADDENDUM, _CLEARANCE = Bound(0, 5, above=True), Bound(0, 5)
-
-_MOVING, _DWELL = Bound(0, 360, above=True, below=True), Bound(0, 360, below=True)
-CAM: Mapping[str, Bound] = {
-    "rise": _MOVING,
-    "upper_dwell": _DWELL,
-    "fall": _MOVING,
-    "lower_dwell": _DWELL,
-    "least_curvature": Bound(0),
-    "pressure": _ANGLE,
-    "transmission": _ANGLE,
-    "pressure_return": _ANGLE,
-    "share_of_r0": _SHARE,
-    "share_of_curvature": _SHARE,
-    "parts": Bound(4, 360, whole=True),
-}
-"""Of a cam: angles in degrees, lengths in m; fewer parts of a phase show no curve, more are no drawing."""
-
-GEARS: Mapping[str, Bound] = {
-    "z1": Bound(5, 2000, whole=True),
-    "z2": Bound(5, 2000, whole=True),
-    "x1": _SHIFT,
-    "x2": _SHIFT,
-    "alpha": _RACK,
-    "ha": _ADDENDUM,
-    "c": _CLEARANCE,
-    "delta_y": _SHIFT,
-    "steps": Bound(4, 60, whole=True),
-    "stations": POSITIVE,
-}
-"""Of a pair of gears: with fewer teeth no flank is left between the root and the tip that could drive."""
-
-PLANETARY: Mapping[str, Bound] = {
-    "alpha": _RACK,
-    "ha": _ADDENDUM,
-    "c": _CLEARANCE,
-    "tolerance": Bound(0, 0.5),
-    "ratio": Bound(-10_000, 10_000),
-    "teeth": _TEETH,
-    "satellites": Bound(1, 49, whole=True),
-    "least": _TEETH,
-    "most": _TEETH,
-    "ring_most": _TEETH,
-    "behind": _TEETH,
-}
-"""Of a planetary train."""
-
-LINK = Bound(0, 999, whole=True)
-FIRST = Bound(0, 1, whole=True)
-SEED = Bound(0, 2**31, whole=True)
-DELTA = Bound(0, 2, above=True, below=True)
-RIM_RATIO = _SHARE
-FRICTION = Bound(0, 2)
-EXPONENT = Bound(0, 3)
-WITHIN = Bound(0, 1)
-LIMIT = Bound(0, 100, above=True)
-PASSES = Bound(2, 50, whole=True)
-STUDS = Bound(1, 24, whole=True)
-SPEED_RATIO = Bound(1, 100, above=True, below=True)
-POSITIONS = Bound(1, 100_000, whole=True)
 INTERVALS = Bound(4, whole=True)
 """Of a graph: fewer show no curve."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import Column
+    from graphic_tmm.scene.declare import Section
     from graphic_tmm.scene.records import Scene
 
 T = TypeVar("T")
@@ -47,13 +48,12 @@ class Asked(Generic[T]):
 
     def of(self, scene: Scene) -> T | None:
         """Return what the scene asks for; None if it has no such section."""
-        found: T | None = getattr(scene, self.section)
+        found: T | None = scene.tasks.get(self.section)
         return found
 
     def put(self, scene: Scene, task: T | None) -> Scene:
         """Return the scene asking for ``task`` instead; None: not asking."""
-        changed: dict[str, Any] = {self.section: task}
-        return replace(scene, **changed)
+        return scene.asking(**{self.section: task})
 
 
 class Holder(Protocol):
@@ -138,14 +138,13 @@ class Chapter:
     ``number``: its place in the book, and in everything that is read. ``board``: on which board it stands, ""
     for none: then what it draws is told by a scene alone. ``builds_on``: the chapters whose marks it uses.
 
-    ``asked``: whether a scene calls for it; ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by name: a chapter,
+    ``sections``: what scenes may write for it; ``asked``: whether a scene calls for it; ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by name: a chapter,
     or what another chapter understands. ``record``: what it leaves on its board.
     ``charts``: of what it made, the graphs on axes. ``reach``: what its scale factors go by, found once.
     ``plan_scales``: μ of the plans at a size, without drawing them. ``scales``: put the values of its scale
     factors into what is given. ``named``: further scale factors as drawn, by view, of those
     that were given a value.
-    ``scale_key``: what machines call the scale factor of a view. ``size_keys``: keys besides those of [scales] that
-    fix how large something is drawn.
+    ``scale_key``: what machines call the scale factor of a view.
     ``undrawn``: the positions that cannot be drawn; ``ranges``: the end of a sentence that tells those that can.
     ``nothing``: by slot, where a figure has no meaning; ``coarse``: by slot, what leaves fewer digits of it.
     ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of its own.
@@ -161,6 +160,7 @@ class Chapter:
     board: str = MECHANISM
     builds_on: tuple[str, ...] = ()
     places: tuple[Place, ...] = ()
+    sections: tuple[Section, ...] = ()
     sizes: tuple[Size, ...] = ()
     asked: Callable[[Scene], bool] = lambda scene: False
     always: bool = False
@@ -174,7 +174,6 @@ class Chapter:
         lambda project, reading, given: {}
     )
     scale_key: Callable[[str], str] = lambda view: ""
-    size_keys: tuple[str, ...] = ()
     undrawn: Callable[[Project, Reading], tuple[int, ...]] = lambda project, reading: ()
     ranges: Callable[[Project], str] = lambda project: ""
     nothing: Callable[[Project, Doubts], Mapping[int, np.ndarray]] = lambda project, doubts: {}

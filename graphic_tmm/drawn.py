@@ -119,7 +119,7 @@ class Drawn:
                 places &= told[one.step.it.view]
                 for chapter in self.project.chapters:
                     left = chapter.compared(self, left, places)
-            if places and (left.letters or left.kind != "lost"):
+            if places and (left.marks or left.kind != "lost"):
                 yield left._replace(positions=tuple(sorted(places)))
 
 

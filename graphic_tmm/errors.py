@@ -72,7 +72,20 @@ def _shortened(match: re.Match[str]) -> str:
 
 
 class StructureError(TmmError):
-    """The links and pairs do not make a mechanism that this board can draw."""
+    """The links and pairs do not make a mechanism that this board can draw.
+
+    ``keys``: those of a scene that it speaks of, as people write them: ``drive.zero``, ``link 3, side``; within
+    an item of a list its own key alone.
+    """
+
+    def __init__(self, message: str, *keys: str) -> None:
+        super().__init__(message)
+        self.keys = keys
+
+    def inside(self, item: str) -> StructureError:
+        """Return the error as one of an item of a list, ``load 2``."""
+        keys = tuple(key if "." in key else f"{item}, {key}" for key in self.keys)
+        return StructureError(str(self), *(keys or (item,)))
 
 
 class ConstructionError(TmmError):

@@ -168,7 +168,7 @@ def record(
             if made is not None:
                 bench.made[chapter.name] = made
     except StructureError as error:
-        raise StructureError(f"{scene.source}: {error}") from error
+        raise scene.located(error) from error
     return bench.project()
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
+from graphic_tmm.work import record
 from support.effects import LOADS, PLACED, named, needs, only, steps
 from support.gallery import SHEETS
 
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import record
 
 FULL = (
     "windrower",
@@ -106,6 +106,6 @@ def test_without_friction_the_polygons_are_drawn_once() -> None:
     frictionless = views(whole, effects - {"friction"})
     assert "friction" not in frictionless
     assert len([view for view in frictionless if view.startswith("forces 2-3")]) == 1
-    passes = whole.forces.friction.passes if whole.forces and whole.forces.friction else 0
+    passes = whole.tasks["forces"].friction.passes
     drawn = [view for view in views(whole, effects) if view.startswith("forces 2-3")]
     assert len(drawn) == passes + 1

@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from graphic_tmm.parts import draw_parts
 from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.language.captions import CAPTIONS, UNITS_RU
-from graphic_tmm.parts import draw_parts
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
@@ -106,7 +106,9 @@ def test_the_commands_take_a_part(name: str) -> None:
 @pytest.mark.slow
 def test_a_part_stands_beside_a_mechanism() -> None:
     engine, cam = read(SHEETS / "engine"), read(SHEETS / "cam")
-    both = replace(engine, cam=cam.cam, sheets=(*engine.sheets, SheetOrder("A1", ("cam",))))
+    both = replace(engine, sheets=(*engine.sheets, SheetOrder("A1", ("cam",)))).asking(
+        cam=cam.tasks["cam"]
+    )
     made, paper = sheets(both)
     assert made.work is not None
     assert len(paper) == 2

@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from graphic_tmm.work import work
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.assemblies import ranges
@@ -22,7 +23,6 @@ from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project, draw_project
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets, warnings
-from graphic_tmm.work import work
 
 Pose = tuple[float, float, float]
 

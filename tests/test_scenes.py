@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import NAMES, scene
 from support.oracle import Motion, State, solve_from_points
 
@@ -15,7 +16,6 @@ from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.mechanism.structure import Group, dissect
 from graphic_tmm.studio import warnings
-from graphic_tmm.work import Work, work
 
 RATIO = 1e-9
 

@@ -16,6 +16,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import shapely
+from graphic_tmm.work import Work, work
 from support.gallery import NAMES, SHEETS, paper
 
 from graphic_tmm.errors import SceneError, StructureError
@@ -28,7 +29,6 @@ from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_files, sheets, warnings
-from graphic_tmm.work import Work, work
 
 SMALL = ("crank-rocker", "oscillating-cylinder")
 SVG = "{http://www.w3.org/2000/svg}"

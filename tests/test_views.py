@@ -13,20 +13,12 @@ from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
-from graphic_tmm.scene.records import PART_PLACES, Scene, SheetOrder
-from graphic_tmm.scene.values import FREE_PLACES, PLACES
+from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import fitted, sheets
-from graphic_tmm.views import FREE_VIEWS, PART_VIEWS, VIEWS
 
 
 def views(scene: Scene) -> dict[str, Drawing]:
     return {view.name: view for sheet in sheets(scene)[1] for view in sheet.drawings}
-
-
-def test_every_place_of_a_scene_has_its_view() -> None:
-    assert set(PLACES) == set(VIEWS) | set(FREE_VIEWS) | set(PART_VIEWS)
-    assert set(PART_PLACES) == set(PART_VIEWS)
-    assert set(FREE_PLACES) == set(FREE_VIEWS)
 
 
 def test_the_main_position_is_the_one_asked_for() -> None:

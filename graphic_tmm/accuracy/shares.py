@@ -42,7 +42,7 @@ def shares(drawing: Project, who: Hand, each: int = EACH) -> Mapping[str, tuple[
     steps = needed(drawing.construction, [mark for q in asked for mark in q.marks])
     slipping: dict[str, Step] = {}
     for step in steps:
-        slip = slip_of(step.op, step.it.view, step.it.letter)
+        slip = slip_of(step.op, *step.it.key)
         if slip is not None and _size(who, slip.kind) > 0.0:
             slipping[slip.key] = step
     if not slipping:

@@ -62,7 +62,7 @@ LARGE, ALIGNED, PIECE = 1 << 20, 64, 8
 def ready(step: Step) -> Call:
     """Return a step made ready to run."""
     op = partial(step.op.run, **step.choice) if step.choice else step.op.run
-    slip = slip_of(step.op, step.it.view, step.it.letter)
+    slip = slip_of(step.op, *step.it.key)
     return Call(op, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads, slip)
 
 

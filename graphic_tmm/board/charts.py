@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.formulas import (
@@ -14,7 +15,7 @@ from graphic_tmm.board.operations.formulas import (
     scale_of_integral,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Length
 
 HEIGHT = {"A1": 120.0, "A4": 45.0}
 """Of the graphs of moment, work and energy by format: how high one may be, mm; three stand in a column."""
@@ -101,9 +102,14 @@ def _scaled(
     """``in_order``: the scale sought and the known one, that of the integral before that of the derivative."""
     letter = pole or f"H_{symbol}"
     if drawn.pole is not None:
-        distance = draft.take(Length, letter, drawn.pole, "mm")
-        mu = draft.board.draw(scale, f"μ_{symbol}", *known, distance, unit=unit)
+        distance = draft.take(Length, letter, drawn.pole, "mm", roles.POLE_DISTANCE)
+        mu = draft.draw(scale, f"μ_{symbol}", *known, distance, unit=unit)
         return Scaled(mu, False, distance)
-    mu = draft.board.take(Number, f"μ_{symbol}", unit)
-    distance = draft.board.draw(pole_distance, letter, *in_order(mu), known[1])
+    mu = draft.scale(f"μ_{symbol}", unit)
+    distance = draft.draw(pole_distance, letter, *in_order(mu), known[1], role=roles.POLE_DISTANCE)
     return Scaled(mu, True, distance)
+
+
+def distances(given: Iterable[Mark], view: str) -> list[Mark]:
+    """Return the distances of poles that are given in a view."""
+    return [mark for mark in given if mark.role == roles.POLE_DISTANCE and mark.view == view]

@@ -30,7 +30,7 @@ class Finding(NamedTuple):
     """``kind``: "undrawn", "touching", "doubtful", "lost" or "idle"; the step; the positions (indices).
 
     ``amount``: what is missing, mm; of a doubtful point how far rounding moves it, as a share of its plan.
-    ``letters``: of figures of which no digit is sure; ``idle`` is a polygon of no forces.
+    ``marks``: the figures of which no digit is sure; ``idle`` is a polygon of no forces.
     """
 
     kind: str
@@ -39,7 +39,7 @@ class Finding(NamedTuple):
     positions: tuple[int, ...]
     amount: float
     gap: Gap | None = None
-    letters: tuple[str, ...] = ()
+    marks: tuple[Mark, ...] = ()
 
 
 def step_number(construction: Construction, step: Step) -> int:
@@ -134,7 +134,7 @@ def _left_out(
             step_number(construction, first),
             places,
             0.0,
-            letters=tuple(step.it.letter for step in some),
+            marks=tuple(step.it for step in some),
         )
         for (_, places), some in groups.items()
     ]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import abscissa
 from graphic_tmm.board.operations.graph_curves import (
@@ -110,68 +111,66 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
         )
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers)
-    x = draft.board.draw(abscissa, "x_{n}", n, length, intervals)
+    x = draft.draw(abscissa, "x_{n}", n, length, intervals)
     return Base(count, length, x, mu, draft.direction(0.0))
 
 
 def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     """Draw the axes of a graph in a view of its own; ``mu``: the scale of its ordinates."""
     axes = erect_axes(draft, view, base, mu)
-    draft.board.lay_out(None, mu)
+    draft.lay_out(None, mu)
     lines = (axes.origin, axes.along, axes.up, axes.feet, axes.end, axes.middles)
-    draft.board.figure("axes", view, *lines, mu, base.mu, base.length)
+    draft.figure("axes", view, *lines, mu, base.mu, base.length)
     return axes
 
 
 def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     """Draw axes alone: what stands on them is laid out by another."""
-    board = draft.board
-    board.open(view)
+    draft.open(view)
     origin = draft.take(Point, "O", 0j)
-    along = board.draw(ray, "(Ox)", origin, base.zero)
-    up = board.draw(square, "(Oy)", origin, along, sense=1)
-    feet = board.draw(lay_off, "i", along, base.x)
-    end = board.draw(lay_off, str(base.intervals), along, base.length)
-    after = board.draw(following, "i+1", feet, end, row=base.intervals)
-    middles = board.draw(halve, "m", feet, after)
+    along = draft.draw(ray, "(Ox)", origin, base.zero)
+    up = draft.draw(square, "(Oy)", origin, along, sense=1)
+    feet = draft.draw(lay_off, "i", along, base.x)
+    end = draft.draw(lay_off, str(base.intervals), along, base.length)
+    after = draft.draw(following, "i+1", feet, end, row=base.intervals)
+    middles = draft.draw(halve, "m", feet, after)
     return Axes(base, view, mu, origin, along, up, feet, end, middles, after)
 
 
 def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
     """Lay off an ordinate for every position; the graph is closed: its end stands as high as its beginning."""
-    line = draft.board.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    points = draft.board.draw(lay_off, letter, line, lengths)
+    line = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    points = draft.draw(lay_off, letter, line, lengths)
     return close(draft, axes, points)
 
 
 def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
     """Carry the height of the first point across to the end of the base."""
-    board = draft.board
-    first = board.draw(at_zero, board.free(f"{points.letter}_0"), points)
-    level = board.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1)
-    last = board.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1)
-    return Boundaries(points, board.draw(meet, f"{points.letter}_N", level, last))
+    first = draft.draw(at_zero, f"{points.letter}_0", points, free=True)
+    level = draft.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1)
+    last = draft.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1)
+    return Boundaries(points, draft.draw(meet, f"{points.letter}_N", level, last))
 
 
 def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
     """Measure the ordinates of points at the boundaries, with their signs."""
-    return draft.board.draw(measure_along, letter, axes.feet, points, axes.up)
+    return draft.draw(measure_along, letter, axes.feet, points, axes.up)
 
 
 def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
     """Draw the smooth curve through the points of a graph: of what the mechanism does."""
-    board, row, letter = draft.board, axes.base.intervals, _name(points)
+    row, letter = axes.base.intervals, _name(points)
     if closed:
-        return board.draw(closed_graph, letter, points.points, axes.base.length, row=row)
+        return draft.draw(closed_graph, letter, points.points, axes.base.length, row=row)
     if isinstance(points, Boundaries):
-        return board.draw(open_graph, letter, points.points, points.end, row=row)
-    return board.draw(open_graph_of_middles, letter, points.points, row=row)
+        return draft.draw(open_graph, letter, points.points, points.end, row=row)
+    return draft.draw(open_graph_of_middles, letter, points.points, row=row)
 
 
 def taut(draft: Draft, axes: Axes, points: Boundaries) -> Mark:
     """Draw the curve that stays between its points: of what is laid on the mechanism, forces and moments."""
     row, over = axes.base.intervals, axes.base.length
-    return draft.board.draw(taut_graph, _name(points), points.points, over, row=row)
+    return draft.draw(taut_graph, _name(points), points.points, over, row=row)
 
 
 def along_rays(
@@ -179,13 +178,13 @@ def along_rays(
 ) -> Mark:
     """Draw the curve of an integral, by the rays from its pole to the ordinates of what was integrated."""
     marks = (*points, pole, ordinates.points, source.up)
-    return draft.board.draw(graph_of_rays, _name(points), *marks, row=axes.base.intervals)
+    return draft.draw(graph_of_rays, _name(points), *marks, row=axes.base.intervals)
 
 
 def difference(draft: Draft, axes: Axes, points: Boundaries, first: Mark, second: Mark) -> Mark:
     """Draw the curve through points whose ordinates are everywhere those of one curve less those of another."""
     marks = (*points, first, second)
-    return draft.board.draw(graph_of_differences, _name(points), *marks, row=axes.base.intervals)
+    return draft.draw(graph_of_differences, _name(points), *marks, row=axes.base.intervals)
 
 
 def _name(points: Boundaries | Middles) -> str:
@@ -194,29 +193,28 @@ def _name(points: Boundaries | Middles) -> str:
 
 def on_curve(draft: Draft, axes: Axes, curve: Mark, letter: str) -> Boundaries:
     """Mark the points of a curve over the boundaries of the intervals."""
-    points = draft.board.draw(erect, letter, curve, axes.feet)
-    return Boundaries(points, draft.board.draw(erect, f"{letter}_N", curve, axes.end))
+    points = draft.draw(erect, letter, curve, axes.feet)
+    return Boundaries(points, draft.draw(erect, f"{letter}_N", curve, axes.end))
 
 
 def set_pole(draft: Draft, axes: Axes, distance: Mark) -> Pole:
     """Mark the pole at its distance H to the left of the origin."""
-    draft.board.open(axes.view)
-    left = draft.board.draw(square, "(OP)", axes.origin, axes.up, sense=1)
-    return Pole(draft.board.draw(lay_off, "P", left, distance), distance)
+    draft.open(axes.view)
+    left = draft.draw(square, "(OP)", axes.origin, axes.up, sense=1)
+    return Pole(draft.draw(lay_off, "P", left, distance, role=roles.POLE), distance)
 
 
 def by_chords(
     draft: Draft, source: Axes, at: Boundaries, to: Axes, pole: Pole, letter: str
 ) -> Middles:
     """Differentiate by chords: rays from the pole parallel to them give the values of the middles."""
-    board = draft.board
-    board.open(source.view)
-    after = board.draw(
+    draft.open(source.view)
+    after = draft.draw(
         following, f"{at.points.letter}+1", at.points, at.end, row=source.base.intervals
     )
-    chord = board.draw(join, f"({at.points.letter},{after.letter})", at.points, after)
-    board.open(to.view)
-    rays = board.draw(parallel, "(P)", pole.point, chord, sense=1)
+    chord = draft.draw(join, f"({at.points.letter},{after.letter})", at.points, after)
+    draft.open(to.view)
+    rays = draft.draw(parallel, "(P)", pole.point, chord, sense=1)
     return Middles(_carried(draft, to, rays, to.middles, letter))
 
 
@@ -224,21 +222,19 @@ def by_tangents(
     draft: Draft, source: Axes, curve: Mark, to: Axes, pole: Pole, letter: str
 ) -> Boundaries:
     """Differentiate by tangents: rays from the pole parallel to them give the values of the boundaries."""
-    board = draft.board
-    board.open(source.view)
-    slopes = board.draw(touching, f"(τ_{{{curve.letter.strip('()')[0]}}})", curve, source.feet)
-    board.open(to.view)
-    rays = board.draw(parallel, "(P)", pole.point, slopes, sense=1)
+    draft.open(source.view)
+    slopes = draft.draw(touching, f"(τ_{{{curve.letter.strip('()')[0]}}})", curve, source.feet)
+    draft.open(to.view)
+    rays = draft.draw(parallel, "(P)", pole.point, slopes, sense=1)
     return close(draft, to, _carried(draft, to, rays, to.feet, letter))
 
 
 def _carried(draft: Draft, axes: Axes, rays: Mark, feet: Mark, letter: str) -> Mark:
     """Carry where rays from the pole meet the ordinate axis across to over their feet."""
-    board = draft.board
-    cut = board.draw(meet, f"{letter}_y", axes.up, rays)
-    level = board.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1)
-    over = board.draw(square, f"({feet.letter})", feet, axes.along, sense=1)
-    return board.draw(meet, letter, over, level)
+    cut = draft.draw(meet, f"{letter}_y", axes.up, rays)
+    level = draft.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1)
+    over = draft.draw(square, f"({feet.letter})", feet, axes.along, sense=1)
+    return draft.draw(meet, letter, over, level)
 
 
 def integrate(
@@ -257,27 +253,27 @@ def integrate(
     ``mean``: that of the "areas" below the curve, the curve's ordinate at the "middles", or that of the
     "chords" between the points ``at``.
     """
-    board, row = draft.board, source.base.intervals
-    board.open(source.view)
+    row = source.base.intervals
+    draft.open(source.view)
     high = _mean_ordinates(draft, source, curve, mean, at)
-    level = board.draw(parallel, f"({high.letter})", high, source.along, sense=1)
-    cut = board.draw(meet, board.free("h_y"), source.up, level)
-    rays = board.draw(join, f"(P{cut.letter})", pole.point, cut)
-    board.open(to.view)
-    points = board.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)
+    level = draft.draw(parallel, f"({high.letter})", high, source.along, sense=1)
+    cut = draft.draw(meet, "h_y", source.up, level, free=True)
+    rays = draft.draw(join, f"(P{cut.letter})", pole.point, cut)
+    draft.open(to.view)
+    points = draft.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)
     return Boundaries(
-        points, board.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=row)
+        points, draft.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=row)
     )
 
 
 def _mean_ordinates(
     draft: Draft, source: Axes, curve: Mark, mean: str, at: Boundaries | None
 ) -> Mark:
-    board, row, letter = draft.board, source.base.intervals, draft.board.free("h")
+    row = source.base.intervals
     if mean == "middles":
-        return board.draw(erect, letter, curve, source.middles)
+        return draft.draw(erect, "h", curve, source.middles, free=True)
     if mean == "areas":
-        return board.draw(level_off, letter, curve, source.feet, source.after)
+        return draft.draw(level_off, "h", curve, source.feet, source.after, free=True)
     assert at is not None
-    after = board.draw(following, board.free(f"{at.points.letter}+1"), *at, row=row)
-    return board.draw(halve, letter, at.points, after)
+    after = draft.draw(following, f"{at.points.letter}+1", *at, row=row, free=True)
+    return draft.draw(halve, "h", at.points, after, free=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from graphic_tmm.board.dimensions import fault, unit_of
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import KINDS, Kind, Point
 from graphic_tmm.errors import ConstructionError
@@ -18,9 +19,11 @@ TALLY = "#"
 
 
 class Mark(NamedTuple):
-    """What a plan's author holds: the slot in the log, the letter, the kind, the view, the unit.
+    """What a plan's author holds: the slot in the log, the letter, the kind, the view, the unit, the role.
 
     The letter is the mark's alone in its view; the ``name`` is what readers see, and others may bear it too.
+    Both are for people. What a mark is for code is its ``role``, a term of the field ("normal", "pole"); code
+    that looks for marks asks for it, or holds the marks themselves.
     """
 
     slot: int
@@ -28,6 +31,12 @@ class Mark(NamedTuple):
     kind: Kind
     view: str
     unit: str = ""
+    role: str = ""
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """View and letter: by these a mark is known again in another recording of the same plan."""
+        return self.view, self.letter
 
     @property
     def name(self) -> str:
@@ -46,11 +55,16 @@ class Step(NamedTuple):
 
 
 class View(NamedTuple):
-    """A plan's own corner of the board: its name, its pole (if it has one) and its scale factor."""
+    """A plan's own corner of the board: its name, its pole (if it has one), its scale factor, its role.
+
+    ``last``: of a view that is drawn again, pass after pass, the one that it comes to; else its own name.
+    """
 
     name: str
     pole: Mark | None
     scale: Mark | None
+    role: str = ""
+    last: str = ""
 
 
 class Figure(NamedTuple):
@@ -75,10 +89,10 @@ class Construction(NamedTuple):
         """Return the view of that name, or None."""
         return next((view for view in self.views if view.name == name), None)
 
-    def mark(self, view: str, letter: str) -> Mark | None:
-        """Return the mark with that letter in that view, or None."""
+    def roles(self, view: str, role: str) -> tuple[Mark, ...]:
+        """Return the marks of a view that have a role, given ones first, then in the order of the steps."""
         marks = (*self.given, *(step.it for step in self.steps))
-        return next((m for m in marks if m.view == view and m.letter == letter), None)
+        return tuple(mark for mark in marks if mark.view == view and mark.role == role)
 
     def step(self, mark: Mark) -> Step | None:
         """Return the step that left ``mark``; None for a given one."""
@@ -107,13 +121,15 @@ class Board:
         """The view that is open."""
         return self._view
 
-    def lay_out(self, pole: Mark | None, scale: Mark | None) -> None:
-        """Tell the pole and the scale factor of the view that is open."""
-        self._views.append(View(self._view, pole, scale))
+    def lay_out(
+        self, pole: Mark | None, scale: Mark | None, role: str = "", last: str = ""
+    ) -> None:
+        """Tell the pole and the scale factor of the view that is open (see `View`)."""
+        self._views.append(View(self._view, pole, scale, role, last or self._view))
 
-    def take(self, kind: Kind, letter: str, unit: str = "") -> Mark:
+    def take(self, kind: Kind, letter: str, unit: str = "", role: str = "") -> Mark:
         """Return a mark given before work begins."""
-        mark = self._mark(letter, kind, unit)
+        mark = self._mark(letter, kind, unit, role, kind is not Point)
         self._given.append(mark)
         return mark
 
@@ -121,14 +137,27 @@ class Board:
         """Write a remark (a vector equation, a heading) that stands before the next step."""
         self._note = f"{self._note}\n{note}" if self._note else note
 
-    def draw(self, op: Operation, letter: str, *uses: Mark, unit: str = "", **choice: int) -> Mark:
+    def draw(
+        self,
+        op: Operation,
+        letter: str,
+        *uses: Mark,
+        unit: str = "",
+        role: str = "",
+        free: bool = False,
+        **choice: int,
+    ) -> Mark:
         """Record one operation and return the mark it leaves.
+
+        Two bodies may share a line or a length: its letter is freed, it gets a tally. A point bears its letter
+        alone in its view, so that one drawn twice by mistake is found; ``free``: it may stand beside others.
 
         Raises
         ------
         ConstructionError
             If the kinds of the marks are not those the operation takes, a choice is not one of its
-            choices, or a point of that letter stands in this view already. Other marks get a tally.
+            choices, the unit is not what the formula makes of theirs, or a point of that letter stands in
+            this view already and is not to be ``free``.
         """
         kinds = tuple(mark.kind for mark in uses)
         if kinds != op.takes:
@@ -138,7 +167,11 @@ class Board:
             )
         if unknown := set(choice) - set(op.choices):
             raise ConstructionError(f"{self._place(op, letter)} has no choice {sorted(unknown)}")
-        mark = self._mark(letter, op.leaves, unit)
+        if op.formula:
+            units = tuple(unit_of(mark.kind, mark.unit) for mark in uses)
+            if says := fault(op.name, units, unit_of(op.leaves, unit)):
+                raise ConstructionError(f"{self._place(op, letter)} {says}")
+        mark = self._mark(letter, op.leaves, unit, role, free or op.leaves is not Point)
         self._steps.append(Step(op, mark, uses, choice, self._note))
         self._note = ""
         return mark
@@ -170,16 +203,14 @@ class Board:
     def _place(self, op: Operation, letter: str) -> str:
         return f"{self._view}, step {len(self._steps) + 1}: {op.name} '{letter}'"
 
-    def _mark(self, letter: str, kind: Kind, unit: str) -> Mark:
-        if (
-            kind is not Point
-        ):  # two bodies may share a line or a length; a point bears its letter alone
+    def _mark(self, letter: str, kind: Kind, unit: str, role: str, free: bool) -> Mark:
+        if free:
             letter = self.free(letter)
         if (self._view, letter) in self._letters:
             raise ConstructionError(
                 f"{self._view}, step {len(self._steps) + 1}: the letter '{letter}' stands in this plan already"
             )
         self._letters.add((self._view, letter))
-        mark = Mark(self._count, letter, kind, self._view, unit)
+        mark = Mark(self._count, letter, kind, self._view, unit, role)
         self._count += 1
         return mark

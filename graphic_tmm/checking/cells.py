@@ -92,7 +92,7 @@ def points(made: DrawnScene) -> dict[Key, complex]:
         for k, place in enumerate(drawn.row(plan)):
             z = complex(row[k if row.size > 1 else 0])
             if cmath.isfinite(z):
-                found[plan, step.it.letter, drawn.names[place]] = z
+                found[(*step.it.key, drawn.names[place])] = z
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, points
+from graphic_tmm.checking.readings.read import TOLD
 from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.report.words import WORDS
@@ -37,7 +38,7 @@ def known(
                 faults.append(Fault("", taken.line, says))
         kept += parts
     if faults:
-        raise SceneError(source, tuple(faults[:20]))
+        raise SceneError(source, tuple(faults[:TOLD]))
     return tuple(kept), tuple(notes)
 
 

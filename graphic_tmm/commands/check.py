@@ -175,7 +175,8 @@ def _told(report: Report, form: str) -> str | list[Any]:
     """Return a report as Markdown, JSON or HTML text, or as rich tables for ``form`` "text"."""
     from graphic_tmm.checking.report.html import html_report
     from graphic_tmm.checking.report.json import json_report
-    from graphic_tmm.checking.report.text import markdown_report, text_report
+    from graphic_tmm.checking.report.markdown import markdown_report
+    from graphic_tmm.checking.report.text import text_report
 
     if form == "text":
         return text_report(report)

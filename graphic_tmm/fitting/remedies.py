@@ -10,6 +10,7 @@ from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.fitting.compose import orders
 from graphic_tmm.fitting.fit import depends, fitted
 from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.scene.registry import size_keys
 
 TINY = 5.0
 """A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it."""
@@ -51,7 +52,7 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
     key, helps = "", []
     if plan in known and known[plan].fixed(scene):
         key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]
-    elif written := [name for one in chapters() for name in one.size_keys if name in scene.told]:
+    elif written := [name for name in size_keys() if name in scene.told]:
         helps = [f"to change, or leave out, {', '.join(written)}"]
     if any(order.format != "A1" for order in scene.sheets) and _held_by_a1(scene, error):
         helps.append('a further sheet with format = "A1" for it')

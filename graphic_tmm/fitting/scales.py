@@ -68,17 +68,17 @@ class Fitting:
         return found
 
     def shorter(self, size: str, lengths: Iterable[tuple[str, str, str]]) -> dict[Mark, object]:
-        """Return lengths given in mm (key, view, letter) at a share of their usual one.
+        """Return lengths given in mm (key, view, role) at a share of their usual one.
 
         What the scene itself says of a length is kept.
         """
         share, found = self.sizes[size], {}
         if share < 1.0:
-            for key, view, letter in lengths:
-                mark = self.project.construction.mark(view, letter)
-                if mark in self.project.given and key not in self.scene.told:
-                    value = np.ravel(np.asarray(self.project.given[mark]))[0]
-                    found[mark] = share * float(value)
+            for key, view, role in lengths:
+                for mark in self.project.construction.roles(view, role):
+                    if mark in self.project.given and key not in self.scene.told:
+                        value = np.ravel(np.asarray(self.project.given[mark]))[0]
+                        found[mark] = share * float(value)
         return dict[Mark, object](found)
 
 

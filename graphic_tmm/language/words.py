@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Curve, Length, Side, undefined
 from graphic_tmm.language.captions import CAPTIONS, UNITS_RU
@@ -266,9 +266,8 @@ def _sums(steps: Sequence[Step]) -> dict[Mark, tuple[Mark, ...]]:
     found: dict[Mark, tuple[Mark, ...]] = {}
     before: Step | None = None
     for step in steps:
-        if step.op is added:
-            begun = before is not None and before.op is added and before.it == step.uses[0]
-            if begun and before is not None and before.it.name == step.it.name:
+        if before is not None and before.it.role == step.it.role == roles.SUM:
+            if before.it == step.uses[0]:
                 found[step.it] = (*(found.get(before.it) or before.uses), *step.uses[1:])
                 found[before.it] = ()
         before = step
@@ -357,4 +356,4 @@ def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) ->
 
 def _letters_of(found: Finding) -> str:
     """Return the letters that are left out, each once, however often it is primed."""
-    return ", ".join(dict.fromkeys(plain(letter).rstrip("′") for letter in found.letters))
+    return ", ".join(dict.fromkeys(plain(mark.letter).rstrip("′") for mark in found.marks))

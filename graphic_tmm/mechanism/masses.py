@@ -43,5 +43,6 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
     points = f"its points are {', '.join(link.points)}" if link.points else "it has no point yet"
     raise StructureError(
         f"link {link.number} has a mass, but nothing says which point is its mass centre: "
-        f'write centre = "{meant}" in its [[link]] ({points})'
+        f'write centre = "{meant}" in its [[link]] ({points})',
+        f"link {link.number}, centre",
     )

@@ -110,7 +110,8 @@ def dissect(mechanism: Mechanism) -> Structure:
             raise StructureError(
                 f"links {names} make a group of class III or higher, or are tied to each other only: "
                 "this board draws groups of class II (two links, three pairs); "
-                "check the letters and slides of these links"
+                "check the letters and slides of these links",
+                *(f"link {number}" for number in left),
             )
         groups.append(group)
         for leg in group.legs:
@@ -132,13 +133,15 @@ def _pivot(mechanism: Mechanism) -> str:
     crank = mechanism.by_number.get(mechanism.drive.link)
     if crank is None or crank is mechanism.frame:
         raise StructureError(
-            f"the drive names link {mechanism.drive.link}, which is not a moving link"
+            f"the drive names link {mechanism.drive.link}, which is not a moving link", "drive.link"
         )
     shared = [letter for letter in crank.points if letter in mechanism.frame.points]
     if len(shared) != 1 or crank.slides:
         raise StructureError(
             f"the driving link {crank.number} must turn about one letter that it shares with the frame "
-            f"(it shares {', '.join(shared) or 'none'})"
+            f"(it shares {', '.join(shared) or 'none'})",
+            f"link {crank.number}",
+            "drive.link",
         )
     return shared[0]
 
@@ -153,7 +156,8 @@ def _pin(mechanism: Mechanism, pivot: str) -> str:
     ]
     if not (pinned or others):
         raise StructureError(
-            f"the driving link {crank.number} has no second letter: give it the crank pin, e.g. A"
+            f"the driving link {crank.number} has no second letter: give it the crank pin, e.g. A",
+            f"link {crank.number}, points",
         )
     return (pinned or others)[0]
 
@@ -201,10 +205,13 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
     if loose:
         raise StructureError(
             f"link {', '.join(map(str, loose))} is tied to nothing: "
-            "give it a letter of another link, or a slide"
+            "give it a letter of another link, or a slide",
+            *(f"link {number}" for number in loose),
         )
     for slide_owner in (p for p in pairs if p.slide is not None and p.links[0] == p.links[1]):
-        raise StructureError(f"link {slide_owner.links[0]} slides on itself")
+        raise StructureError(
+            f"link {slide_owner.links[0]} slides on itself", f"link {slide_owner.links[0]}, slides"
+        )
     numbers = list(mechanism.by_number)
     for place, first in enumerate(numbers):
         for second in numbers[place + 1 :]:
@@ -212,7 +219,9 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
             if len(shared) > 1:
                 raise StructureError(
                     f"links {first} and {second} share {' and '.join(shared)}: "
-                    "they cannot move against each other; make them one link"
+                    "they cannot move against each other; make them one link",
+                    f"link {first}, points",
+                    f"link {second}, points",
                 )
 
 
@@ -269,7 +278,9 @@ def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:
     if kinds == ("P", "P"):
         raise StructureError(
             f"links {first} and {second} are joined by three sliding pairs: they make no Assur group "
-            "(a turning pair is needed)"
+            "(a turning pair is needed)",
+            f"link {first}, slides",
+            f"link {second}, slides",
         )
     if kinds == ("R", "R"):
         return Group(3, legs if inner.links[0] == first else (legs[1], legs[0]), inner)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.words import number, unit
@@ -29,8 +29,9 @@ def mu_text(scale: Scale, language: str) -> str:
 def pole_texts(log: Construction, reading: Reading, view: str, language: str) -> list[str]:
     """Return the pole distances of a view as they are written: H_V = 20 mm."""
     found = []
-    for step in log.steps:
-        if step.it.view == view and step.op is lay_off and step.it.name == "P":
+    for pole in log.roles(view, roles.POLE):
+        step = log.step(pole)
+        if step is not None:
             distance = step.uses[1]
             value = number(float(reading[distance][0, 0]), language)
             found.append(f"{distance.name} = {value} {unit('mm', language)}")

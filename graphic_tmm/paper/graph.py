@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations import graphs as g
 from graphic_tmm.board.operations.curve import bezier
@@ -33,8 +34,7 @@ DOT = 0.5
 """Radius of the point of a reading, mm."""
 TANGENT = 6.0
 """Half the length of a tangent that is drawn, mm."""
-POLES = ("P", "P′")
-"""The letters of poles."""
+POLES = (roles.POLE, roles.LEVEL_POLE)
 EXTREMES = (g.highest, g.lowest)
 """Operations that find where a curve turns."""
 ASIDE = 14.0
@@ -42,6 +42,8 @@ ASIDE = 14.0
 LEAST = 0.3
 """Shorter lines are points, mm."""
 SIZE, NUMBER = 5.0, 3.5
+ON_AXIS = {roles.EXTREME: (SIZE, -1 + 0j), roles.MEAN: (NUMBER, -1 - 0.5j)}
+"""Points on the axis of the ordinates that bear their letters: how large, on which side."""
 ROOM = 6.0
 """Room for letters about a graph before they have their places, mm."""
 
@@ -63,15 +65,15 @@ class AxesMarks(NamedTuple):
 class Names(NamedTuple):
     """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base.
 
-    ``curves``: the label of a curve by the letter of the readings of its points, where there are several.
-    ``lengths``: the figures of what is dimensioned on the axis of the ordinates, by letter.
+    ``curves``: the label of a curve by its mark or that of the readings of its points, where there are several.
+    ``lengths``: the figures of what is dimensioned on the axis of the ordinates.
     """
 
     positions: Sequence[str]
     up: str
     along: str
-    curves: Mapping[str, str] = MappingProxyType({})
-    lengths: Mapping[str, str] = MappingProxyType({})
+    curves: Mapping[Mark, str] = MappingProxyType({})
+    lengths: Mapping[Mark, str] = MappingProxyType({})
 
 
 def axes_ink(
@@ -180,7 +182,7 @@ class _Ink:
 
     def lettered_poles(self) -> list[tuple[str, complex]]:
         """The poles with their letters."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name in POLES]
+        marks = [step.it for step in self.steps if step.it.role in POLES]
         spots = [(mark.name, complex(self.points(mark)[0])) for mark in marks]
         return [(name, spot) for name, spot in spots if np.isfinite(spot)]
 
@@ -195,10 +197,10 @@ class _Ink:
     def dimensions(self, names: Names) -> Iterator[Dimension]:
         """The dimensions of what is measured along the axis of the ordinates, left of it."""
         for step in self.steps:
-            if step.op is measure_along and step.it.letter in names.lengths:
+            if step.it in names.lengths:
                 low, high = (complex(self.points(mark)[0]) for mark in step.uses[:2])
                 if np.isfinite(high - low):
-                    yield dimension(low, high, ASIDE, names.lengths[step.it.letter])
+                    yield dimension(low, high, ASIDE, names.lengths[step.it])
 
     def axes(self, low: float, high: float) -> list[Stroke]:
         """The two axes with their arrows, and the ticks of the positions."""
@@ -218,29 +220,30 @@ class _Ink:
         for name, spot in self.lettered_poles():
             yield Wanted(name, spot, NUMBER, 1.0, -1 + 0j)
         for step in self.steps:
-            if step.it.name in names.curves and step.op in (join, graph_of_rays):
+            if step.it in names.curves and step.op in (join, graph_of_rays):
                 spot = self.outermost(step.uses[1 if step.op is join else 0])
                 spot = 0.6 * spot if step.op is join else spot
                 if np.isfinite(spot):
-                    yield Wanted(names.curves[step.it.name], spot, NUMBER, 1.0, 1j - 0.5)
-            if step.op is measure_along and step.it.name in names.curves:
+                    yield Wanted(names.curves[step.it], spot, NUMBER, 1.0, 1j - 0.5)
+            if step.it in names.curves and step.op is measure_along:
                 spot = self.outermost(step.uses[1])
                 if np.isfinite(spot):
-                    letter = names.curves[step.it.name]
+                    letter = names.curves[step.it]
                     yield Wanted(letter, spot, NUMBER, 1.0, spot.imag * 1j)
             yield from self.named(step)
         yield from self.numbers(names)
 
     def named(self, step: Step) -> Iterator[Wanted]:
         """The letter of a point that is one of a kind: where a curve turns, what is carried to the axis."""
-        ways = {"c": -1 + 0j, "d": -1 + 0j, "M_c": -1 - 0.5j} if step.op is meet else {}
         if step.op in EXTREMES:
-            ways = {step.it.name: 1j if step.op is g.highest else -1j}
-        spot = complex(self.points(step.it)[0]) if step.it.name in ways else complex("nan")
+            size, way = NUMBER, 1j if step.op is g.highest else -1j
+        elif step.it.role in ON_AXIS:
+            size, way = ON_AXIS[step.it.role]
+        else:
+            return
+        spot = complex(self.points(step.it)[0])
         if np.isfinite(spot):
-            size = SIZE if step.it.name in ("c", "d") else NUMBER
-            name = step.it.name.replace("M_c", "M_{c}")
-            yield Wanted(name, spot, size, 1.0, ways[step.it.name])
+            yield Wanted(step.it.name, spot, size, 1.0, way)
 
     def numbers(self, names: Names) -> Iterator[Wanted]:
         """The numbers of the positions under the base."""
@@ -266,7 +269,7 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 
 def _laid(ink: _Ink, step: Step) -> Ends:
-    if step.it.name != "P" and step.it not in (ink.marks.feet, ink.marks.end):
+    if step.it.role != roles.POLE and step.it not in (ink.marks.feet, ink.marks.end):
         yield ink.starts(step.uses[0]), ink.points(step.it)
 
 

@@ -11,11 +11,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel
 from graphic_tmm.board.record import Construction, Mark, Step
 
 QUANTITIES = {"p": "v", "π": "a"}
-"""What a segment from a pole stands for."""
+"""What a segment stands for whose name begins with the letter of a pole."""
+VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
+"""The vectors of a plan by the role of its pole."""
 
 
 class Term(NamedTuple):
@@ -96,7 +99,7 @@ def equations(construction: Construction, plan: str, *, turned: bool = False) ->
     ``turned``: the plan is turned by 90°, so that what is drawn along a line is square to it in truth.
     """
     view = construction.view(plan)
-    if view is None or view.pole is None or view.pole.name not in QUANTITIES:
+    if view is None or view.pole is None or view.pole.role not in VECTORS:
         return
     steps = [step for step in construction.steps if step.it.view == plan]
     read = {step.uses[2]: step.it.name for step in steps if step.op is measure_along}
@@ -120,7 +123,7 @@ def _equation(
     turned: bool,
 ) -> Equation:
     """Return the equation of the point where two lines met."""
-    root = QUANTITIES[pole.name]
+    root = VECTORS[pole.role]
     name = f"{root}_{{{point.name.upper()}}}"
     sought: Term | str = name
     sides = []

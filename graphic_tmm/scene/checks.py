@@ -6,12 +6,15 @@ import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping
 from itertools import chain
+from typing import Any
 
+from graphic_tmm.bounds import OrderError
 from graphic_tmm.mechanism.masses import free_points, shared
-from graphic_tmm.scene import geometry
-from graphic_tmm.scene.faults import Found
-from graphic_tmm.scene.lines import Path
-from graphic_tmm.scene.models import DriveTable, ExtremeTable, LinkTable, ScalesTable, SlideTable
+from graphic_tmm.scene import geometry, registry
+from graphic_tmm.scene.declare import Found, Path, Said, Section, build
+from graphic_tmm.scene.document import table
+from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
+from graphic_tmm.scene.places import of_section
 from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.values import OTHER_EXTREME
 
@@ -25,23 +28,51 @@ def check(parts: Parts) -> Iterator[Found]:
     for path, link in pairing(parts.links, "link"):
         centres = centres_of(link, pins)
         yield from _places((*path, "points"), link.points, set(centres) - pins)
-        if parts.forces is not None or parts.flywheel is not None:
+        if any(section.weighs for section, _ in parts.asked):
             yield from _masses(path, link, centres)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
             yield from _sense(at, slide, parts)
+    plans, scales = parts.said["plans"], parts.said["scales"]
     if parts.drive is not None:
         yield from _row(parts.drive)
-        if parts.plans is not None and parts.plans.main is not None:
-            yield from _position(parts.drive, ("plans", "main"), parts.plans.main)
-    if parts.scales is not None:
-        yield from _scales(parts.scales)
+        if plans is not None and plans.main is not None:
+            yield from _position(parts.drive, ("plans", "main"), plans.main)
+    if scales is not None:
+        yield from _scales(scales)
+    for section, said in parts.asked:
+        faults = list(section.check(said, parts))
+        yield from faults or _refused(section, said)
+    yield from _placed(parts)
 
 
-def slides_of(path: Path, link: LinkTable) -> list[tuple[Path, SlideTable]]:
+def _refused(section: Section, said: Any) -> Iterator[Found]:
+    """Yield what the plan of a part refuses of its task, before anything is drawn."""
+    if section.refuse is None:
+        return
+    try:
+        section.refuse(build(section.record, said))
+    except OrderError as error:
+        yield Found(error.key, error.says)
+
+
+def _placed(parts: Parts) -> Iterator[Found]:
+    """A sheet that places what the scene does not ask for."""
+    sheets = parts.doc.get("sheet")
+    for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
+        places = table(sheet).get("place")
+        for section in registry.sections():
+            for place in of_section(section):
+                if isinstance(places, list) and place in places and section.name not in parts.doc:
+                    says = f"nothing says what it is; write a section [{section.name}]"
+                    says = f'"{place}": {says} with {section.begin}'
+                    yield Found(("sheet", i, "place"), says)
+
+
+def slides_of(path: Path, link: Link) -> list[tuple[Path, Slide]]:
     """Return the sliding pairs of a link, each with its path."""
-    if isinstance(link.slides, SlideTable):
+    if isinstance(link.slides, Slide):
         return [((*path, "slides"), link.slides)]
     return [((*path, "slides", i), slide) for i, slide in enumerate(link.slides)]
 
@@ -65,14 +96,14 @@ def _places(
             cells.setdefault((x, y), []).append((letter, place))
 
 
-def centres_of(link: LinkTable, pins: Collection[str]) -> tuple[str, ...]:
+def centres_of(link: Link, pins: Collection[str]) -> tuple[str, ...]:
     """Return the mass centre of a link; where a mass has none, the points that may be meant: in no pair."""
     if link.centre is not None or not link.mass:
         return (link.centre,) if link.centre is not None else ()
     return free_points(link.points, pins)
 
 
-def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[Found]:
+def _masses(path: Path, link: Link, centres: tuple[str, ...]) -> Iterator[Found]:
     """A mass without its centre, where more than one point may be meant."""
     if link.centre is None and len(centres) > 1:
         listed = " or ".join(f'centre = "{letter}"' for letter in centres)
@@ -82,12 +113,12 @@ def _masses(path: Path, link: LinkTable, centres: tuple[str, ...]) -> Iterator[F
         )
 
 
-def _flips(path: Path, owner: LinkTable | SlideTable) -> Iterator[Found]:
+def _flips(path: Path, owner: Link | Slide) -> Iterator[Found]:
     if owner.flips_at and owner.side is None:
         yield Found((*path, "flips_at"), 'it needs a side to flip; write "side" as well')
 
 
-def _sense(path: Path, slide: SlideTable, parts: Parts) -> Iterator[Found]:
+def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
     """Whether the word for the side tells the two senses of the guide apart."""
     frame = parts.frame
     if slide.side is None or frame is None:
@@ -107,9 +138,9 @@ def _sense(path: Path, slide: SlideTable, parts: Parts) -> Iterator[Found]:
         yield Found((*path, "side"), str(error))
 
 
-def _row(drive: DriveTable) -> Iterator[Found]:
+def _row(drive: Drive) -> Iterator[Found]:
     """Positions named for acceleration plans, and extras, that the row does not have."""
-    extreme = isinstance(drive.zero, ExtremeTable)
+    extreme = isinstance(drive.zero, Extreme)
     if OTHER_EXTREME in drive.extra and not extreme:
         says = 'the other extreme of what? write zero = { point = "D", at = "left" }'
         yield Found(("drive", "extra"), says)
@@ -122,7 +153,7 @@ def _row(drive: DriveTable) -> Iterator[Found]:
             yield Found(path, f"position {name} is named twice; leave one out")
 
 
-def _position(drive: DriveTable, path: Path, name: str) -> Iterator[Found]:
+def _position(drive: Drive, path: Path, name: str) -> Iterator[Found]:
     """A position named that the row does not have."""
     last = drive.first + drive.positions - 1
     if not drive.first <= int(name.rstrip("*")) <= last:
@@ -132,7 +163,7 @@ def _position(drive: DriveTable, path: Path, name: str) -> Iterator[Found]:
         yield Found(path, says)
 
 
-def _scales(scales: ScalesTable) -> Iterator[Found]:
+def _scales(scales: Said) -> Iterator[Found]:
     for factor, drawn in (("mu_l", "OA"), ("mu_v", "pa"), ("mu_a", "pi_a")):
         if getattr(scales, factor) is not None and getattr(scales, drawn) is not None:
             says = f"{drawn} and {factor} both fix the same scale; leave one of them out"

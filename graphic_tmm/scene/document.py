@@ -1,4 +1,4 @@
-"""A TOML file as its text and its tables: of a fit size, in UTF-8, not nested beyond any use."""
+"""A TOML file as its text and its tables: of a fit size, in UTF-8, not nested beyond any use; parts of it."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, read
+from graphic_tmm.scene.declare import Path as Place
 from graphic_tmm.scene.syntax import syntax_fault
 
 Document = dict[str, Any]
@@ -63,3 +64,29 @@ def _deeper(doc: Document) -> bool:
 
 def _refuse(file: Path, message: str, line: int = 0) -> NoReturn:
     raise SceneError(str(file), (Fault("", line, message),)) from None
+
+
+def texts(doc: Document) -> list[tuple[Place, str]]:
+    """Every text of a document that is drawn, with its path: titles, names, letters."""
+    drawn: list[tuple[Place, str]] = [(("title",), doc.get("title", ""))]
+    for key, value in table(doc.get("title_block")).items():
+        drawn.append((("title_block", key), value))
+    drawn.extend((("frame", key), key) for key in table(doc.get("frame")) if key != "number")
+    for path, link in raw_links(doc):
+        drawn.append(((*path, "name"), link.get("name", "")))
+        for part in ("points", "guides"):
+            drawn.extend(((*path, part, key), key) for key in table(link.get(part)))
+    return [(path, value) for path, value in drawn if isinstance(value, str)]
+
+
+def raw_links(doc: Document) -> list[tuple[Place, Document]]:
+    """Return the links as they stand in the document, understood or not."""
+    links = doc.get("link")
+    if not isinstance(links, list):
+        return []
+    return [(("link", i), link) for i, link in enumerate(links) if isinstance(link, dict)]
+
+
+def table(value: object) -> Document:
+    """Return a value of the document if it is a table, else an empty one."""
+    return value if isinstance(value, dict) else {}

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 from graphic_tmm.mechanism.records import Guide
 from graphic_tmm.scene import letters
-from graphic_tmm.scene.models import GuideTable
+from graphic_tmm.scene.mechanism import Guide as GuideTable
 
 SAME_PLACE = 1e-9
 _SQUARE = 1e-6

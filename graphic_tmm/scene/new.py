@@ -6,8 +6,8 @@ import json
 import re
 
 from graphic_tmm.scene.letters import POLES
-from graphic_tmm.scene.models import schema
 from graphic_tmm.scene.read import FILE
+from graphic_tmm.scene.schema import schema
 
 SCHEMA = "scene.schema.json"
 KEPT = f"# The letters {', '.join(POLES)} are kept for the poles of plans: call a point K, or P1.\n"

@@ -8,13 +8,14 @@ from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
-from graphic_tmm.scene import build, checks, force_checks, order_checks, references
-from graphic_tmm.scene.document import document
-from graphic_tmm.scene.faults import Found, fault
+from graphic_tmm.scene import build, checks, references
+from graphic_tmm.scene.declare import Found
+from graphic_tmm.scene.document import Document, document
+from graphic_tmm.scene.faults import fault, key_of
 from graphic_tmm.scene.lines import line_of, locate
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.remarks import remarks
-from graphic_tmm.scene.sections import Document, understand
+from graphic_tmm.scene.sections import understand
 
 FILE = "scene.toml"
 SCENE = Kind("a scene", f"name a scene file, or a folder with a {FILE}", 256_000)
@@ -48,18 +49,16 @@ def read(path: Path | str, *, missing: Callable[[str], str] = lambda text: "") -
     parts, found = understand(doc)
     found.extend(references.check(doc, missing))
     found.extend(checks.check(parts))
-    found.extend(order_checks.check(doc, parts))
-    found.extend(force_checks.check(doc, parts))
     if found:
         raise SceneError(str(file), _in_order(text, doc, found))
     made = build.scene(parts, str(file))
-    return replace(made, remarks=remarks(doc, parts), told=_told(doc))
+    return replace(made, remarks=remarks(parts), told=_told(text, doc))
 
 
-def _told(doc: Document) -> frozenset[str]:
-    """Return the keys of the file's sections that are tables, as section.key."""
-    tables = {name: section for name, section in doc.items() if isinstance(section, dict)}
-    return frozenset(f"{name}.{key}" for name, section in tables.items() for key in section)
+def _told(text: str, doc: Document) -> dict[str, int]:
+    """Return the lines of the file's sections, and of their keys, as people write them."""
+    lines = locate(text)
+    return {key_of(doc, path): line for path, line in lines.items() if len(path) < 4}
 
 
 def _in_order(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:

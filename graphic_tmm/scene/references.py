@@ -9,9 +9,8 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple, TypeGuard
 
 from graphic_tmm.scene import letters
-from graphic_tmm.scene.faults import Found
-from graphic_tmm.scene.lines import Path
-from graphic_tmm.scene.sections import Document, raw_links, table, texts
+from graphic_tmm.scene.declare import Found, Path
+from graphic_tmm.scene.document import Document, raw_links, table, texts
 from graphic_tmm.scene.values import link_side
 
 

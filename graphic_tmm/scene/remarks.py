@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.forces.task import GRAVITY
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene.checks import centres_of
-from graphic_tmm.scene.quantities import KGF, in_kgf
-from graphic_tmm.scene.records import SECTIONS, Scene
-from graphic_tmm.scene.sections import Document, Parts
+from graphic_tmm.scene.places import of_section
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.registry import sections
+from graphic_tmm.scene.sections import Parts
 
 TABLES = {
     "accelerations": ("accelerations", "acceleration table", "results", "equations", "diagrams")
@@ -17,41 +17,13 @@ TABLES = {
 """Places that show what is asked for elsewhere than in a section of its own."""
 
 
-def remarks(doc: Document, parts: Parts) -> tuple[str, ...]:
+def remarks(parts: Parts) -> tuple[str, ...]:
     """Return, one line each, the sections that nothing reads, and the defaults that matter."""
-    return (*_idle(doc, parts), *_defaults(doc, parts))
-
-
-def _idle(doc: Document, parts: Parts) -> Iterator[str]:
-    effects = parts.effects
-    for key, name in (("load", "[[load]]"), ("effects", "[effects]"), ("friction", "[friction]")):
-        if doc.get(key) and "forces" not in doc:
-            yield f"{key}: nothing is computed of {name} without a section [forces]; add it, or take {name} out"
-    if "friction" in doc and "forces" in doc and not (effects is not None and effects.friction):
-        yield "friction: it does not act; write friction = true in [effects], or take [friction] out"
-    gas = effects is not None and effects.gas and "forces" in doc
-    if "indicator" in doc and not (gas or "flywheel" in doc or "engine" in doc):
-        yield (
-            "indicator: nothing asks for the gas; add [flywheel] or [engine], or gas = true in [effects] with "
-            "[forces], or take [indicator] out"
-        )
-
-
-def _defaults(doc: Document, parts: Parts) -> Iterator[str]:
-    effects = parts.effects
-    weights = parts.forces is not None and effects is not None and effects.gravity
-    if weights and effects is not None and effects.g is None and in_kgf(doc):
-        yield (
-            f"effects.g: it is left out, so weights are taken with {GRAVITY} m/s², while a kgf is {KGF} N; "
-            f'write g = "{KGF} m/s^2", or the one that is meant'
-        )
-    if parts.forces is not None or parts.flywheel is not None:
-        yield from _centres(parts)
-    if parts.flywheel is not None and "constant" not in doc.get("flywheel", {}):
-        yield (
-            f"flywheel.constant: it is left out, so the {parts.flywheel.constant} moment is taken as constant; "
-            'write constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives'
-        )
+    there = list(parts.asked)
+    idle = [line for section, said in there for line in section.idle(said, parts)]
+    centres = _centres(parts) if any(section.weighs for section, _ in there) else ()
+    defaults = [line for section, said in there for line in section.defaults(said, parts)]
+    return (*idle, *centres, *defaults)
 
 
 def _centres(parts: Parts) -> Iterator[str]:
@@ -73,14 +45,14 @@ def unplaced(scene: Scene) -> tuple[str, ...]:
 
 
 def _unplaced(scene: Scene) -> Iterator[str]:
-    by_loads = scene.flywheel is not None and scene.flywheel.indicator is None
-    for section, places in SECTIONS.items():
-        if not getattr(scene, section) or scene.shown & set(places):
+    there = [section for section in sections() if section.name in scene.tasks]
+    seen = [section for section in there if scene.shown & set(of_section(section))]
+    shown = {name for section in seen for name in section.shows(scene.tasks[section.name])}
+    for section in there:
+        if section in seen or section.name in shown:
             continue
-        if section == "forces" and by_loads and "flywheel" in scene.shown:
-            continue  # the flywheel is found by them
-        listed = " or ".join(f'"{place}"' for place in places)
-        yield f"{section}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]"
+        listed = " or ".join(f'"{place}"' for place in of_section(section))
+        yield f"{section.name}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]"
     if scene.row.accelerations and not scene.shown & set(TABLES["accelerations"]):
         yield (
             'drive.accelerations: no sheet shows them (table does); add "accelerations" to the place of a '

@@ -6,81 +6,116 @@ fault is a key that it does not know is understood nevertheless.
 
 from __future__ import annotations
 
-import copy
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from functools import cached_property
+from typing import Any
 
-from pydantic import BaseModel, ValidationError
-from pydantic_core import ErrorDetails
-
+from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.errors import TmmError
-from graphic_tmm.scene import lengths, quantities
-from graphic_tmm.scene import models as m
-from graphic_tmm.scene.cam_tables import CamTable
-from graphic_tmm.scene.document import Document as Document
-from graphic_tmm.scene.faults import Found, from_pydantic, unknown_key
-from graphic_tmm.scene.force_tables import (
-    EffectsTable,
-    EngineTable,
-    ForcesTable,
-    FrictionTable,
-    LoadTable,
-)
-from graphic_tmm.scene.lines import Path
-from graphic_tmm.scene.order_tables import DiagramsTable, FlywheelTable, IndicatorTable
-from graphic_tmm.scene.records import FREE_PLACES, PART_PLACES
-from graphic_tmm.scene.wheel_tables import GearsTable, PlanetaryTable
+from graphic_tmm.scene import drawing, lengths, letters, mechanism, quantities, registry
+from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
+from graphic_tmm.scene.document import Document, raw_links, table
+from graphic_tmm.scene.places import of_section, without_mechanism
+from graphic_tmm.scene.references import Outline, outline
+from graphic_tmm.scene.tables import MOST, understood, unknown_key
 
-M = TypeVar("M", bound=BaseModel)
+FIRST = (
+    Section("task", mechanism.Task, "lengths found from a task"),
+    Section("frame", mechanism.Frame, "the fixed link", always=True),
+    Section("link", mechanism.Link, "the moving links, in order", several=True),
+    Section("drive", mechanism.Drive, "the driving link and its motion"),
+    Section("plans", drawing.Plans, always=True),
+)
+"""The sections of every scene that stand before those of chapters."""
+LAST = (
+    Section("scales", drawing.Scales, always=True),
+    Section("hand", drawing.Hand, always=True),
+    Section("sheet", drawing.SheetOrder, "the sheets", several=True),
+    Section("title_block", drawing.TitleBlock, always=True),
+)
+"""Those that stand behind them."""
+LENGTHS = "lengths"
+"""The section that names lengths; it stands before all others."""
 
 _EXAMPLES = {
     "frame": "a section [frame] with the fixed points, O = [0, 0]",
     "link": "a section [[link]] for each moving link, with its number and points",
     "drive": 'a section [drive] with link = 1 and speed = "380 rpm"',
 }
-_OF_MECHANISM = (
-    "drive",
-    "frame",
-    "link",
-    "diagrams",
-    "flywheel",
-    "forces",
-    "engine",
-    "load",
-    "friction",
-)
-MOST = 100
-"""So many faults of one table are put into words."""
 _FOUND_BY_TASK = ("OA", "BC", "OB")
+
+
+def declared() -> dict[str, Section]:
+    """Return all sections of a scene, by name, in order."""
+    return {one.name: one for one in (*FIRST, *registry.sections(), *LAST)}
 
 
 @dataclass
 class Parts:
-    """The sections that could be understood; None for one that could not."""
+    """What could be understood of a document.
 
-    head: m.Head | None
-    task: m.TaskTable | None
-    frame: m.FrameTable | None
-    links: list[m.LinkTable | None]
-    drive: m.DriveTable | None
-    plans: m.PlansTable | None
-    diagrams: DiagramsTable | None
-    indicator: IndicatorTable | None
-    flywheel: FlywheelTable | None
-    effects: EffectsTable | None
-    loads: list[LoadTable | None]
-    forces: ForcesTable | None
-    friction: FrictionTable | None
-    engine: EngineTable | None
-    cam: CamTable | None
-    gears: GearsTable | None
-    planetary: PlanetaryTable | None
-    scales: m.ScalesTable | None
-    hand: m.HandTable | None
-    sheets: list[m.SheetTable | None]
-    title_block: m.TitleBlockTable | None
+    ``said``: what a section says, by name: None for one that could not be understood, or is not there; of those
+    that may be there several times a list. ``head``: the keys before the first section.
+    """
+
+    doc: Document
+    head: drawing.Head | None
+    said: Mapping[str, Any]
+
+    def record(self, name: str) -> Any:
+        """Return the record of a section that no other has a part in; a list where there may be several."""
+        record, said = declared()[name].record, self.said[name]
+        if isinstance(said, list):
+            return [None if one is None else build(record, one) for one in said]
+        return None if said is None else build(record, said)
+
+    @cached_property
+    def frame(self) -> mechanism.Frame | None:
+        """The fixed link."""
+        found: mechanism.Frame | None = self.record("frame")
+        return found
+
+    @cached_property
+    def links(self) -> list[mechanism.Link | None]:
+        """The moving links, in order."""
+        found: list[mechanism.Link | None] = self.record("link")
+        return found
+
+    @cached_property
+    def drive(self) -> mechanism.Drive | None:
+        """The driving link and its motion."""
+        found: mechanism.Drive | None = self.record("drive")
+        return found
+
+    @cached_property
+    def names(self) -> Outline:
+        """The names of the file, whatever else is wrong."""
+        return outline(self.doc)
+
+    @property
+    def asked(self) -> Iterator[tuple[Section, Any]]:
+        """The sections of chapters that are there and could be understood, with what they say."""
+        for section in registry.sections():
+            said = self.said[section.name]
+            if section.several:
+                said = pairing(said, section.name)
+            if said is not None and (said or section.name in self.doc):
+                yield section, said
+
+    def moves(self, path: Path, letter: str) -> Iterator[Found]:
+        """Tell of a letter that is no point of a moving link."""
+        there = [name for _, link in raw_links(self.doc) for name in table(link.get("points"))]
+        if there and letter not in there:
+            meant = letters.unknown(letter, there, "points of moving links")
+            yield Found(path, f'"{letter[:20]}" is no point of a moving link{meant}')
+
+    def intervals(self, section: str) -> Iterator[Found]:
+        """Tell of a row that is too short for a diagram of a section."""
+        if self.drive is not None and not INTERVALS.holds(self.drive.positions):
+            says = f"a diagram needs {INTERVALS.least} positions at least, there are {self.drive.positions}"
+            yield Found((section,), f"{says}; write positions = 12 in [drive]")
 
 
 def understand(doc: Document) -> tuple[Parts, list[Found]]:
@@ -96,49 +131,33 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
     found = _top_level(doc)
     task, given = _task(doc, found)
     names = _named_lengths(doc, given, found)
-    head = {key: doc[key] for key in m.Head.model_fields if key in doc}
+    written = {key: doc[key] for key in keys_of(drawing.Head) if key in doc}
+    head = understood(drawing.Head, written, (), names, found)
+    said: dict[str, Any] = {"task": task}
+    for name, section in declared().items():
+        if section.several:
+            said[name] = _several(section, doc.get(name, []), names, found)
+        elif name not in said:
+            there = section.always or name in doc
+            raw, at = doc.get(name, {}), (name,)
+            said[name] = understood(section.record, raw, at, names, found) if there else None
+    return Parts(doc, build(drawing.Head, head) if head is not None else None, said), found
 
-    def section(model: type[M], key: str) -> M | None:
-        return _one(model, doc.get(key, {}), (key,), names, found)
 
-    def sections(model: type[M], key: str) -> list[M | None]:
-        items = doc.get(key, [])
-        if not isinstance(items, list):
-            found.append(Found((key,), f"write [[{key}]] in double brackets: there can be several"))
-            return []
-        return [_one(model, item, (key, i), names, found) for i, item in enumerate(items)]
-
-    def optional(model: type[M], key: str) -> M | None:
-        return section(model, key) if key in doc else None
-
-    parts = Parts(
-        head=_one(m.Head, head, (), names, found),
-        task=task,
-        frame=section(m.FrameTable, "frame"),
-        links=sections(m.LinkTable, "link"),
-        drive=optional(m.DriveTable, "drive"),
-        plans=section(m.PlansTable, "plans"),
-        diagrams=optional(DiagramsTable, "diagrams"),
-        indicator=optional(IndicatorTable, "indicator"),
-        flywheel=optional(FlywheelTable, "flywheel"),
-        effects=section(EffectsTable, "effects"),
-        loads=sections(LoadTable, "load"),
-        forces=optional(ForcesTable, "forces"),
-        friction=optional(FrictionTable, "friction"),
-        engine=optional(EngineTable, "engine"),
-        cam=optional(CamTable, "cam"),
-        gears=optional(GearsTable, "gears"),
-        planetary=optional(PlanetaryTable, "planetary"),
-        scales=section(m.ScalesTable, "scales"),
-        hand=section(m.HandTable, "hand"),
-        sheets=sections(m.SheetTable, "sheet"),
-        title_block=section(m.TitleBlockTable, "title_block"),
-    )
-    return parts, found
+def _several(
+    section: Section, items: object, names: Mapping[str, float], found: list[Found]
+) -> list[Any]:
+    name = section.name
+    if not isinstance(items, list):
+        found.append(Found((name,), f"write [[{name}]] in double brackets: there can be several"))
+        return []
+    return [
+        understood(section.record, item, (name, i), names, found) for i, item in enumerate(items)
+    ]
 
 
 def _top_level(doc: Document) -> list[Found]:
-    known = list(m.SceneFile.model_fields)
+    known = [*keys_of(drawing.Head), LENGTHS, *declared()]
     strange = [key for key in doc if key not in known]
     found = [Found((key,), unknown_key(key, known)) for key in strange[:MOST]]
     for key, example in _EXAMPLES.items():
@@ -152,59 +171,22 @@ def needs_mechanism(doc: Document) -> bool:
     raw = doc.get("sheet")
     sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
     places = [place for s in sheets for place in _listed(s.get("place", []))]
-    asked = any(key in doc for key in _OF_MECHANISM)
-    nothing = any("place" not in s for s in sheets) and not any(key in doc for key in PART_PLACES)
-    return asked or nothing or any(p not in (*FREE_PLACES, *PART_PLACES) for p in places)
+    asked = any(key in doc for key in _EXAMPLES)
+    asked = asked or any(s.name in doc and not s.alone for s in registry.sections())
+    parts = any(s.name in doc and s.alone and of_section(s) for s in registry.sections())
+    nothing = any("place" not in s for s in sheets) and not parts
+    return asked or nothing or any(p not in without_mechanism() for p in places)
 
 
 def _listed(value: object) -> list[object]:
     return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
-def _one(
-    model: type[M], raw: object, root: Path, names: Mapping[str, float], found: list[Found]
-) -> M | None:
-    """One table as its model; None if it has faults other than keys that it does not know."""
-    try:
-        return model.model_validate(raw, context=names)
-    except ValidationError as error:
-        details = _without_echoes(error.errors(include_url=False), root)
-    found.extend(from_pydantic(detail, root) for detail in details[:MOST])
-    if any(detail["type"] != "extra_forbidden" for detail in details):
-        return None
-    known = copy.deepcopy(raw)
-    for detail in details:
-        _take_out(known, _path(detail))
-    try:
-        return model.model_validate(known, context=names)
-    except ValidationError:  # a key that was asked for stands there misspelt
-        return None
-
-
-def _without_echoes(details: list[ErrorDetails], root: Path) -> list[ErrorDetails]:
-    """Leave out a key that is missing only because it stands there misspelt."""
-    misspelt = {
-        (*path[:-1], quantities.near(str(path[-1]), m.keys_of((*root, *path[:-1])), 0.6))
-        for path in (_path(d) for d in details[:MOST] if d["type"] == "extra_forbidden")
-    }
-    return [d for d in details if d["type"] != "missing" or _path(d) not in misspelt]
-
-
-def _path(detail: ErrorDetails) -> Path:
-    return tuple(part for part in detail["loc"] if part not in m.TAGS)
-
-
-def _take_out(raw: Any, path: Path) -> None:
-    for part in path[:-1]:
-        raw = raw[part]
-    del raw[path[-1]]
-
-
-def _task(doc: Document, found: list[Found]) -> tuple[m.TaskTable | None, dict[str, float]]:
-    """Return the task, and the lengths it gives (NaN where they cannot be told)."""
+def _task(doc: Document, found: list[Found]) -> tuple[Any, dict[str, float]]:
+    """Return what the task says, and the lengths it gives (NaN where they cannot be told)."""
     if "task" not in doc:
         return None, {}
-    task = _one(m.TaskTable, doc["task"], ("task",), {}, found)
+    task = understood(mechanism.Task, doc["task"], ("task",), {}, found)
     if task is None:
         return None, dict.fromkeys(_FOUND_BY_TASK, math.nan)
     from graphic_tmm.mechanism.synthesis import rocker_lengths
@@ -248,32 +230,6 @@ def _name_fault(name: str, given: Mapping[str, float]) -> str:
     return ""
 
 
-def pairing(items: list[M | None], section: str) -> list[tuple[Path, M]]:
+def pairing(items: list[Any], section: str) -> list[tuple[Path, Any]]:
     """Return the items of a list of tables that could be understood, each with its path."""
     return [((section, i), item) for i, item in enumerate(items) if item is not None]
-
-
-def texts(doc: Document) -> list[tuple[Path, str]]:
-    """Every text of a document that is drawn, with its path: titles, names, letters."""
-    drawn: list[tuple[Path, str]] = [(("title",), doc.get("title", ""))]
-    for key, value in table(doc.get("title_block")).items():
-        drawn.append((("title_block", key), value))
-    drawn.extend((("frame", key), key) for key in table(doc.get("frame")) if key != "number")
-    for path, link in raw_links(doc):
-        drawn.append(((*path, "name"), link.get("name", "")))
-        for part in ("points", "guides"):
-            drawn.extend(((*path, part, key), key) for key in table(link.get(part)))
-    return [(path, value) for path, value in drawn if isinstance(value, str)]
-
-
-def raw_links(doc: Document) -> list[tuple[Path, Document]]:
-    """Return the links as they stand in the document, understood or not."""
-    links = doc.get("link")
-    if not isinstance(links, list):
-        return []
-    return [(("link", i), link) for i, link in enumerate(links) if isinstance(link, dict)]
-
-
-def table(value: object) -> Document:
-    """Return a value of the document if it is a table, else an empty one."""
-    return value if isinstance(value, dict) else {}

@@ -16,8 +16,6 @@ _TWICE = (
 
 LONGEST = 300
 """A longer line is not quoted in a remedy."""
-SEVERAL = ("link", "load", "sheet")
-"""The sections that a scene may have several times."""
 
 
 def syntax_fault(text: str, message: str) -> Fault:
@@ -51,11 +49,18 @@ def _twice(said: str, number: int, line: str, match: re.Match[str] | None) -> Fa
         name = key.split(".")[0]
         says = (
             f"write [[{name}]] in double brackets, each time: there can be several"
-            if name in SEVERAL
+            if name in several()
             else "put its keys into one section"
         )
         return Fault(key, number, f"the section [{key}] stands twice; {says}")
     return Fault(key, number, f'"{key}" stands twice in one table; take one out, or rename it')
+
+
+def several() -> frozenset[str]:
+    """Return the sections that a scene may have several times."""
+    from graphic_tmm.scene.sections import declared
+
+    return frozenset(name for name, section in declared().items() if section.several)
 
 
 def _key(line: str) -> str:

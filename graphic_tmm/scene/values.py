@@ -3,60 +3,28 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
-from typing import Annotated, Any
 
-from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import CoreSchema, core_schema
-
-from graphic_tmm import bounds
-from graphic_tmm.bounds import Bound
+from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.scene import lengths, letters, quantities
+from graphic_tmm.scene.declare import Kind, Names, Schema
 from graphic_tmm.scene.quantities import Dimension, kind_of
-from graphic_tmm.scene.records import ALL_PLACES, FREE_PLACES
-
-Names = Mapping[str, float]
-Schema = dict[str, Any]
 
 COUNTERCLOCKWISE, CLOCKWISE = "counterclockwise", "clockwise"
 OTHER_EXTREME = "other extreme"
 MU_L_OMEGA = "mu_l*omega1"
 
 
-class Rule:
-    """Annotation: a function of (value, named lengths) checks the value or raises ValueError."""
+def quantity(dimension: Dimension, bound: Bound | None = None) -> Kind:
+    """Return the kind of a quantity of a dimension: a number in SI (degrees), or a text with its unit."""
 
-    def __init__(self, check: Callable[[object, Names], object], schema: Schema) -> None:
-        self.check = check
-        self.schema = schema
-
-    def __get_pydantic_core_schema__(
-        self, source: object, handler: GetCoreSchemaHandler
-    ) -> CoreSchema:
-        """Run the check with the named lengths that stand in the context."""
-        return core_schema.with_info_plain_validator_function(
-            lambda value, info: self.check(value, info.context or {})
-        )
-
-    def __get_pydantic_json_schema__(
-        self, core: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> Schema:
-        """Return the description given with the rule."""
-        return dict(self.schema)
-
-
-def _quantity(
-    dimension: Dimension, *, least: float | None = None, above: float | None = None
-) -> Rule:
-    def check(value: object, names: Names) -> float:
+    def read(value: object, names: Names) -> float:
         number = quantities.parse(value, dimension)
-        if above is not None and number <= above:
-            raise ValueError(f"{_said(value)} is not greater than {above:g}")
-        if least is not None and number < least:
-            raise ValueError(f"{_said(value)} is less than {least:g}")
+        if bound is not None and not bound.holds(number):
+            than = "not greater than" if bound.above else "less than"
+            raise ValueError(f"{_said(value)} is {than} {bound.least:g}")
         return number
 
-    return Rule(check, _quantity_schema(dimension))
+    return Kind(read, _quantity_schema(dimension), bound, dimension)
 
 
 def _quantity_schema(dimension: Dimension) -> Schema:
@@ -73,21 +41,22 @@ def _said(value: object) -> str:
     return f'"{value}"'
 
 
-def choice(*words: str, **synonyms: str) -> Rule:
-    """Return the rule for one of some words; a synonym (_ for a space) answers with its word."""
+def choice(*words: str, **synonyms: str) -> Kind:
+    """Return the kind of one of some words; a synonym (_ for a space) answers with its word."""
     meant = {word: word for word in words} | {
         other.replace("_", " "): word for other, word in synonyms.items()
     }
 
-    def check(value: object, names: Names) -> str:
+    def read(value: object, names: Names) -> str:
         if isinstance(value, str) and value in meant:
             return meant[value]
-        raise ValueError(_no_choice(value, list(words), list(meant)))
+        raise ValueError(no_choice(value, list(words), list(meant)))
 
-    return Rule(check, {"type": "string", "enum": list(meant)})
+    return Kind(read, {"type": "string", "enum": list(meant)})
 
 
-def _no_choice(value: object, words: list[str], known: list[str]) -> str:
+def no_choice(value: object, words: list[str], known: list[str]) -> str:
+    """Return why a value is none of some words, the one of all ``known`` that was probably meant, the words."""
     near = quantities.near(str(value)[:40], known, 0.6)
     hint = f'; did you mean "{near}"?' if near else ""
     listed = ", ".join(f'"{word}"' for word in words)
@@ -109,10 +78,10 @@ def _title(value: object, names: Names) -> str:
     return str(value)
 
 
-def number(bound: Bound, dimension: Dimension | None = None) -> Rule:
-    """Return the rule for a number within bounds; of a dimension it may also be a text with its unit."""
+def number(bound: Bound, dimension: Dimension | None = None) -> Kind:
+    """Return the kind of a number within bounds; of a dimension it may also be a text with its unit."""
 
-    def check(value: object, names: Names) -> float:
+    def read(value: object, names: Names) -> float:
         found = value
         if dimension is not None and (isinstance(value, str) or dimension != "ratio"):
             found = quantities.parse(value, dimension)
@@ -125,7 +94,7 @@ def number(bound: Bound, dimension: Dimension | None = None) -> Rule:
         assert isinstance(found, int | float)
         return found if bound.whole else float(found)
 
-    return Rule(check, bounded(bound, dimension))
+    return Kind(read, bounded(bound, dimension), bound, dimension or "")
 
 
 def bounded(bound: Bound, dimension: Dimension | None = None) -> Schema:
@@ -134,6 +103,14 @@ def bounded(bound: Bound, dimension: Dimension | None = None) -> Schema:
         return dict(bound.schema)
     made = _quantity_schema(dimension) if dimension != "ratio" else {}
     return {**made, "anyOf": [dict(bound.schema), {"type": "string"}]}
+
+
+def within(value: object) -> float:
+    """Return a share of a stroke, 0 … 1; ValueError if it is none."""
+    found = quantities.parse(value, "ratio") if isinstance(value, str) else value
+    if not _WITHIN.holds(found):
+        raise ValueError(f"{kind_of(value)} stands here; a share of the stroke is between 0 and 1")
+    return float(found)  # type: ignore[arg-type]
 
 
 def _point(value: object, names: Names) -> complex:
@@ -172,10 +149,8 @@ def _speed(value: object, names: Names) -> float:
 def _ratio(value: object, names: Names) -> float:
     if isinstance(value, str):
         raise ValueError(f"{kind_of(value)} stands here; K_v is a plain number, without quotes")
-    if not bounds.SPEED_RATIO.holds(value):
-        raise ValueError(
-            f"{kind_of(value)} stands here; K_v is {bounds.SPEED_RATIO.wanted}, such as 1.45"
-        )
+    if not SPEED_RATIO.holds(value):
+        raise ValueError(f"{kind_of(value)} stands here; K_v is {SPEED_RATIO.wanted}, such as 1.45")
     return float(value)  # type: ignore[arg-type]
 
 
@@ -197,17 +172,17 @@ def _mu_v(value: object, names: Names) -> float | str:
     return _positive_scale(quantities.parse(value, "scale of velocities"), value)
 
 
-def mu(dimension: Dimension) -> Rule:
-    """Return the rule for a scale factor of a dimension."""
+def mu(dimension: Dimension) -> Kind:
+    """Return the kind of a scale factor of a dimension."""
 
-    def check(value: object, names: Names) -> float:
+    def read(value: object, names: Names) -> float:
         return _positive_scale(quantities.parse(value, dimension), value)
 
-    return Rule(check, SCALE)
+    return Kind(read, SCALE, _MU, dimension)
 
 
 def _positive_scale(number: float, value: object) -> float:
-    if not 1e-9 <= number <= 1e9:
+    if not _MU.holds(number):
         raise ValueError(
             f"{_said(value)} cannot be a scale factor; it is what 1 mm of paper stands for"
         )
@@ -216,7 +191,7 @@ def _positive_scale(number: float, value: object) -> float:
 
 def _drawn(value: object, names: Names) -> float:
     metres = quantities.parse(value, "length")
-    if not 0.0001 <= metres <= 2:
+    if not _PAPER.holds(metres * 1000):
         raise ValueError(
             f'{_said(value)} is {metres:g} m on the sheet (a number is in metres); write "60 mm"'
         )
@@ -227,7 +202,7 @@ def _ruler(value: object, names: Names) -> float | str:
     if value == "exact":
         return "exact"
     metres = quantities.parse(value, "length")
-    if not 1e-6 <= metres <= 0.01:
+    if not _DIVISION.holds(metres * 1000):
         raise ValueError(f'{_said(value)} is no ruler; write "0.1 mm", "0.5 mm" or "exact"')
     return metres * 1000
 
@@ -278,24 +253,12 @@ def _position(value: object, where: str = " stands here") -> str:
     return str(value)
 
 
-def _places(value: object, names: Names) -> tuple[str, ...]:
-    if not isinstance(value, list) or not value:
-        raise ValueError(f'{kind_of(value)} stands here; a list of plans is wanted, ["positions"]')
-    for item in value:
-        if item not in PLACES:
-            raise ValueError(_no_choice(item, list(PLACES), list(PLACES)))
-    if len(set(value)) < len(value):
-        raise ValueError("a plan is named twice; leave one of the two out")
-    return tuple(value)
-
-
 def _letters(value: object, names: Names) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
         raise ValueError(f'{kind_of(value)} stands here; a list of letters is wanted, ["C", "S2"]')
     return tuple(value)
 
 
-PLACES = (*ALL_PLACES, "velocity table", "acceleration table", *FREE_PLACES)
 _MM: Schema = {
     "anyOf": [{"type": "string"}, {"type": "number"}],
     "description": 'a length on the sheet, "60 mm"',
@@ -305,81 +268,59 @@ _LENGTH: Schema = {
     "description": 'a length: metres, "95 mm", a named length, or a sum such as "-OB - 1.25 BC"',
 }
 SCALE: Schema = {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}
-_NUMBERS: Schema = {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}}
+ROW: Schema = {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}}
+PAIRS: Schema = {
+    "type": "array",
+    "items": {"type": "array", "minItems": 2, "maxItems": 2},
+    "minItems": 2,
+}
 _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 
-Text = Annotated[str, Rule(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})]
-Title = Annotated[str, Rule(_title, {"type": "string", "minLength": 1, "maxLength": 200})]
-Language = Annotated[str, choice("ru", "en")]
-LinkNumber = Annotated[int, number(bounds.LINK)]
-Count = Annotated[int, number(bounds.POSITIONS)]
-First = Annotated[int, number(bounds.FIRST)]
-Point = Annotated[
-    complex,
-    Rule(
-        _point,
-        {"type": "array", "items": _LENGTH, "minItems": 2, "maxItems": 2, "description": "x and y"},
-    ),
-]
-PlainLength = Annotated[float, _quantity("length")]
-PositiveLength = Annotated[float, _quantity("length", above=0)]
-Length = Annotated[float, Rule(lengths.evaluate, _LENGTH)]
-Angle = Annotated[float, _quantity("angle")]
-Angles = Annotated[tuple[float, ...], Rule(_angles, _NUMBERS)]
-Speed = Annotated[float, Rule(_speed, _quantity_schema("angular speed"))]
-Spin = Annotated[float, _quantity("angular acceleration")]
-Acceleration = Annotated[float, _quantity("acceleration", above=0)]
-Mass = Annotated[float, _quantity("mass", least=0)]
-Inertia = Annotated[float, _quantity("moment of inertia", least=0)]
-Ratio = Annotated[float, Rule(_ratio, bounded(bounds.SPEED_RATIO))]
-Target = Annotated[
-    int | str, Rule(_target, {"anyOf": [{"type": "integer"}, {"type": "string", "const": "frame"}]})
-]
-Sense = Annotated[
-    str,
-    choice("+", "-", "right", "left", "above", "below", **{
-        "−": "-", "справа": "right", "слева": "left", "выше": "above", "ниже": "below",
-    }),
-]  # fmt: skip
-LinkSide = Annotated[
-    tuple[int, tuple[str, str]],
-    Rule(
-        lambda value, names: link_side(value),
-        {"type": "string", "pattern": "^(left of|right of|слева от|справа от) \\S+$"},
-    ),
-]
-Turns = Annotated[
-    str,
-    choice(COUNTERCLOCKWISE, CLOCKWISE, против_часовой_стрелки=COUNTERCLOCKWISE,
-           по_часовой_стрелке=CLOCKWISE),
-]  # fmt: skip
-At = Annotated[
-    str,
-    choice("left", "right", "top", "bottom", слева="left", справа="right", сверху="top",
-           снизу="bottom"),
-]  # fmt: skip
-Extra = Annotated[tuple[float | str, ...], Rule(_extra, _NUMBERS)]
-Accelerations = Annotated[
-    tuple[str, ...], Rule(_accelerations, {"anyOf": [_NUMBERS, {"type": "string", "const": "all"}]})
-]
-Velocities = Annotated[str, choice("direct", "turned", повёрнутый="turned", прямой="direct")]
-Poles = Annotated[str, choice("own", "common", свой="own", общий="common")]
-Position = Annotated[
-    str, Rule(lambda value, names: _position(value), {"type": ["integer", "string"]})
-]
-Letters = Annotated[tuple[str, ...], Rule(_letters, _WORDS)]
-MuL = Annotated[float, Rule(_mu_l, SCALE)]
-MuV = Annotated[float | str, Rule(_mu_v, SCALE)]
-MuA = Annotated[float, mu("scale of accelerations")]
-Drawn = Annotated[float, Rule(_drawn, _MM)]
-Ruler = Annotated[float | str, Rule(_ruler, _MM)]
-HandName = Annotated[
-    str, choice("exact", "cad", "careful", "student", точная="exact", студент="student")
-]
-Seed = Annotated[int, number(bounds.SEED)]
-Format = Annotated[str, choice("A1", "A1 portrait", "A4", А1="A1", А4="A4")]
-Places = Annotated[
-    tuple[str, ...],
-    Rule(_places, {"type": "array", "items": {"type": "string", "enum": list(PLACES)}}),
-]
-TaskKind = Annotated[str, choice("rocker", кулиса="rocker")]
+TEXT = Kind(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})
+TITLE = Kind(_title, {"type": "string", "minLength": 1, "maxLength": 200})
+LINK_NUMBER = number(Bound(0, 999, whole=True))
+POINT = Kind(
+    _point,
+    {"type": "array", "items": _LENGTH, "minItems": 2, "maxItems": 2, "description": "x and y"},
+)
+PLAIN_LENGTH = quantity("length")
+POSITIVE_LENGTH = quantity("length", POSITIVE)
+LENGTH = Kind(lengths.evaluate, _LENGTH, unit="length")
+ANGLE = quantity("angle")
+ANGLES = Kind(_angles, ROW, unit="angle")
+SPEED = Kind(_speed, _quantity_schema("angular speed"), unit="angular speed")
+ACCELERATION = quantity("acceleration", POSITIVE)
+MASS = quantity("mass", Bound(0))
+INERTIA = quantity("moment of inertia", Bound(0))
+SPEED_RATIO = Bound(1, 100, above=True, below=True)
+RATIO = Kind(_ratio, bounded(SPEED_RATIO), SPEED_RATIO)
+TARGET = Kind(_target, {"anyOf": [{"type": "integer"}, {"type": "string", "const": "frame"}]})
+SENSE = choice("+", "-", "right", "left", "above", "below", **{
+    "−": "-", "справа": "right", "слева": "left", "выше": "above", "ниже": "below",
+})  # fmt: skip
+LINK_SIDE = Kind(
+    lambda value, names: link_side(value),
+    {"type": "string", "pattern": "^(left of|right of|слева от|справа от) \\S+$"},
+)
+TURNS = choice(COUNTERCLOCKWISE, CLOCKWISE, против_часовой_стрелки=COUNTERCLOCKWISE,
+               по_часовой_стрелке=CLOCKWISE)  # fmt: skip
+AT = choice("left", "right", "top", "bottom", слева="left", справа="right", сверху="top",
+            снизу="bottom")  # fmt: skip
+EXTRA = Kind(_extra, ROW)
+POSITIONS = Kind(_accelerations, {"anyOf": [ROW, {"type": "string", "const": "all"}]})
+POSITION = Kind(lambda value, names: _position(value), {"type": ["integer", "string"]})
+LETTERS = Kind(_letters, _WORDS)
+_MU = Bound(1e-9, 1e9)
+_PAPER, _DIVISION = Bound(0.1, 2000), Bound(0.001, 10)
+"""Of a drawn length, and of the division of a ruler, mm."""
+MU_L = Kind(_mu_l, SCALE, _MU, "scale of lengths")
+MU_V = Kind(_mu_v, SCALE, _MU, "scale of velocities")
+MU_A = mu("scale of accelerations")
+DRAWN = Kind(_drawn, _MM, _PAPER, "length on the sheet")
+RULER = Kind(_ruler, _MM, _DIVISION, "length on the sheet")
+
+SHARE, _WITHIN = Bound(0, 1, above=True, below=True), Bound(0, 1)
+WITHIN = Kind(lambda value, names: within(value), bounded(_WITHIN, "ratio"), _WITHIN, "ratio")
+RACK = number(Bound(0, 45, above=True, below=True), "angle")
+"""Of the basic rack of wheels: its angle, the factors of its addendum and of its clearance."""
+ADDENDUM, CLEARANCE = number(Bound(0, 5, above=True)), number(Bound(0, 5))

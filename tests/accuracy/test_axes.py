@@ -66,4 +66,4 @@ def test_passes_of_friction_and_steps_of_rolling_change_the_log() -> None:
         sizes = {len(drawing(name, one).log.steps) for one in changed}
         counts = {drawing(name, one).count for one in changed}
         assert len(sizes) > 1 or len(counts) > 1
-    assert scene("windrower").diagrams is not None
+    assert scene("windrower").tasks.get("diagrams") is not None

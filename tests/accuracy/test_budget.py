@@ -77,5 +77,5 @@ def test_only_what_stands_on_the_sheets_has_to_keep_within_it() -> None:
 @pytest.mark.slow
 def test_parts_are_divided_too() -> None:
     taken = choose(task("cam"), 0.5)
-    assert taken.scene.cam is not None
-    assert taken.scene.cam.divisions == 6
+    assert taken.scene.tasks.get("cam") is not None
+    assert taken.scene.tasks["cam"].divisions == 6

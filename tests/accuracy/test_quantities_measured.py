@@ -65,9 +65,9 @@ def test_a_moment_is_judged_by_kinetostatics_and_two_masses_leave_only_their_own
     With the J of two masses given to the rod both roads are the same dynamics; so the error must vanish.
     """
     own = scene("locomobile")
-    assert own.engine is not None
+    assert own.tasks.get("engine") is not None
     assert own.mechanism is not None
-    lever = replace(own, engine=replace(own.engine, share=None, mass=None))
+    lever = own.asking(engine=replace(own.tasks["engine"], share=None, mass=None))
     (run,) = measure("locomobile").runs(
         by("locomobile", "exact", changed=lever), "", "", ["M_engine"]
     )

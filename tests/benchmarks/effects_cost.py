@@ -9,10 +9,11 @@ from clock import ROOT, Row, in_turns, show
 
 import effects  # isort: skip
 
+from graphic_tmm.work import work
+
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import work
 
 SCENES = ("windrower", "crank-press")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import subprocess
 import sys
 import tracemalloc
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -20,10 +19,11 @@ from graphic_tmm.board.execute import prepare  # isort: skip
 from graphic_tmm.board.hand import HANDS  # isort: skip
 from graphic_tmm.board.values import Number  # isort: skip
 from graphic_tmm.paper.compose import compose
+from graphic_tmm.work import work
+
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import work
 
 POSITIONS = tuple(1 << k for k in range(18, 22))
 TRIALS = tuple(1000 << k for k in range(6))
@@ -53,7 +53,7 @@ def positions() -> Row:
 def trials() -> Row:
     """Return the line of the windrower by trials."""
     made = work(
-        replace(read(ROOT / "sheets" / "windrower"), diagrams=None, flywheel=None, forces=None)
+        read(ROOT / "sheets" / "windrower").asking(diagrams=None, flywheel=None, forces=None)
     )
     log = made.project.construction
     marks = [step.it for step in log.steps if step.it.view == "accelerations"]

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import statistics
 import time
-from dataclasses import replace
 
 import numpy as np
 from clock import ROOT, Row, show
+from graphic_tmm.work import work
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import HANDS, Slip, Slipping
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 TRIALS = 10_000
 ROUNDS = 7
@@ -21,7 +20,7 @@ ROUNDS = 7
 
 def rows() -> list[Row]:
     """Return the lines of the table."""
-    made = work(replace(read(ROOT / "sheets" / "windrower"), diagrams=None))
+    made = work(read(ROOT / "sheets" / "windrower").asking(diagrams=None))
     log = made.project.construction
     wanted = [
         step.it

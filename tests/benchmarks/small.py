@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from tempfile import TemporaryDirectory
 
 import numpy as np
 from clock import ROOT, Row, in_turns, process, show
+from graphic_tmm.work import work
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 PROJECT = ("windrower", "cam", "gear-pair", "planetary")
 """The scenes of the windrower's project, all on A1 sheets."""
-LIBRARIES = "import numpy, shapely, svgwrite, pydantic, click"
+LIBRARIES = "import numpy, shapely, svgwrite, click"
 NAMES = "from graphic_tmm import *"
 
 
@@ -44,7 +43,7 @@ def closed_form(phi: np.ndarray) -> np.ndarray:
 def warm() -> list[Row]:
     """Return the lines of a dozen positions: all steps of the three plans, everything kept."""
     made = work(
-        replace(read(ROOT / "sheets" / "windrower"), diagrams=None, flywheel=None, forces=None)
+        read(ROOT / "sheets" / "windrower").asking(diagrams=None, flywheel=None, forces=None)
     )
     log = made.project.construction
     program, count = prepare(log), len(log.steps)

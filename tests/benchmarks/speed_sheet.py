@@ -11,9 +11,9 @@ from xml.etree import ElementTree
 
 import svgwrite
 from clock import ROOT, Row, in_turns, show
+from graphic_tmm.paper.compose import compose
 
 from graphic_tmm.paper import placing
-from graphic_tmm.paper.compose import compose
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
@@ -71,7 +71,7 @@ def rows() -> list[Row]:
     """Return the lines of the table: the windrower's A1 sheet behind its construction, and plain svgwrite."""
     scene = read(WINDROWER)
     full = (*scene.sheets[0].place, "results")
-    scene = replace(scene, diagrams=None, sheets=(SheetOrder("A1", full),))
+    scene = replace(scene, sheets=(SheetOrder("A1", full),)).asking(diagrams=None)
     made = fitted(scene)
     (composed,) = compose(made.scene, made)
     plain = Plain.of(svg(composed))

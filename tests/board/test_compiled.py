@@ -44,7 +44,7 @@ class Fourbar:
             ("±", Side, 1.0),
             ("μ", Number, 0.002),
         ):
-            self.marks[letter] = draft.take(kind, letter)
+            self.marks[letter] = draft.take(kind, letter, "m/mm" if letter == "μ" else "")
             self.given[self.marks[letter]] = value
         scale = 1.0
 

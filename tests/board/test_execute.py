@@ -49,7 +49,8 @@ class Fourbar:
             ("μ", Number, 0.002),
             ("never", Number, 1.0),
         ):
-            self.marks[letter] = self.board.take(kind, letter)
+            unit = {"μ": "m/mm", "never": "m"}.get(letter, "")
+            self.marks[letter] = self.board.take(kind, letter, unit)
             self.given[self.marks[letter]] = value
         for letter, op, *uses in (
             ("(OA)", ray, "O", "φ"),

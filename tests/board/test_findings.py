@@ -36,8 +36,8 @@ class Bench:
         self.given: dict[Mark, Any] = {}
         self.board.open("positions")
 
-    def take(self, kind: Any, letter: str, value: Any) -> Mark:
-        mark = self.board.take(kind, letter)
+    def take(self, kind: Any, letter: str, value: Any, unit: str = "") -> Mark:
+        mark = self.board.take(kind, letter, unit)
         self.given[mark] = np.atleast_2d(value)
         return mark
 
@@ -142,8 +142,8 @@ def test_only_the_step_that_failed_is_named(bench: Bench) -> None:
 
 
 def test_dividing_by_nothing(bench: Bench) -> None:
-    mu = bench.take(Number, "μ", [2.0, 0.0])
-    (finding,) = bench.examine(bench.draw(to_board, "pa", bench.take(Number, "v", 1.0), mu))
+    mu = bench.take(Number, "μ", [2.0, 0.0], "(m/s)/mm")
+    (finding,) = bench.examine(bench.draw(to_board, "pa", bench.take(Number, "v", 1.0, "m/s"), mu))
     assert (finding.kind, finding.positions) == ("undrawn", (1,))
 
 

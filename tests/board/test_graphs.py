@@ -48,9 +48,11 @@ def velocities(n: int) -> Sheet:
     draft = Draft()
     draft.board.open("V")
     length = draft.take(Length, "L", BASE)
-    mu_t = draft.board.draw(time_per_mm, "μ_t", draft.take(Number, "ω", W), length)
+    mu_t = draft.board.draw(
+        time_per_mm, "μ_t", draft.take(Number, "ω", W, "1/s"), length, unit="s/mm"
+    )
     base = graphs.lay_base(draft, length, mu_t, n, np.arange(n, dtype=float)[None, :])
-    axes = graphs.draw_axes(draft, "V", base, draft.take(Number, "μ_V", MU_V))
+    axes = graphs.draw_axes(draft, "V", base, draft.take(Number, "μ_V", MU_V, "(m/s)/mm"))
     heights = draft.take(Length, "y", motion(n)[0][None, :] / MU_V)
     return Sheet(draft, base, axes, graphs.lay_ordinates(draft, axes, heights, "v"))
 
@@ -66,7 +68,8 @@ def differentiated(n: int, method: str = "chords", pole: float = 15.0) -> Differ
     draft, axes = sheet.draft, sheet.axes
     draft.board.open("a")
     distance = draft.take(Length, "H", pole)
-    mu = draft.board.draw(scale_of_derivative, "μ_a", axes.mu, sheet.base.mu, distance)
+    known = axes.mu, sheet.base.mu, distance
+    mu = draft.board.draw(scale_of_derivative, "μ_a", *known, unit="(m/s²)/mm")
     to = graphs.draw_axes(draft, "a", sheet.base, mu)
     at_pole = graphs.set_pole(draft, to, distance)
     if method == "chords":
@@ -122,13 +125,15 @@ def test_integrating_the_chords_returns_the_curve_and_closes(closed: bool) -> No
     draft, axes = sheet.draft, sheet.axes
     draft.board.open("a")
     distance = draft.take(Length, "H", 15.0)
-    mu = draft.board.draw(scale_of_derivative, "μ_a", axes.mu, sheet.base.mu, distance)
+    known = axes.mu, sheet.base.mu, distance
+    mu = draft.board.draw(scale_of_derivative, "μ_a", *known, unit="(m/s²)/mm")
     to = graphs.draw_axes(draft, "a", sheet.base, mu)
     pole = graphs.set_pole(draft, to, distance)
     middles = graphs.by_chords(draft, axes, sheet.at, to, pole, "a′")
     curve = graphs.through(draft, to, middles, closed=closed)
     draft.board.open("back")
-    again = draft.board.draw(scale_of_integral, "μ", mu, sheet.base.mu, distance)
+    known = mu, sheet.base.mu, distance
+    again = draft.board.draw(scale_of_integral, "μ", *known, unit="(m/s)/mm")
     back = graphs.draw_axes(draft, "back", sheet.base, again)
     found = graphs.integrate(draft, to, curve, back, pole, "w", mean="middles")
     points, end, scale = sheet.run(found.points, found.end, again)

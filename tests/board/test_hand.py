@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from hypothesis import example, given
 from hypothesis import strategies as st
 from support.gallery import SHEETS
@@ -20,7 +21,6 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, meet, par
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import Work, work
 
 MANY = 40_000
 """A standard deviation of so many numbers is uncertain by 1/√(2·MANY) = 0.35 %: within 2 % at 5.6 sigma."""
@@ -38,8 +38,8 @@ class Sheet:
         self.board.open("plan")
         self.given: dict[Mark, Any] = {}
 
-    def take(self, kind: Any, letter: str, value: Any) -> Mark:
-        mark = self.board.take(kind, letter)
+    def take(self, kind: Any, letter: str, value: Any, unit: str = "") -> Mark:
+        mark = self.board.take(kind, letter, unit)
         self.given[mark] = value
         return mark
 
@@ -83,8 +83,8 @@ def test_five_slips_are_as_large_as_the_hand_says() -> None:
     sheet = Sheet()
     a = sheet.take(Point, "A", 0j)
     direction, length = sheet.take(Angle, "α", math.degrees(0.7)), sheet.take(Length, "l", 80.0)
-    real = sheet.take(Number, "l_real", 80.0)
-    mu = sheet.take(Number, "μ", 3.0)
+    real = sheet.take(Number, "l_real", 80.0, "m")
+    mu = sheet.take(Number, "μ", 3.0, "m/mm")
     drawn = sheet.draw("(a)", ray, a, direction)
     b = sheet.draw("B", lay_off, drawn, length)
     arc = sheet.draw("(A)", strike, a, length)

@@ -1,4 +1,4 @@
-"""Every operation against fifty digits, in frames of all sizes, turned and moved.
+"""Every instrument against fifty digits, in frames of all sizes, turned and moved.
 
 A bound is c·ε·(what the operation magnifies): the condition where it has one, the lengths it handles, and
 the size of the answer's own coordinates. References are the textbook formulas, not those of the board.
@@ -17,15 +17,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.each import each
 
-import graphic_tmm.board.operations.formulas
-import graphic_tmm.board.operations.instruments  # noqa: F401
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.grammar import OPERATIONS, Operation
+from graphic_tmm.board.operations import instruments
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 
 DIGITS = 50
-BASIC = ("graphic_tmm.board.operations.instruments", "graphic_tmm.board.operations.formulas")
-BASIC_OPERATIONS = [op for op in OPERATIONS.values() if op.run.__module__ in BASIC]
+BASIC_OPERATIONS = [op for op in OPERATIONS.values() if op.run.__module__ == instruments.__name__]
 Bounded = tuple[Any, Any] | None
 """The true value and how far a float may be from it, part by part; None where there is none."""
 
@@ -210,30 +208,6 @@ def _bearing(start: Any, end: Any) -> Bounded:
     return angle, 8 * EPS * abs(angle)
 
 
-def _relative(formula: Callable[..., Any], roundings: int) -> Callable[..., Bounded]:
-    def reference(*args: Any) -> Bounded:
-        try:
-            value = formula(*args)
-        except ZeroDivisionError:
-            return None
-        return value, roundings * EPS * abs(value)
-
-    return reference
-
-
-def _sine_of_half(length: Any, angle: Any) -> Bounded:
-    x = mp.radians(angle / 2)
-    return length * mp.sin(x), EPS * abs(length) * (2 * abs(x) + 4)
-
-
-def _half_chord(stroke: Any, angle: Any) -> Bounded:
-    x = mp.radians(angle / 2)
-    if abs(mp.sin(x)) < 100 * EPS:
-        raise _Rounding
-    value = stroke / (2 * mp.sin(x))
-    return value, EPS * abs(value) * (4 + 4 * abs(x / mp.sin(x)))
-
-
 REFERENCES: dict[str, Callable[..., Bounded]] = {
     "join": _through,
     "ray": _ray,
@@ -258,29 +232,6 @@ REFERENCES: dict[str, Callable[..., Bounded]] = {
     "measure_along": lambda a, b, on: (_dot(b - a, on[1]), 8 * EPS * abs(b - a)),
     "bearing": _bearing,
     "stand": lambda regular, extreme, at: (extreme if at > 0 else regular, 0),
-    "to_board": _relative(lambda q, mu: q / mu, 2),
-    "in_si": _relative(lambda x, mu: x * mu, 2),
-    "total": _relative(lambda a, b: a + b, 1),
-    "difference": _relative(lambda a, b: abs(a - b), 1),
-    "advance": _relative(lambda a, b: a + b, 1),
-    "product": _relative(lambda w, x: w * x, 2),
-    "product_of_squares": _relative(lambda w, x: w**2 * x, 3),
-    "rate": _relative(lambda s, mu, x, mu_l: s * mu / (x * mu_l), 4),
-    "rate_turned": _relative(lambda s, mu, x, mu_l: -s * mu / (x * mu_l), 4),
-    "normal": _relative(lambda s, v, x, mu_l, a: (s * v) ** 2 / (x * mu_l) / a, 6),
-    "coriolis": _relative(lambda w, s, v, a: 2 * w * s * v / a, 4),
-    "swing_angle": _relative(lambda k: 180 * (k - 1) / (k + 1), 5),
-    "sine_of_half": _sine_of_half,
-    "half_chord": _half_chord,
-    "abscissa": _relative(lambda n, base, count: n * base / count, 2),
-    "turn_per_mm": _relative(lambda base: 2 * mp.pi / base, 3),
-    "time_per_mm": _relative(lambda w, base: 2 * mp.pi / (abs(w) * base), 4),
-    "mm_of_turn": _relative(lambda mu: 2 * mp.pi / mu, 3),
-    "mm_of_time": _relative(lambda w, mu: 2 * mp.pi / (abs(w) * mu), 4),
-    "pole_distance": _relative(lambda mu, of, along: mu / (of * along), 3),
-    "scale_of_derivative": _relative(lambda mu, along, pole: mu / (along * pole), 3),
-    "scale_of_integral": _relative(lambda mu, along, pole: mu * along * pole, 3),
-    "rescaled": _relative(lambda x, mu, other: x * mu / other, 3),
 }
 
 

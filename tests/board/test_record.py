@@ -66,6 +66,36 @@ def test_two_bodies_may_share_a_line_or_a_length() -> None:
     assert [mark.name for mark in made] == ["m", "m", "m"]
 
 
+def test_a_point_may_be_told_to_stand_beside_others_of_its_letter() -> None:
+    board, marks = _board()
+    line = board.draw(ray, "m", marks["O"], marks["φ"])
+    first = board.draw(lay_off, "A", line, marks["l"], free=True)
+    second, third = (board.draw(lay_off, "A", line, marks["l"], free=True) for _ in range(2))
+    assert [mark.letter for mark in (first, second, third)] == [
+        "A",
+        f"A{TALLY}",
+        f"A{TALLY}{TALLY}",
+    ]
+    assert {mark.name for mark in (first, second, third)} == {"A"}
+    with pytest.raises(ConstructionError, match="the letter 'A' stands in this plan already"):
+        board.draw(lay_off, "A", line, marks["l"])
+
+
+def test_marks_are_found_by_their_role_in_a_view() -> None:
+    board, marks = _board()
+    given = board.take(Length, "h", role="ordinate")
+    line = board.draw(ray, "m", marks["O"], marks["φ"], role="normal")
+    ends = tuple(board.draw(lay_off, x, line, given, role="ordinate") for x in "AB")
+    board.open("velocities")
+    other = board.draw(lay_off, "A", line, given, role="ordinate")
+    log = board.construction()
+    assert log.roles("positions", "ordinate") == (given, *ends)
+    assert log.roles("velocities", "ordinate") == (other,)
+    assert log.roles("positions", "normal") == (line,)
+    assert log.roles("positions", "pole") == log.roles("forces", "normal") == ()
+    assert marks["O"].role == ""
+
+
 def test_what_was_refused_is_not_in_the_log() -> None:
     board, marks = _board()
     line = board.draw(ray, "m", marks["O"], marks["φ"])
@@ -80,8 +110,6 @@ def test_what_was_refused_is_not_in_the_log() -> None:
     log = board.construction()
     assert [step.it for step in log.steps] == [line, mark]
     assert log.step(mark) is log.steps[1]
-    assert log.mark("positions", "A") == mark
-    assert log.mark("velocities", "A") is None
     assert log.step(marks["O"]) is None
 
 

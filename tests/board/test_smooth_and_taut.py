@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.flywheels import crank, scene_of, slopes
 from support.scenes import written
 
 from graphic_tmm.board.operations import graph_curves as c
 from graphic_tmm.board.operations.graphs import erect
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import Work, work
 
 Motion = Callable[[np.ndarray], np.ndarray]
 

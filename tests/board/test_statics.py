@@ -1,18 +1,14 @@
-"""Operations on forces: arms and lines of vectors without length, senses at rest, formulas against mpmath."""
+"""Operations on forces: arms and lines of vectors without length, senses at rest."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from mpmath import mp  # type: ignore[import-untyped]
 
-from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.operations import statics as s
 from graphic_tmm.board.operations.instruments import similar
 from graphic_tmm.board.values import Line
@@ -20,78 +16,6 @@ from graphic_tmm.chapters.engine import formulas as g
 
 EPS = np.finfo(float).eps
 LENGTHS = st.floats(-1e3, 1e3, allow_subnormal=False)
-REFERENCES: dict[str, Callable[..., Any]] = {
-    "weight": lambda m, a: m * a,
-    "inertia_force": lambda m, a, mu: m * a * mu,
-    "inertia_force_along": lambda m, a, mu: m * abs(a) * mu,
-    "inertia_couple": lambda j, e: -j * e,
-    "with_motion": lambda f, v, p: f,
-    "against_turning": lambda m, w, p: -m,
-    "offset": lambda m, f, mu: -m / (f * mu),
-    "place_of": lambda m, f, mu: abs(m) / (abs(f) * mu),
-    "moment": lambda f, h, mu: f * h * mu,
-    "reversed_": lambda x: -x,
-    "tangential": lambda m, a, mu: m / (a * mu),
-    "balancing": lambda m, a, mu: -m / (a * mu),
-    "per_times": lambda a, b: a / b,
-    "on_lever": lambda f, h: f * h,
-    "converted": lambda m, k, a, b, mu: m * k * a / (b * mu),
-    "converted_reversed": lambda m, k, a, b, mu: -m * k * a / (b * mu),
-    "balancing_on_lever": lambda m, a: -m / a,
-    "moment_on_arm": lambda f, a: f * a,
-    "apart_percent": lambda a, b: 100 * abs(a - b) / abs(b),
-    "circle_radius": lambda f, r: f * r,
-    "difference_of": lambda a, b: a - b,
-    "pin_friction": lambda r, f, w, p: -r * abs(f),
-    "efficiency": lambda a, b, w: 100 * a / b if a <= b else mp.nan,
-    "still_open": lambda a, b, c: _rest(abs(a - b), abs(b - c)),
-    "settled": lambda a, r: a if r <= a else mp.nan,
-    "split_by_lever": lambda m, a, b: m * a / b,
-    "mass_of_share": lambda m, k: m * k,
-    "rest_of": lambda a, b: a - b,
-    "lumped_inertia": lambda m, a, n, b: m * a * a + n * b * b,
-    "towards_crank": lambda s, a, mu: -s * a * mu,
-    "against_acceleration": lambda m, a: -m * a,
-    "crank_ratio": lambda a, b: a / b,
-    "first_order": lambda m, w, r: m * w * w * r,
-    "second_order": lambda f, k: f * k,
-    "projected": lambda a, mu: -a * mu,
-    "per_mass": lambda f, m: -f / m,
-    "in_kgf": lambda f, u: f / u,
-    "couple_of": lambda f, a, mu: f * a * mu,
-}
-DIFFERENCES = {"apart_percent", "difference_of", "rest_of", "still_open"}
-MADE = [
-    op for op in OPERATIONS.values() if op.run.__module__ in (s.__name__, g.__name__) and op.formula
-]
-
-
-def _rest(change: Any, earlier: Any) -> Any:
-    if earlier == 0 or change >= earlier:
-        return mp.inf if change else mp.mpf(0)
-    q = change / earlier
-    return change * max(mp.mpf(1), q / (1 - q))
-
-
-def test_every_formula_has_a_reference() -> None:
-    assert sorted(op.name for op in MADE) == sorted(REFERENCES)
-
-
-@pytest.mark.parametrize("op", MADE, ids=repr)
-@given(data=st.data())
-def test_a_formula_is_exact_to_its_rounding(op: Operation, data: st.DataObject) -> None:
-    values = [data.draw(st.sampled_from([0.5, 1.0, 3.0, 7.0, 20.0])) for _ in op.takes]
-    with np.errstate(all="ignore"):
-        found = float(op.run(*[np.array([[v]]) for v in values])[0, 0])
-    with mp.workdps(50):
-        due = REFERENCES[op.name](*map(mp.mpf, values))
-        if mp.isnan(due):
-            assert math.isnan(found)
-        elif mp.isinf(due):
-            assert found == math.inf
-        else:
-            size = max(*values, 100.0) if op.name in DIFFERENCES else abs(due)
-            assert abs(found - due) <= 12 * EPS * max(size, abs(due))
 
 
 def one(z: complex) -> np.ndarray:

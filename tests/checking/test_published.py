@@ -10,7 +10,7 @@ from support.gallery import SHEETS
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import FINE, Report
-from graphic_tmm.checking.report.text import markdown_report
+from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.scene.read import read
 
 NAMES = ("engine", "windrower-published", "gear-pair", "planetary", "slider-diagrams", "locomobile")

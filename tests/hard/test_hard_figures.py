@@ -11,6 +11,7 @@ import io
 from collections import Counter
 
 import pytest
+from graphic_tmm.work import Work
 from support.command import invoke
 from support.figures_judge import Told, dead_centre, drawn_at, figures, rows
 from support.gallery import CASES
@@ -19,7 +20,6 @@ from test_hard_forces import weighed
 
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.errors import StructureError
-from graphic_tmm.work import Work
 
 
 def named(made: Work, told: Told) -> bool:

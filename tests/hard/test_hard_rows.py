@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.command import invoke
 from support.drawn import board
 from support.gallery import NAMES, SHEETS
@@ -18,7 +19,6 @@ from graphic_tmm.board.values import Curve, arrays, undefined
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import Work, work
 
 # a few positions
 

@@ -18,9 +18,9 @@ from support.hostile import READINGS, SCENES
 from graphic_tmm.accuracy.minutes import MINUTES, read_minutes
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.errors import SceneError
-from graphic_tmm.scene.models import SceneFile
 from graphic_tmm.scene.read import SCENE, read
-from graphic_tmm.scene.syntax import SEVERAL
+from graphic_tmm.scene.schema import schema
+from graphic_tmm.scene.syntax import several
 
 pytestmark = pytest.mark.skipif(
     not hasattr(signal, "SIGVTALRM"), reason="no clock of the processor"
@@ -85,7 +85,5 @@ def test_a_large_table_of_minutes_is_refused_in_few_words(what: str, tmp_path: P
 
 
 def test_the_sections_that_may_stand_several_times_are_lists_of_the_scene() -> None:
-    fields = SceneFile.model_fields
-    assert {name for name in fields if str(fields[name].annotation).startswith("list[")} == set(
-        SEVERAL
-    )
+    keys = schema()["properties"]
+    assert {name for name in keys if keys[name].get("type") == "array"} == several()

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work
 from support import asked
 from support.command import invoke
 from support.gallery import CASES
@@ -24,7 +25,6 @@ from graphic_tmm.paper.layout import GAP, bounds
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import Made, make, sheets
-from graphic_tmm.work import Work
 
 FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)

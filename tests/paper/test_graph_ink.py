@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from graphic_tmm.work import Work
 from support.each import each
 from support.gallery import SHEETS
 
@@ -19,7 +20,6 @@ from graphic_tmm.paper.placing import box, flat, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import fitted
-from graphic_tmm.work import Work
 
 POINTS = {"windrower": "D", "engine": "B"}
 CASES = [
@@ -31,7 +31,7 @@ CASES = [
 def drawn(name: str, start: str, method: str) -> Work:
     order = KinematicOrder(POINTS[name], start=start, method=method)
     sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
-    scene = replace(read(SHEETS / name), diagrams=order, flywheel=None, sheets=sheets)
+    scene = replace(read(SHEETS / name), sheets=sheets).asking(diagrams=order, flywheel=None)
     return fitted(scene, exact=True)
 
 

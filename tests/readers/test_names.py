@@ -347,9 +347,9 @@ def test_a_sum_of_many_terms_is_one_line_that_counts_its_steps(tmp_path: Path) -
 @pytest.mark.slow
 def test_the_protocol_says_which_moment_varies_as_the_sheet_does() -> None:
     scene_of = read(SHEETS / "windrower")
-    assert scene_of.flywheel is not None
+    assert scene_of.tasks.get("flywheel") is not None
     for constant, what in (("driving", "сил сопротивления"), ("resisting", "движущих сил")):
-        changed = replace(scene_of, flywheel=replace(scene_of.flywheel, constant=constant))
+        changed = scene_of.asking(flywheel=replace(scene_of.tasks["flywheel"], constant=constant))
         made, paper = sheets(changed)
         assert made.work is not None
         title = f"Приведённый момент {what}"

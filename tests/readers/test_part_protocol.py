@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from graphic_tmm.parts import Part
 from support.command import invoke
 from support.parts import PARTS, part_of
 
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.parts import Part
 from graphic_tmm.readers.protocol import part_protocol
 
 

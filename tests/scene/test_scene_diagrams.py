@@ -24,7 +24,7 @@ def scene(folder: Path, *lines: str, text: str = ENGINE) -> Scene:
 
 
 def test_what_is_left_out_has_its_usual_value(tmp_path: Path) -> None:
-    assert scene(tmp_path, 'point = "B"').diagrams == KinematicOrder("B")
+    assert scene(tmp_path, 'point = "B"').tasks["diagrams"] == KinematicOrder("B")
 
 
 def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
@@ -32,7 +32,7 @@ def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
         tmp_path,
         'point = "B"', 'start = "velocity"', 'method = "касательные"', 'mu_t = "2.5e-3 s/mm"',
         'mu_V = "0.075 (m/s)/mm"', 'H_a = "15 mm"', 'H_S = "2 cm"',
-    ).diagrams  # fmt: skip
+    ).tasks["diagrams"]  # fmt: skip
     assert made == KinematicOrder(
         "B",
         "velocity",
@@ -44,7 +44,9 @@ def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
         ScaleOrder(0.075),
         ScaleOrder(None, 15.0),
     )
-    over = scene(tmp_path, 'point = "B"', 'over = "angle"', 'mu_phi = "0.05 rad/mm"').diagrams
+    over = scene(tmp_path, 'point = "B"', 'over = "angle"', 'mu_phi = "0.05 rad/mm"').tasks[
+        "diagrams"
+    ]
     assert over is not None
     assert (over.over, over.mu_along) == ("angle", 0.05)
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from support.gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
-from graphic_tmm.scene import build, checks, force_checks, order_checks, references, sections
+from graphic_tmm.scene import build, checks, references, sections
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.read import read
 
@@ -383,10 +383,8 @@ def test_any_wrong_value_gives_faults_in_words(name, data):
             return
     parts, found = sections.understand(doc)
     found += [*references.check(doc, lambda text: ""), *checks.check(parts)]
-    found += [*order_checks.check(doc, parts), *force_checks.check(doc, parts)]
     told = [fault(doc, {}, item) for item in found]
     assert all(item.key and item.message for item in told)
-    assert not [item for item in told if re.search("Input|valid|pydantic", item.message)]
     if not found:
         assert build.scene(parts, "").mechanism.links
 

@@ -26,7 +26,7 @@ def scene(folder: Path, *edits: tuple[str, str]) -> Scene:
 
 
 def test_the_engine_asks_for_its_flywheel(tmp_path: Path) -> None:
-    order = scene(tmp_path).flywheel
+    order = scene(tmp_path).tasks["flywheel"]
     assert order is not None
     assert (order.delta, order.A.pole, order.mu_M, order.constant) == (0.23, 40.0, 8.0, "resisting")
     assert order.rim == Rim(0.45, 0.85, 110.0, 7800.0, 0.056, 3, 0.016)
@@ -45,7 +45,7 @@ def test_other_words_and_units(tmp_path: Path) -> None:
         ),
         ('D_e   = "0.45 m"', 'D_e = "450 мм"\nmaterial = "чугун"\nshaft = "60 mm"\nstuds = 4'),
         ('mu_p   = "1500 Pa/mm"', shaft + 'mu_p = "1.5 kPa/mm"'),
-    ).flywheel
+    ).tasks["flywheel"]
     assert made is not None
     assert (made.delta, made.constant, made.integration, made.tangents) == (
         0.04, "driving", "chords", None,
@@ -65,7 +65,7 @@ def test_the_diagram_by_points(tmp_path: Path) -> None:
         'cover_points = { out = [[0, "3 bar"], [0.4, "2.6 bar"], [1, "60 kPa"]], '
         'back = [[1, "30 kPa"], [0, "1.5 bar"]] }\n'
     )
-    order = scene(tmp_path, (COVER, points)).flywheel
+    order = scene(tmp_path, (COVER, points)).tasks["flywheel"]
     assert order is not None
     assert order.indicator.cover.stretches == (
         Stretch("out", 0.0, 0.4, 300e3, None, 260e3),
@@ -75,7 +75,7 @@ def test_the_diagram_by_points(tmp_path: Path) -> None:
 
 
 def test_the_diagram_by_polytropic_strokes(tmp_path: Path) -> None:
-    order = scene(tmp_path, (COVER, STROKES)).flywheel
+    order = scene(tmp_path, (COVER, STROKES)).tasks["flywheel"]
     assert order is not None
     assert order.indicator.cover == Gas((), 0.12, 0.0, (
         Stretch("out", 0.0, 0.3, 600e3, 0.0),
@@ -139,7 +139,7 @@ def test_parts_that_do_not_fit_are_told(tmp_path: Path, text: str, key: str, say
 
 
 def test_without_a_rim_there_is_no_sketch(tmp_path: Path) -> None:
-    order = scene(tmp_path, ('D_e   = "0.45 m"', "")).flywheel
+    order = scene(tmp_path, ('D_e   = "0.45 m"', "")).tasks["flywheel"]
     assert order is not None
     assert order.rim is None
 

@@ -6,8 +6,11 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES, Scene, SheetOrder
 from graphic_tmm.work import record
+
+from graphic_tmm.chapters.engine import CHAPTER as ENGINE
+from graphic_tmm.chapters.forces import CHAPTER as FORCES
+from graphic_tmm.scene.records import Scene, SheetOrder
 
 Steps = Counter[tuple[str, str]]
 """How many steps each view has, by operation."""
@@ -16,8 +19,8 @@ PLACED = {
     "accelerations": ("accelerations",),
     "diagrams": ("diagrams",),
     "flywheel": ("flywheel",),
-    "engine": ENGINE_PLACES,
-    "forces": FORCE_PLACES,
+    "engine": tuple(place.name for place in ENGINE.places),
+    "forces": tuple(place.name for place in FORCES.places),
 }
 """What stands on the sheet of each effect that is a plan of its own."""
 LOADS = ("gravity", "inertia", "friction")
@@ -27,11 +30,10 @@ LOADS = ("gravity", "inertia", "friction")
 def named(scene: Scene) -> list[str]:
     """Return the effects that a scene names, each behind those it needs."""
     found = ["velocities", *(["accelerations"] if scene.row.accelerations else [])]
-    orders = {"diagrams": scene.diagrams, "engine": scene.engine, "forces": scene.forces}
-    found += [name for name, order in orders.items() if order is not None]
-    if scene.forces is not None:
-        found += [name for name in LOADS if getattr(scene.forces, name)]
-    return [*found, "flywheel"] if scene.flywheel is not None else found
+    found += [name for name in ("diagrams", "engine", "forces") if name in scene.tasks]
+    if "forces" in scene.tasks:
+        found += [name for name in LOADS if getattr(scene.tasks["forces"], name)]
+    return [*found, "flywheel"] if "flywheel" in scene.tasks else found
 
 
 def needs(scene: Scene, effect: str) -> set[str]:
@@ -39,7 +41,7 @@ def needs(scene: Scene, effect: str) -> set[str]:
     if effect == "velocities":
         return set()
     found = {"velocities"}
-    by_loads = effect == "flywheel" and scene.forces is not None
+    by_loads = effect == "flywheel" and "forces" in scene.tasks
     if effect in LOADS or by_loads:
         found.add("forces")
     if effect in ("inertia", "engine") and scene.row.accelerations:
@@ -52,26 +54,19 @@ def only(scene: Scene, effects: Collection[str]) -> Scene:
     places = ["positions", *(place for name in PLACED if name in effects for place in PLACED[name])]
     forces = None
     if "forces" in effects:
-        assert scene.forces is not None
+        assert "forces" in scene.tasks
         forces = replace(
-            scene.forces,
+            scene.tasks["forces"],
             gravity="gravity" in effects,
             inertia="inertia" in effects,
-            friction=scene.forces.friction if "friction" in effects else None,
-            single=scene.forces.single if "inertia" in effects else (),
+            friction=scene.tasks["forces"].friction if "friction" in effects else None,
+            single=scene.tasks["forces"].single if "inertia" in effects else (),
         )
     row = scene.row if "accelerations" in effects else replace(scene.row, accelerations=())
-    diagrams = scene.diagrams if "diagrams" in effects else None
-    return replace(
-        scene,
-        sheets=(SheetOrder("A1", tuple(places)),),
-        row=row,
-        diagrams=diagrams,
-        flywheel=scene.flywheel if "flywheel" in effects else None,
-        forces=forces,
-        engine=scene.engine if "engine" in effects else None,
-        trajectories=(),
-    )
+    kept = ("diagrams", "flywheel", "engine")
+    tasks = {name: scene.tasks.get(name) if name in effects else None for name in kept}
+    sheets = (SheetOrder("A1", tuple(places)),)
+    return replace(scene, sheets=sheets, row=row, trajectories=()).asking(forces=forces, **tasks)
 
 
 def steps(scene: Scene, effects: Collection[str]) -> Steps:

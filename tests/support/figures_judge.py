@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
+from graphic_tmm.work import Work, work
 from test_hard_doubt import locks, solved_at
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
@@ -21,7 +22,6 @@ from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import table_columns
-from graphic_tmm.work import Work, work
 from support import dynamics, oracle
 from support.dynamics import Loaded
 from support.hard_judge import DIGITS, exact_of

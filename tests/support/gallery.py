@@ -7,10 +7,11 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from graphic_tmm.work import Work
+
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made, make, sheets
-from graphic_tmm.work import Work
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphic_tmm.parts import Part, draw_parts
+
 from graphic_tmm.scene.read import read
 from support.scenes import written
 

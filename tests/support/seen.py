@@ -11,12 +11,12 @@ import math
 from functools import cached_property
 
 import shapely
+from graphic_tmm.work import Work
 
 from graphic_tmm.mechanism.records import Link, Slide
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
 from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH
-from graphic_tmm.work import Work
 from support.oracle import Pose, solve_from_points
 
 CLOSE = 0.01

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from graphic_tmm.board.formula import formula
 from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Length, Line, Number, Point, Reals
 
 STANDS = 1e-9
 """A speed below this share of the crank pin's is none: it has no sense."""
+_TURNS = f"|{{omega}}| > {STANDS:.9f}·|{{of_crank}}|"
 _NO_LENGTH = ("the length to divide by is zero", "деление на нулевую длину")
 _PURE_COUPLE = (
     "the forces come to a couple, which no single force replaces",
@@ -63,128 +65,118 @@ def carry(pole: Point, of: Point, image: Point, times: Number, *, quarters: int 
     return Point(pole + (image - of) * times * 1j**quarters)
 
 
-@operation(formula=True)
+@formula
 def per_times(mu: Number, times: Number) -> Number:
     """{mu}/{times}"""
-    return Number(mu / times)
 
 
-@operation(formula=True)
+@formula
 def weight(mass: Number, g: Number) -> Number:
     """{mass}·{g}"""
-    return Number(mass * g)
 
 
-@operation(formula=True)
+@formula
 def inertia_force(mass: Number, segment: Length, mu: Number) -> Number:
     """{mass}·{segment}·{mu}"""
-    return Number(mass * np.abs(segment) * mu)
 
 
-@operation(formula=True)
+@formula
 def inertia_force_along(mass: Number, segment: Length, mu: Number) -> Number:
     """{mass}·|{segment}|·{mu}"""
-    return Number(mass * np.abs(segment) * mu)
 
 
-@operation(formula=True)
+@formula
 def inertia_couple(inertia: Number, epsilon: Number) -> Number:
     """−{inertia}·{epsilon}"""
-    return Number(-inertia * epsilon)
 
 
 def _sense(rate: Reals, fastest: Reals) -> Reals:
-    return np.asarray(np.where(np.abs(rate) <= STANDS * np.abs(fastest), 0.0, np.sign(rate)))
+    none = np.abs(rate) <= STANDS * np.abs(fastest)
+    return np.asarray(np.where(none, 0.0, np.sign(rate)) + 0.0 * fastest)
 
 
-@operation(formula=True)
+@formula(holds=f"|{{segment}}| > {STANDS:.9f}·|{{of_pin}}|, {{of_pin}} > 0")
 def with_motion(size: Number, segment: Length, of_pin: Length) -> Number:
     """{size}·sgn({segment}/{of_pin})"""
-    return Number(size * _sense(segment, of_pin) + 0.0 * segment)
+    # what does not move has no sense, and a pin that stands is no division by zero
+    return Number(size * _sense(segment, of_pin) + 0.0)
 
 
-@operation(formula=True)
+@formula(holds=_TURNS)
 def against_turning(size: Number, omega: Number, of_crank: Number) -> Number:
     """−{size}·sgn({omega}/|{of_crank}|)"""
-    return Number(-size * _sense(omega, of_crank) + 0.0 * omega)
+    # what does not turn has no sense
+    return Number(-size * _sense(omega, of_crank) + 0.0)
 
 
-@operation(formula=True, fails=_PURE_COUPLE)
+@formula(holds="{force} ≠ 0", fails=_PURE_COUPLE)
 def offset(couple: Number, force: Number, mu_l: Number) -> Length:
     """−{couple}/({force}·{mu_l})"""
+    # no force and no couple: nothing lies anywhere off, where the text would say 0/0
     none = (couple == 0.0) & (force == 0.0)
     return Length(np.where(none, 0.0, -couple / np.where(none, 1.0, force * mu_l)))
 
 
-@operation(formula=True, fails=_PURE_COUPLE)
+@formula(holds="{force} > 0", fails=_PURE_COUPLE)
 def place_of(couple: Number, force: Number, mu_l: Number) -> Length:
     """|{couple}|/({force}·{mu_l})"""
+    # as in `offset`; the force is told by its size, its sense by the sign before the line
     none = (couple == 0.0) & (force == 0.0)
     return Length(np.where(none, 0.0, np.abs(couple) / np.where(none, 1.0, np.abs(force) * mu_l)))
 
 
-@operation(formula=True)
+@formula
 def moment(force: Number, arm_: Length, mu_l: Number) -> Number:
     """{force}·{arm_}·{mu_l}"""
-    return Number(force * arm_ * mu_l)
 
 
-@operation(formula=True)
+@formula
 def reversed_(of: Number) -> Number:
     """−{of}"""
-    return Number(-of)
 
 
-@operation(formula=True, fails=_NO_LENGTH)
+@formula(fails=_NO_LENGTH)
 def tangential(moment_: Number, length: Length, mu_l: Number) -> Number:
     """{moment_}/({length}·{mu_l})"""
-    return Number(moment_ / (length * mu_l))
 
 
-@operation(formula=True, fails=_NO_LENGTH)
+@formula(fails=_NO_LENGTH)
 def balancing(moment_: Number, length: Length, mu_l: Number) -> Number:
     """−{moment_}/({length}·{mu_l})"""
-    return Number(-moment_ / (length * mu_l))
 
 
-@operation(formula=True)
+@formula
 def on_lever(force: Number, arm_: Length) -> Number:
     """{force}·{arm_}"""
-    return Number(force * arm_)
 
 
-@operation(formula=True, fails=_NO_LENGTH)
+@formula(fails=_NO_LENGTH)
 def converted(
     couple: Number, times: Number, segment: Length, length: Length, mu_l: Number
 ) -> Number:
     """{couple}·{times}·{segment}/({length}·{mu_l})"""
-    return Number(couple * times * segment / (length * mu_l))
 
 
-@operation(formula=True, fails=_NO_LENGTH)
+@formula(fails=_NO_LENGTH)
 def converted_reversed(
     couple: Number, times: Number, segment: Length, length: Length, mu_l: Number
 ) -> Number:
     """−{couple}·{times}·{segment}/({length}·{mu_l})"""
-    return Number(-couple * times * segment / (length * mu_l))
 
 
-@operation(formula=True, fails=_NO_LENGTH)
+@formula(fails=_NO_LENGTH)
 def balancing_on_lever(moment_: Number, segment: Length) -> Number:
     """−{moment_}/{segment}"""
-    return Number(-moment_ / segment)
 
 
-@operation(formula=True)
+@formula
 def moment_on_arm(force: Number, length: Number) -> Number:
     """{force}·{length}"""
-    return Number(force * length)
 
 
-@operation(formula=True, fails=_NO_BALANCE)
+@formula(holds="{second} ≠ 0", fails=_NO_BALANCE)
 def apart_percent(first: Number, second: Number) -> Number:
     """100·|{first} − {second}|/|{second}|"""
-    return Number(100.0 * np.abs(first - second) / np.abs(np.where(second == 0.0, np.nan, second)))
 
 
 @operation("Через {through} провести {it} под углом трения к нормали направляющей {guide}.")
@@ -200,27 +192,27 @@ def at_friction_angle(
     return Line(through, guide.along * ((1j - lean) / np.sqrt(1.0 + lean * lean)))
 
 
-@operation(formula=True)
+@formula
 def circle_radius(f: Number, radius: Number) -> Number:
     """{f}·{radius}"""
-    return Number(f * radius)
 
 
-@operation(formula=True)
+@formula
 def difference_of(first: Number, second: Number) -> Number:
     """{first} − {second}"""
-    return Number(first - second)
 
 
-@operation(formula=True)
+@formula(holds=f"{{reaction}} ≥ 0, {_TURNS}")
 def pin_friction(rho: Number, reaction: Number, omega: Number, of_crank: Number) -> Number:
     """−{rho}·{reaction}·sgn({omega}/|{of_crank}|)"""
+    # what does not turn has no sense; a reaction is told by its size
     return Number(-rho * np.abs(reaction) * _sense(omega, of_crank))
 
 
-@operation(formula=True, fails=_NOT_SETTLED)
+@formula(holds="|{last} − {before}| < |{before} − {first}|", fails=_NOT_SETTLED)
 def still_open(last: Number, before: Number, first: Number) -> Number:
     """|{last} − {before}|·max(1, q/(1 − q)),  q = |{last} − {before}|/|{before} − {first}|"""
+    # passes that do not come nearer never settle; two passes alike to rounding have settled
     change, earlier = np.abs(last - before), np.abs(before - first)
     noise = change <= 1e-12 * np.maximum(np.abs(last), np.abs(before))
     q = np.where(noise, 0.0, change / np.where(earlier == 0.0, np.nan, earlier))
@@ -229,15 +221,18 @@ def still_open(last: Number, before: Number, first: Number) -> Number:
     return Number(np.where(noise, change, change * np.maximum(1.0, grown)))
 
 
-@operation(formula=True, fails=_NOT_SETTLED)
+@formula(holds="{open_} ≤ |{last}|", fails=_NOT_SETTLED)
 def settled(last: Number, open_: Number) -> Number:
     """{last} ± {open_}"""
-    return Number(np.where(open_ <= np.abs(last), last, np.nan))
 
 
-@operation(formula=True, fails=("no power passes through the crank", "мощность не передаётся"))
+@formula(
+    holds="{without}·{with_} > 0, {speed} ≠ 0, ({without}/{with_})^sgn({without}·{speed}) ≤ 1",
+    fails=("no power passes through the crank", "мощность не передаётся"),
+)
 def efficiency(without: Number, with_: Number, speed: Number) -> Number:
     """100·({without}/{with_})^sgn({without}·{speed})"""
+    # a quotient, as the power is driven: by a power −1 it would be rounded twice; above 1 it is none
     driven = without * speed > 0.0
     above = np.where(driven, without, with_)
     below = np.where(driven, with_, without)

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.cam.accuracy import ACCURACY
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
-from graphic_tmm.chapters.cam.task import ASKED
+from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
 from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.drawn import Drawn, results_of, view_scales
 from graphic_tmm.scene.records import Scene
@@ -46,10 +46,10 @@ CHAPTER = Chapter(
     places=(Place("cam", 100, cam_views, sizes=_sizes),),
     sizes=(_told("cam.mu_l"), _told("cam.base")),
     asked=lambda scene: ASKED.of(scene) is not None,
+    sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,
     named=lambda project, reading, given: view_scales(project, reading),
-    size_keys=tuple(f"cam.{key}" for key in ("base", "height", "mu_l", "mu_S", "mu_V", "mu_A")),
     warnings=_limits,
     plans=(CAM.chapter,),
     columns=cam_columns,

@@ -54,7 +54,8 @@ class Centre:
     """The region of allowed centres as drawn, and the centre chosen.
 
     ``roller``: the roller's centre in its positions; ``points`` Q; ``curves`` through them; ``limits``: lines
-    that bound the region, towards the rise and the return; ``lowest``: the roller's lowest place; ``centre``
+    that bound the region, towards the rise and the return; ``ends``: where each cuts the line of the centres (a
+    rocker: the circle); ``lowest``: the roller's lowest place; ``centre``
     O. ``least`` and ``r0``: the least radius allowed and the chosen one (Number, m), ``radius`` the chosen
     one on the drawing (Length); ``least_centre``: where the cam's centre stands with the least
     one; ``apex`` and ``apex_radius``: where both limits meet (not with a rocker). ``displacement``
@@ -68,6 +69,7 @@ class Centre:
     points: Mark
     curves: tuple[Mark, ...]
     limits: tuple[Mark, ...]
+    ends: tuple[Mark, ...]
     lowest: Mark
     least_centre: Mark
     centre: Mark
@@ -103,7 +105,7 @@ def scaled_motion(draft: Draft, diagrams: Diagrams, mu: Mark) -> Motion:
     def carried(reading: Mark, of: Mark, letter: str) -> Mark:
         if of == mu:
             return reading
-        return draft.board.draw(rescaled, draft.board.free(letter), reading, of, mu)
+        return draft.draw(rescaled, letter, reading, mu)
 
     seconds = [carried(r, diagrams.A.chart.mu, "a") for r in diagrams.A.readings]
     displacement = carried(diagrams.S.reading, diagrams.S.chart.mu, "s")
@@ -119,55 +121,50 @@ def draw_centre(
 
     ``sense``: 1 if the cam turns counter-clockwise, −1 clockwise.
     """
-    board = draft.board
-    board.open(VIEW)
+    draft.open(VIEW)
     mu = scale_of_lengths(draft, order, diagrams)
     motion = scaled_motion(draft, diagrams, mu)
-    board.lay_out(None, mu)
+    draft.lay_out(None, mu)
     lowest = draft.take(Point, "B_0", 0j)
-    up = board.draw(ray, "(y)", lowest, draft.direction(90.0))
-    roller = board.draw(lay_off, "B", up, motion.S)
-    outward = board.draw(square, "(B)", roller, up, sense=sense)
-    points = board.draw(lay_off, "Q", outward, motion.V)
+    up = draft.draw(ray, "(y)", lowest, draft.direction(90.0))
+    roller = draft.draw(lay_off, "B", up, motion.S)
+    outward = draft.draw(square, "(B)", roller, up, sense=sense)
+    points = draft.draw(lay_off, "Q", outward, motion.V)
     curves = tuple(
-        board.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
+        draft.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
         for _, first, last in diagrams.stretches
     )
     limits = _limits(draft, order, diagrams, up, curves, sense)
-    down, e = _path(draft, mu, lowest, up, offset, sense)
-    ends = [board.draw(meet, f"O_{k}", down, limit) for k, limit in enumerate(limits, 1)]
-    least_centre = board.draw(extreme_of_two, "O_{min}", *ends, above=-1)
-    least = board.draw(
-        in_si, "r_{min}", board.draw(measure, "OB", least_centre, lowest), mu, unit="m"
-    )
-    apex = board.draw(meet, "O*", *limits)
-    small = board.draw(in_si, "r*", board.draw(measure, "O*B", apex, lowest), mu, unit="m")
-    r0, radius = choose_radius(draft, order, least, mu)
-    circle = board.draw(strike, "(R_0)", lowest, radius)
-    centre = board.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0))
-    s0 = board.draw(measure_along, "s_0", centre, lowest, up)
-    pressure = board.draw(slant, "α", centre, points, up, sense=sense, unit="°")
-    pace = board.draw(measure, "OQ", centre, points)
-    p = board.draw(measure_along, "p", centre, points, up)
-    out = board.draw(square, "(B_0)", lowest, up, sense=sense)
-    q = board.draw(measure_along, "q", centre, points, out)
-    turning = [
-        board.draw(f.turning_of_normal, board.free("τ"), p, q, motion.V, a) for a in motion.A
-    ]
+    down, e = _path(draft, lowest, up, offset, sense)
+    ends = tuple(draft.draw(meet, f"O_{k}", down, limit) for k, limit in enumerate(limits, 1))
+    least_centre = draft.draw(extreme_of_two, "O_{min}", *ends, above=-1)
+    least = draft.draw(in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), unit="m")
+    apex = draft.draw(meet, "O*", *limits)
+    small = draft.draw(in_si, "r*", draft.draw(measure, "O*B", apex, lowest), unit="m")
+    r0, radius = choose_radius(draft, order, least)
+    circle = draft.draw(strike, "(R_0)", lowest, radius)
+    centre = draft.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0))
+    s0 = draft.draw(measure_along, "s_0", centre, lowest, up)
+    pressure = draft.draw(slant, "α", centre, points, up, sense=sense, unit="°")
+    pace = draft.draw(measure, "OQ", centre, points)
+    p = draft.draw(measure_along, "p", centre, points, up)
+    out = draft.draw(square, "(B_0)", lowest, up, sense=sense)
+    q = draft.draw(measure_along, "q", centre, points, out)
+    turning = [draft.draw(f.turning_of_normal, "τ", p, q, motion.V, a) for a in motion.A]
     made = Centre(
-        VIEW, mu, roller, points, curves, limits, lowest, least_centre, centre, least, r0, radius,
-        apex, small, motion.S, pressure, pace, tuple(turning),
+        VIEW, mu, roller, points, curves, limits, ends, lowest, least_centre, centre, least, r0,
+        radius, apex, small, motion.S, pressure, pace, tuple(turning),
     )  # fmt: skip
     return made, Path(s0, e)
 
 
-def choose_radius(draft: Draft, order: CamOrder, least: Mark, mu: Mark) -> tuple[Mark, Mark]:
+def choose_radius(draft: Draft, order: CamOrder, least: Mark) -> tuple[Mark, Mark]:
     """Return the radius r0 chosen, or the least one up to whole millimetres: its value and its length drawn."""
     if order.r0 is not None:
         r0 = draft.take(Number, "r_0", order.r0, "m")
     else:
-        r0 = draft.board.draw(f.whole_mm_above, "r_0", least, unit="m")
-    return r0, draft.board.draw(to_board, "R_0", r0, mu)
+        r0 = draft.draw(f.whole_mm_above, "r_0", least, unit="m")
+    return r0, draft.draw(to_board, "R_0", r0)
 
 
 def limit_angles(draft: Draft, order: CamOrder) -> tuple[Mark, Mark]:
@@ -187,30 +184,29 @@ def _limits(
     sense: int,
 ) -> tuple[Mark, Mark]:
     """Draw the tangents at the allowed pressure angles, to the curve of the rise and to that of the return."""
-    board, found = draft.board, []
+    found = []
     angles = limit_angles(draft, order)
     for k, (phase, angle) in enumerate(zip(diagrams.turn.phases, angles, strict=True), 1):
         left = sense * phase.sign
         own = [
-            board.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
+            draft.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
             for curve, (of, _, _) in zip(curves, diagrams.stretches, strict=True)
             if of == phase
         ]
         line = own[0]
         for other in own[1:]:
-            line = board.draw(outer_parallel, f"(τ_{k})", line, other, left=left)
+            line = draft.draw(outer_parallel, f"(τ_{k})", line, other, left=left)
         found.append(line)
     return found[0], found[1]
 
 
 def _path(
-    draft: Draft, mu: Mark, lowest: Mark, up: Mark, offset: float, sense: int
+    draft: Draft, lowest: Mark, up: Mark, offset: float, sense: int
 ) -> tuple[Mark, Mark | None]:
     """Draw the line of the centres downward; return it and e as drawn (Length), if there is one."""
-    board = draft.board
     if offset == 0.0:
-        return board.draw(parallel, "(O)", lowest, up, sense=-1), None
-    e = board.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"), mu)
-    out = board.draw(square, "(e)", lowest, up, sense=sense)
-    foot = board.draw(lay_off, "E", out, e)
-    return board.draw(parallel, "(O)", foot, up, sense=-1), e
+        return draft.draw(parallel, "(O)", lowest, up, sense=-1), None
+    e = draft.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"))
+    out = draft.draw(square, "(e)", lowest, up, sense=sense)
+    foot = draft.draw(lay_off, "E", out, e)
+    return draft.draw(parallel, "(O)", foot, up, sense=-1), e

@@ -91,12 +91,11 @@ def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
     Its scales: that of S follows from the stroke's height, that of dS/dφ is the same unless the order says,
     that of d²S/dφ² is free unless the order says.
     """
-    board = draft.board
-    board.open(VIEWS["S"])
+    draft.open(VIEWS["S"])
     length = draft.take(Length, "L", order.base, "mm")
-    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
-    x = board.draw(f.along_turn, "x_φ", angle, length)
+    x = draft.draw(f.along_turn, "x_φ", angle, length)
     base = Base(turn.positions, length, x, mu_phi, draft.direction(0.0))
     unit = "rad" if isinstance(order.follower, RockerFollower) else "m"
     stroke = draft.take(Number, "h", order.stroke, unit)
@@ -107,10 +106,10 @@ def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
     common = common._replace(integrals=integrals)
     mu_V = mu_S
     if order.mu_V is not None:
-        board.open(VIEWS["V"])
+        draft.open(VIEWS["V"])
         mu_V = draft.take(Number, "μ_{S′}", order.mu_V, f"{unit}/mm")
-    board.open(VIEWS["A"])
-    mu_A = board.take(Number, "μ_{S″}", f"{unit}/mm")
+    draft.open(VIEWS["A"])
+    mu_A = draft.scale("μ_{S″}", f"{unit}/mm")
     scales = (("S", mu_S), ("V", mu_V), ("A", mu_A))
     S, V, A = (_diagram(draft, common, which, mu, height, unit) for which, mu in scales)
     drawn = tuple(i for i in integrals if i is not None)
@@ -121,28 +120,28 @@ def _scale_of_S(draft: Draft, order: CamOrder, stroke: Mark, unit: str) -> tuple
     """Return the scale of S and the height of the stroke on its diagram (Length)."""
     if order.mu_S is not None:
         mu = draft.take(Number, "μ_S", order.mu_S, f"{unit}/mm")
-        return mu, draft.board.draw(to_board, "h_S", stroke, mu)
+        return mu, draft.draw(to_board, "h_S", stroke, mu)
     height = draft.take(Length, "h_S", order.height, "mm")
-    return draft.board.draw(f.scale_of_stroke, "μ_S", stroke, height, unit=f"{unit}/mm"), height
+    return draft.draw(f.scale_of_stroke, "μ_S", stroke, height, unit=f"{unit}/mm"), height
 
 
 def _divided(
     draft: Draft, turn: Turn
 ) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark], tuple[Mark, Mark], tuple[tuple[Mark, ...], ...]]:
     """Take the phases and their even division: extents, steps (Angle), radians, shares of every stretch."""
-    board, rows = draft.board, []
+    rows = []
     for phase in turn.phases:
         name = {"rise": "r", "return": "f"}[phase.name]
         extent = draft.take(Angle, f"φ_{name}", phase.extent, "°")
         parts = draft.take(Number, f"N_{name}", float(phase.parts))
-        step = board.draw(f.angle_of_part, f"Δφ_{name}", extent, parts, unit="°")
-        radians = board.draw(f.radians_of, f"Φ_{name}", extent, unit="rad")
+        step = draft.draw(f.angle_of_part, f"Δφ_{name}", extent, parts, unit="°")
+        radians = draft.draw(f.radians_of, f"Φ_{name}", extent, unit="rad")
         shares = []
         for ends in phase.stretches:
             k = np.arange(ends[0], ends[1] + 1)
             far = k - phase.first if phase.sign > 0 else phase.last - k
             number = draft.take(Number, f"n_{name}", turn.over(ends, far.astype(float)))
-            shares.append(board.draw(law.share_of_parts, f"u_{name}", number, parts))
+            shares.append(draft.draw(law.share_of_parts, f"u_{name}", number, parts))
         rows.append((extent, step, radians, tuple(shares)))
     (a, b) = rows
     return (a[0], b[0]), (a[1], b[1]), (a[2], b[2]), (a[3], b[3])
@@ -163,8 +162,8 @@ def _diagram(
     draft: Draft, common: _Common, which: str, mu: Mark, height: Mark, unit: str
 ) -> Diagram:
     """Draw one diagram over the turn: both phases, the dwells between them, the readings."""
-    board, letter = draft.board, LETTERS[which]
-    board.open(VIEWS[which])
+    letter = LETTERS[which]
+    draft.open(VIEWS[which])
     axes = graphs.draw_axes(draft, VIEWS[which], common.base, mu)
     points: list[Mark] = []
     for k, integral in enumerate(common.integrals):
@@ -173,18 +172,18 @@ def _diagram(
             points += draw_law(draft, ground, which, height)
         else:
             points += lay_integral(draft, ground, integral, which, height)
-        board.open(VIEWS[which])
+        draft.open(VIEWS[which])
     stretches = [ends for phase in common.turn.phases for ends in phase.stretches]
     curves: list[Mark] = []
     readings: list[Mark] = []
     for spots, (first, last) in zip(points, stretches, strict=True):
         curves.append(
-            board.draw(
+            draft.draw(
                 graph_of_stretch, f"({spots.letter}–{spots.letter})", spots, first=first, last=last
             )
         )
         readings.append(
-            board.draw(measure_along, f"{letter}_{len(readings) + 1}", axes.feet, spots, axes.up)
+            draft.draw(measure_along, f"{letter}_{len(readings) + 1}", axes.feet, spots, axes.up)
         )
     _outline(draft, common.turn, axes, points, which)
     merged = merge(draft, common.turn, readings, letter)
@@ -196,37 +195,36 @@ def _diagram(
 
 def merge(draft: Draft, turn: Turn, readings: Sequence[Mark], letter: str) -> Mark:
     """Make one row of readings of those of the stretches, in their order."""
-    board = draft.board
     stretches = [ends for phase in turn.phases for ends in phase.stretches]
     found = readings[-1]
     for k in range(len(readings) - 2, -1, -1):
-        at = draft.take(Number, board.free("σ"), turn.inside(*stretches[k]))
+        at = draft.take(Number, "σ", turn.inside(*stretches[k]))
         rest = ",".join(str(n) for n in range(k + 1, len(readings) + 1))
-        name = letter if k == 0 else board.free(f"{letter}_{{{rest}}}")
-        found = board.draw(in_turn, name, readings[k], found, at)
+        name = letter if k == 0 else f"{letter}_{{{rest}}}"
+        found = draft.draw(in_turn, name, readings[k], found, at)
     return found
 
 
 def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
     """Mark on the base where a phase begins and ends, and its divisions."""
-    board, phase, length = draft.board, common.turn.phases[k], common.base.length
+    phase, length = common.turn.phases[k], common.base.length
     ends = (phase.start, phase.start + phase.extent)
-    board.say(phase.name)
+    draft.say(phase.name)
     feet = []
     for angle, name in zip(ends if phase.sign > 0 else ends[::-1], ("o", "e"), strict=True):
-        at = draft.take(Angle, board.free(f"φ_{name}"), angle, "°")
-        x = board.draw(f.along_turn, f"x_{name}", at, length)
-        feet.append(board.draw(lay_off, board.free(name), axes.along, x))
+        at = draft.take(Angle, f"φ_{name}", angle, "°")
+        x = draft.draw(f.along_turn, f"x_{name}", at, length)
+        feet.append(draft.draw(lay_off, name, axes.along, x, free=True))
     near, far = feet
-    inward = board.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
-    out = board.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
-    whole = board.draw(f.along_turn, "l", common.extents[k], length)
+    inward = draft.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
+    out = draft.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
+    whole = draft.draw(f.along_turn, "l", common.extents[k], length)
     divisions = []
     for share in common.shares[k]:
-        x = board.draw(law.even_height, "x", share, whole)
-        divisions.append(board.draw(lay_off, board.free("n"), inward, x))
-    rise = board.draw(square, "(y)", near, axes.along, sense=1)
-    drop = board.draw(square, "(y)", near, axes.along, sense=-1)
+        x = draft.draw(law.even_height, "x", share, whole)
+        divisions.append(draft.draw(lay_off, "n", inward, x, free=True))
+    rise = draft.draw(square, "(y)", near, axes.along, sense=1)
+    drop = draft.draw(square, "(y)", near, axes.along, sense=-1)
     rest = (common.phases[k], common.stroke, axes.mu)
     return Ground(
         phase, common.shares[k], tuple(divisions), axes.along, near, far, out, rise, drop, *rest
@@ -235,17 +233,16 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
 
 def _outline(draft: Draft, turn: Turn, axes: Axes, points: Sequence[Mark], which: str) -> None:
     """Tell what is drawn besides the curves: the dwells, and the jumps of the acceleration."""
-    board = draft.board
     rows = [(p, ends) for p in turn.phases for ends in p.stretches]
 
     def end(spots: Mark, at: int) -> Mark:
-        return board.draw(phase_end, board.free(f"{spots.letter}_e"), spots, at=at)
+        return draft.draw(phase_end, f"{spots.letter}_e", spots, at=at, free=True)
 
-    board.figure("outline", "start", axes.origin, end(points[0], 0))
+    draft.figure("outline", "start", axes.origin, end(points[0], 0))
     for (spots, (_, (_, last))), (after, (_, (first, _))) in pairwise(
         zip(points, rows, strict=True)
     ):
         feet = [end(axes.feet, at) for at in (last, first)] if which == "A" and first > last else []
-        board.figure("outline", "between", end(spots, last), *feet, end(after, first))
+        draft.figure("outline", "between", end(spots, last), *feet, end(after, first))
     feet = [end(axes.feet, turn.fall.last)] if which == "A" else []
-    board.figure("outline", "lower dwell", end(points[-1], turn.fall.last), *feet, axes.end)
+    draft.figure("outline", "lower dwell", end(points[-1], turn.fall.last), *feet, axes.end)

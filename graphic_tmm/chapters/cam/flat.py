@@ -67,41 +67,38 @@ def draw_convexity(
     draft: Draft, order: CamOrder, diagrams: Diagrams, of: FlatFollower
 ) -> Convexity:
     """Draw the condition of convexity, the least r0 and the chosen one."""
-    board = draft.board
-    board.open(VIEW)
+    draft.open(VIEW)
     mu = scale_of_lengths(draft, order, diagrams)
     motion = scaled_motion(draft, diagrams, mu)
-    board.lay_out(None, mu)
+    draft.lay_out(None, mu)
     origin = draft.take(Point, "O", 0j)
-    up = board.draw(ray, "(S)", origin, draft.direction(90.0))
-    across = board.draw(square, "(S″)", origin, up, sense=-1)
-    spots = board.draw(lay_off, "B", up, motion.S)
-    lines = board.draw(parallel, "(B)", spots, across)
+    up = draft.draw(ray, "(S)", origin, draft.direction(90.0))
+    across = draft.draw(square, "(S″)", origin, up, sense=-1)
+    spots = draft.draw(lay_off, "B", up, motion.S)
+    lines = draft.draw(parallel, "(B)", spots, across)
     points, curves = [], []
     for second, (_, first, last) in zip(motion.A, diagrams.stretches, strict=True):
-        own = board.draw(lay_off, board.free("E"), lines, second)
+        own = draft.draw(lay_off, "E", lines, second, free=True)
         points.append(own)
-        curves.append(board.draw(smooth_stretch, "(E–E)", own, first=first, last=last))
+        curves.append(draft.draw(smooth_stretch, "(E–E)", own, first=first, last=last))
     half = draft.direction(45.0)
     limit = None
     for k, curve in enumerate(curves, 1):
-        line = board.draw(touch_curve, f"(τ_{k})", curve, across, half, sense=-1, left=-1)
-        limit = line if limit is None else board.draw(outer_parallel, "(τ)", limit, line, left=-1)
+        line = draft.draw(touch_curve, f"(τ_{k})", curve, across, half, sense=-1, left=-1)
+        limit = line if limit is None else draft.draw(outer_parallel, "(τ)", limit, line, left=-1)
     assert limit is not None
-    cut = board.draw(meet, "M", up, limit)
-    need = board.draw(measure_along, "MO", cut, origin, up)
-    rho = board.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"), mu)
-    low = board.draw(total, "R_{min}", need, rho)
-    least = board.draw(in_si, "r_{min}", low, mu, unit="m")
-    r0, radius = choose_radius(draft, order, least, mu)
-    radii = tuple(
-        board.draw(f.flat_radius, board.free("ρ"), radius, motion.S, second) for second in motion.A
-    )
+    cut = draft.draw(meet, "M", up, limit)
+    need = draft.draw(measure_along, "MO", cut, origin, up)
+    rho = draft.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"))
+    low = draft.draw(total, "R_{min}", need, rho)
+    least = draft.draw(in_si, "r_{min}", low, unit="m")
+    r0, radius = choose_radius(draft, order, least)
+    radii = tuple(draft.draw(f.flat_radius, "ρ", radius, motion.S, second) for second in motion.A)
     ends = []
     for own, (_, first, last) in zip(points, diagrams.stretches, strict=True):
         ends += [
-            board.draw(phase_end, board.free("e"), own, at=first),
-            board.draw(phase_end, board.free("e"), own, at=last),
+            draft.draw(phase_end, "e", own, at=first, free=True),
+            draft.draw(phase_end, "e", own, at=last, free=True),
         ]
     return Convexity(
         VIEW, mu, motion, tuple(points), tuple(curves), tuple(ends), limit, origin, cut, least, r0,

@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_numbers import (
     LEAST,
@@ -56,7 +55,6 @@ class CentreNames(NamedTuple):
 
 
 def draw_centre_ink(
-    construction: Construction,
     reading: Reading,
     cam: Cam,
     names: CentreNames,
@@ -89,7 +87,7 @@ def draw_centre_ink(
     foot = min(centre.imag, least.imag) - 3.0 if np.isfinite(centre) else low
     aside = centre.real if np.isfinite(centre) else 0.0
     strokes.append(line("centre", complex(aside, 8.0), complex(aside, foot)))
-    _angles(construction, ink, cam, made, strokes, wanted, names.limits)
+    _angles(ink, cam, made, strokes, wanted, names.limits)
     wanted += numbered(names.positions, points, points - 0.5j * top)
     return finished(VIEW, title, strokes, wanted, figures, lettered)
 
@@ -152,7 +150,6 @@ def _radii(
 
 
 def _angles(
-    construction: Construction,
     ink: Numbers,
     cam: Cam,
     made: Centre,
@@ -161,9 +158,7 @@ def _angles(
     texts: tuple[str, str],
 ) -> None:
     """Ink the allowed pressure angles where the limits cut the line of the centres."""
-    for k, (limit, text) in enumerate(zip(made.limits, texts, strict=True), 1):
-        mark = construction.mark(VIEW, f"O_{k}")
-        assert mark is not None
+    for limit, mark, text in zip(made.limits, made.ends, texts, strict=True):
         spot, way = ink.one(mark), complex(ink.reading[limit].along[0, 0])
         if not np.isfinite(spot):
             continue

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations import graphs as g
 from graphic_tmm.board.operations.curve import bezier
@@ -176,7 +177,7 @@ class _Ink:
 
     def poles(self) -> list[complex]:
         """The pole, where there is one."""
-        marks = [s.it for s in self.steps if s.op is lay_off and s.it.name == "P"]
+        marks = self.construction.roles(self.view, roles.POLE)
         return [complex(self.points(mark)[0]) for mark in marks]
 
     def extent(self, names: CamNames) -> tuple[float, float]:
@@ -245,7 +246,7 @@ def _met(ink: _Ink, step: Step) -> Ends:
 
 def _laid(ink: _Ink, step: Step) -> Ends:
     """From the base to a point laid off above or below it; what lies on the base has its tick."""
-    if step.it.name != "P" and step.uses[0] not in ink.axis_lines:
+    if step.it.role != roles.POLE and step.uses[0] not in ink.axis_lines:
         start, end = ink.starts(step.uses[0]), ink.shown(step.it)
         level = np.abs((end - start).imag) > LEAST
         yield np.where(level, start, np.nan), end

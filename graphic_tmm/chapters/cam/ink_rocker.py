@@ -8,7 +8,6 @@ import math
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_numbers import (
@@ -35,7 +34,6 @@ ANGLE = 18.0
 
 
 def draw_rocker_ink(
-    construction: Construction,
     reading: Reading,
     cam: Cam,
     names: CentreNames,
@@ -56,7 +54,7 @@ def draw_rocker_ink(
     strokes: list[Ink] = segments(np.zeros_like(roller), roller)
     strokes += segments(roller, points)
     wanted: list[Wanted] = []
-    spots = _limits(construction, ink, cam, made, strokes, wanted, names.limits)
+    spots = _limits(ink, cam, made, strokes, wanted, names.limits)
     for mark in made.curves:
         strokes += ink.curve(mark)
     strokes += ink.dots(points)
@@ -80,7 +78,6 @@ def draw_rocker_ink(
 
 
 def _limits(
-    construction: Construction,
     ink: Numbers,
     cam: Cam,
     made: Centre,
@@ -95,9 +92,7 @@ def _limits(
     path, found = cam.path, list[tuple[float, complex, complex, str]]()
     assert isinstance(path, Lever)
     points, lowest = ink.all(made.points), ink.one(made.lowest)
-    for name, text, phase in zip("rf", texts, cam.diagrams.turn.phases, strict=True):
-        mark = construction.mark(VIEW, f"O_{name}")
-        assert mark is not None
+    for mark, text, phase in zip(made.ends, texts, cam.diagrams.turn.phases, strict=True):
         part = slice(phase.first, phase.last + 1)
         for q, end in zip(points[part], ink.all(mark)[part], strict=True):
             turn = -path.sense * cmath.phase(end / lowest) if np.isfinite(end) else -1.0

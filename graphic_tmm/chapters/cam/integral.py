@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Pole, erect_axes
 from graphic_tmm.board.operations.formulas import rescaled, scale_of_derivative
@@ -72,28 +72,28 @@ def draw_integral(
     poles: tuple[float, float],
 ) -> Integral:
     """Integrate the acceleration diagram of a phase twice; ``poles``: H of the first and the second, mm."""
-    board, row = draft.board, _Row(turn, phase, base)
+    row = _Row(turn, phase, base)
     views = {which: f"cam {phase.name} {name}" for which, name in NAMES.items()}
-    board.open(views["A"])
+    draft.open(views["A"])
     first, corners, middles, accelerations = _accelerations(draft, row, views["A"])
     speeds = erect_axes(draft, views["V"], row.base, row.base.mu)
-    points, last, pole_A = _succession(draft, row, (first, speeds), middles, poles[0])
-    board.open(views["V"])
-    velocity = board.draw(measure_along, "V", speeds.feet, points, speeds.up)
+    points, last, pole_A = _succession(draft, row, (first, speeds), middles, poles[0], "v")
+    draft.open(views["V"])
+    velocity = draft.draw(measure_along, "V", speeds.feet, points, speeds.up)
     ways = erect_axes(draft, views["S"], row.base, row.base.mu)
     middles = _on_curves(draft, row, speeds, points, last)
-    spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1])
-    board.open(views["S"])
-    displacement = board.draw(measure_along, "S", ways.feet, spots, ways.up)
+    spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1], "d")
+    draft.open(views["S"])
+    displacement = draft.draw(measure_along, "S", ways.feet, spots, ways.up)
     for ends in phase.stretches:
-        board.draw(graph_of_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
-    high = board.draw(measure_along, "h", ways.end, end, ways.up)
+        draft.draw(graph_of_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
+    high = draft.draw(measure_along, "h", ways.end, end, ways.up)
     unit = stroke.unit
-    mu_S = board.draw(f.scale_of_stroke, "μ_S", stroke, high, unit=f"{unit}/mm")
+    mu_S = draft.draw(f.scale_of_stroke, "μ_S", stroke, high, unit=f"{unit}/mm")
     scale_V = (mu_S, base.mu, pole_V.distance)
-    mu_V = board.draw(scale_of_derivative, "μ_{S′}", *scale_V, unit=f"{unit}/mm")
+    mu_V = draft.draw(scale_of_derivative, "μ_{S′}", *scale_V, unit=f"{unit}/mm")
     scale_A = (mu_V, base.mu, pole_A.distance)
-    mu_A = board.draw(scale_of_derivative, "μ_{S″}", *scale_A, unit=f"{unit}/mm")
+    mu_A = draft.draw(scale_of_derivative, "μ_{S″}", *scale_A, unit=f"{unit}/mm")
     scales = {"S": mu_S, "V": mu_V, "A": mu_A}
     for which, axes in (("S", ways), ("V", speeds), ("A", first)):
         _settle(draft, axes, scales[which])
@@ -108,42 +108,41 @@ def lay_integral(
 
     ``height``: the stroke on the diagram of S (Length).
     """
-    board, found = draft.board, []
+    found = []
     own, back = integral.ordinates[which], ground.of.sign < 0
     for k in range(len(ground.feet)):
-        uses = (own[min(k, len(own) - 1)], integral.scales[which], ground.mu)
-        long = board.draw(rescaled, f"y_{which}", *uses)
+        long = draft.draw(rescaled, f"y_{which}", own[min(k, len(own) - 1)], ground.mu)
         if back and which == "S":
-            long = board.draw(law.rest_of_stroke, f"y_{which}", height, long)
+            long = draft.draw(law.rest_of_stroke, f"y_{which}", height, long)
         over = uprights(draft, ground, k, up=not back or which == "S")
-        found.append(board.draw(lay_off, board.free(which.lower()), over, long))
+        found.append(draft.draw(lay_off, which.lower(), over, long, free=True))
     return tuple(found)
 
 
 def _settle(draft: Draft, axes: Axes, mu: Mark) -> None:
     """Tell the scale of axes, now that it is known."""
-    board, base = draft.board, axes.base
-    board.open(axes.view)
-    board.lay_out(None, mu)
+    base = axes.base
+    draft.open(axes.view)
+    draft.lay_out(None, mu)
     marks = (axes.origin, axes.along, axes.up, axes.feet, axes.end, axes.middles)
-    board.figure("axes", axes.view, *marks, mu, base.mu, base.length)
+    draft.figure("axes", axes.view, *marks, mu, base.mu, base.length)
 
 
 def _accelerations(
     draft: Draft, row: _Row, view: str
 ) -> tuple[Axes, tuple[Mark, ...], Mark, tuple[Mark, ...]]:
     """Draw the diagram that is given: axes, corners, points over the middles, ordinates of the stretches."""
-    board, (turn, phase, base) = draft.board, row
+    (turn, phase, base) = row
     axes = erect_axes(draft, view, row.base, row.base.mu)
     most = max(abs(value) for _, value in phase.law.points)
     points = [(share, HIGH * value / most) for share, value in phase.law.points]
     corners = []
     for share, value in points:
-        at = draft.take(Angle, board.free("φ_c"), phase.start + share * phase.extent, "°")
-        x = board.draw(f.along_turn, "x_c", at, base.length)
-        y = draft.take(Length, board.free("y_c"), value, "mm")
-        corners.append(board.draw(place, board.free("c"), axes.along, x, y))
-    board.figure("outline", "diagram", axes.origin, *corners, axes.end)
+        at = draft.take(Angle, "φ_c", phase.start + share * phase.extent, "°")
+        x = draft.draw(f.along_turn, "x_c", at, base.length)
+        y = draft.take(Length, "y_c", value, "mm")
+        corners.append(draft.draw(place, "c", axes.along, x, y, free=True))
+    draft.figure("outline", "diagram", axes.origin, *corners, axes.end)
     parts = draft.take(Number, "N", float(phase.parts))
     halves = np.arange(0.5, phase.parts)
     whole = turn.over((phase.first, phase.last - 1), halves)
@@ -160,49 +159,49 @@ def _over_middles(
     draft: Draft, row: _Row, axes: Axes, heights: list[tuple[Mark, tuple[int, int]]]
 ) -> Mark:
     """Lay off ordinates over the middles of the intervals; off the stretches given there is none: zero."""
-    board = draft.board
-    whole = draft.take(Length, board.free("0"), 0.0, "mm")
+    whole = draft.take(Length, "0", 0.0, "mm")
     for height, (first, last) in heights:
-        at = draft.take(Number, board.free("σ"), row.turn.inside(first, last - 1))
-        whole = board.draw(in_turn, board.free("h"), height, whole, at)
-    over = board.draw(square, "(m)", axes.middles, axes.along, sense=1)
-    return board.draw(lay_off, board.free("h"), over, whole)
+        at = draft.take(Number, "σ", row.turn.inside(first, last - 1))
+        whole = draft.draw(in_turn, "h", height, whole, at)
+    over = draft.draw(square, "(m)", axes.middles, axes.along, sense=1)
+    return draft.draw(lay_off, "h", over, whole, free=True)
 
 
 def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> Mark:
     """Draw the smooth curve of every stretch and mark over the middles the mean ordinate of each interval."""
-    board, heights = draft.board, []
-    board.open(axes.view)
-    after = board.draw(following, "v+1", points, end, row=row.base.intervals)
-    ends = [board.draw(measure_along, "v", axes.origin, z, axes.up) for z in (points, after)]
+    heights = []
+    draft.open(axes.view)
+    after = draft.draw(following, "v+1", points, end, row=row.base.intervals)
+    ends = [draft.draw(measure_along, "v", axes.origin, z, axes.up) for z in (points, after)]
     angles = np.array(row.turn.angles)
     for first, last in row.phase.stretches:
-        curve = board.draw(graph_of_stretch, "(v–v)", points, first=first, last=last)
+        curve = draft.draw(graph_of_stretch, "(v–v)", points, first=first, last=last)
         own = (angles[first:last] + angles[first + 1 : last + 1]) / 2.0
-        at = draft.take(Angle, board.free("φ_m"), row.turn.over((first, last - 1), own), "°")
-        x = board.draw(f.along_turn, "x_m", at, row.base.length)
-        foot = board.draw(lay_off, board.free("m"), axes.along, x)
-        spots = board.draw(erect, board.free("w"), curve, foot)
-        middle = board.draw(measure_along, "w", foot, spots, axes.up)
-        mean = board.draw(law.mean_of_strip, "w_m", ends[0], middle, ends[1])
+        at = draft.take(Angle, "φ_m", row.turn.over((first, last - 1), own), "°")
+        x = draft.draw(f.along_turn, "x_m", at, row.base.length)
+        foot = draft.draw(lay_off, "m", axes.along, x, free=True)
+        spots = draft.draw(erect, "w", curve, foot, free=True)
+        middle = draft.draw(measure_along, "w", foot, spots, axes.up)
+        mean = draft.draw(law.mean_of_strip, "w_m", ends[0], middle, ends[1])
         heights.append((mean, (first, last)))
     return _over_middles(draft, row, axes, heights)
 
 
 def _succession(
-    draft: Draft, row: _Row, axes: tuple[Axes, Axes], middles: Mark, distance: float
+    draft: Draft, row: _Row, axes: tuple[Axes, Axes], middles: Mark, distance: float, letter: str
 ) -> tuple[Mark, Mark, Pole]:
     """Integrate from the first axes to the second; return the points, the end and the pole."""
-    board, (source, to), count = draft.board, axes, row.base.intervals
-    board.open(source.view)
-    pole = graphs.set_pole(draft, source, draft.take(Length, "H", distance, "mm"))
-    levels = board.draw(parallel, f"({middles.letter})", middles, source.along)
-    cuts = board.draw(meet, board.free("h_y"), source.up, levels)
-    rays = board.draw(join, "(P)", pole.point, cuts)
-    board.open(to.view)
-    letter = to.view.split()[-1][0]
-    points = board.draw(succession, letter, to.origin, rays, to.feet, to.end, row=count)
-    last = board.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=count)
+    (source, to), count = axes, row.base.intervals
+    draft.open(source.view)
+    pole = graphs.set_pole(
+        draft, source, draft.take(Length, "H", distance, "mm", roles.POLE_DISTANCE)
+    )
+    levels = draft.draw(parallel, f"({middles.letter})", middles, source.along)
+    cuts = draft.draw(meet, "h_y", source.up, levels, free=True)
+    rays = draft.draw(join, "(P)", pole.point, cuts)
+    draft.open(to.view)
+    points = draft.draw(succession, letter, to.origin, rays, to.feet, to.end, row=count)
+    last = draft.draw(arrival, f"{letter}_N", to.origin, rays, to.feet, to.end, row=count)
     return points, last, pole
 
 
@@ -219,7 +218,6 @@ def _ordinates(
     On which line a position stands is a choice that is made before the log runs; at a corner, on the line that
     reaches farther into the stretch of the numbers.
     """
-    board = draft.board
     shares = numbers[0] / count
     middle = np.nanmean(shares)
     segments = [(a[0], b[0], a[1], b[1]) for a, b in pairwise(points) if b[0] - a[0] > SLACK]
@@ -228,13 +226,8 @@ def _ordinates(
         u = float(shares[i])
         fits = [s for s in segments if s[0] - SLACK <= u <= s[1] + SLACK]
         rows[:, i] = min(fits, key=lambda s: abs((s[0] + s[1]) / 2.0 - middle))
-    number = draft.take(Number, board.free("n"), numbers)
-    share = board.draw(law.share_of_parts, "u", number, parts)
-    start, end = (
-        draft.take(Number, board.free(x), rows[k : k + 1]) for k, x in ((0, "u_a"), (1, "u_b"))
-    )
-    low, high = (
-        draft.take(Length, board.free(x), rows[k : k + 1], "mm")
-        for k, x in ((2, "y_a"), (3, "y_b"))
-    )
-    return board.draw(law.on_chord, "y", share, start, end, low, high)
+    number = draft.take(Number, "n", numbers)
+    share = draft.draw(law.share_of_parts, "u", number, parts)
+    start, end = (draft.take(Number, x, rows[k : k + 1]) for k, x in ((0, "u_a"), (1, "u_b")))
+    low, high = (draft.take(Length, x, rows[k : k + 1], "mm") for k, x in ((2, "y_a"), (3, "y_b")))
+    return draft.draw(law.on_chord, "y", share, start, end, low, high)

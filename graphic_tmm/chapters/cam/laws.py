@@ -87,77 +87,74 @@ def draw_law(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Ma
 
 
 def _by_semicircle(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
-    board, how = draft.board, SEMICIRCLES[ground.of.law.name, which]
+    how = SEMICIRCLES[ground.of.law.name, which]
     down = how.odd and ground.of.sign < 0
-    uses = (height,) if which == "S" else (ground.stroke, ground.phase, ground.mu)
-    radius = board.draw(how.radius, "R", *uses)
+    uses = (height,) if which == "S" else (ground.stroke, ground.phase)
+    radius = draft.draw(how.radius, "R", *uses)
     centre = ground.near
     if how.centre:
-        centre = board.draw(lay_off, board.free("C"), ground.drop if down else ground.rise, radius)
-    circle = board.draw(strike, "(R)", centre, radius)
+        centre = draft.draw(lay_off, "C", ground.drop if down else ground.rise, radius, free=True)
+    circle = draft.draw(strike, "(R)", centre, radius)
     begin = {"out": ground.out, "drop": ground.drop, "rise": ground.rise}[how.begin]
     if down and how.begin != "out":
         begin = ground.rise if how.begin == "drop" else ground.drop
     # the return is mirrored, and mirrored once more where its figure stands below the base
     sense = how.sense * (1 if ground.of.sign > 0 or down else -1)
     (share,) = ground.shares
-    angle = board.draw(how.by, "θ", share, unit="°")
-    points = board.draw(divide_semicircle, board.free("q"), circle, begin, angle, sense=sense)
-    levels = board.draw(parallel, "(q)", points, ground.along)
+    angle = draft.draw(how.by, "θ", share, unit="°")
+    points = draft.draw(divide_semicircle, "q", circle, begin, angle, sense=sense, free=True)
+    levels = draft.draw(parallel, "(q)", points, ground.along)
     if (ground.of.law.name, which) == ("sine", "S"):
-        feet = board.draw(meet, board.free("r"), ground.rise, levels)
-        chord = board.draw(join, "(oh)", ground.near, _top(draft, ground, height))
-        levels = board.draw(parallel, "(r)", feet, chord)
-    return (board.draw(meet, board.free(which.lower()), uprights(draft, ground), levels),)
+        feet = draft.draw(meet, "r", ground.rise, levels, free=True)
+        chord = draft.draw(join, "(oh)", ground.near, _top(draft, ground, height))
+        levels = draft.draw(parallel, "(r)", feet, chord)
+    return (draft.draw(meet, which.lower(), uprights(draft, ground), levels, free=True),)
 
 
 def uprights(draft: Draft, ground: Ground, stretch: int = 0, *, up: bool = True) -> Mark:
     """Erect the perpendiculars over the positions of a stretch."""
     foot = ground.feet[stretch]
-    return draft.board.draw(square, f"({foot.letter})", foot, ground.along, sense=1 if up else -1)
+    return draft.draw(square, f"({foot.letter})", foot, ground.along, sense=1 if up else -1)
 
 
 def _top(draft: Draft, ground: Ground, height: Mark) -> Mark:
     """Mark the point of the stroke over the inner end of the phase."""
-    board = draft.board
-    line = board.draw(square, "(h)", ground.far, ground.along, sense=1)
-    return board.draw(lay_off, board.free("h"), line, height)
+    line = draft.draw(square, "(h)", ground.far, ground.along, sense=1)
+    return draft.draw(lay_off, "h", line, height, free=True)
 
 
 def _parabola(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw two parabolas by rays to even divisions of the perpendicular over the middle of the phase."""
-    board, top = draft.board, _top(draft, ground, height)
-    middle = board.draw(halve, board.free("m"), ground.near, ground.far)
-    line = board.draw(square, "(m)", middle, ground.along, sense=1)
+    top = _top(draft, ground, height)
+    middle = draft.draw(halve, "m", ground.near, ground.far, free=True)
+    line = draft.draw(square, "(m)", middle, ground.along, sense=1)
     found = []
     for k, share in enumerate(ground.shares):
-        even = board.draw(law.even_height, "x_h", share, height)
-        spots = board.draw(lay_off, board.free("d"), line, even)
-        rays = board.draw(join, "(d)", ground.near if ground.outer(k) else top, spots)
-        found.append(board.draw(meet, board.free("s"), uprights(draft, ground, k), rays))
+        even = draft.draw(law.even_height, "x_h", share, height)
+        spots = draft.draw(lay_off, "d", line, even, free=True)
+        rays = draft.draw(join, "(d)", ground.near if ground.outer(k) else top, spots)
+        found.append(draft.draw(meet, "s", uprights(draft, ground, k), rays, free=True))
     return tuple(found)
 
 
 def _triangle(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw two straight lines from the ends of the phase to the peak over its middle."""
-    board = draft.board
-    most = board.draw(law.parabola_V, "h_V", ground.stroke, ground.phase, ground.mu)
-    middle = board.draw(halve, board.free("m"), ground.near, ground.far)
-    line = board.draw(parallel, "(m)", middle, ground.rise, sense=ground.of.sign)
-    peak = board.draw(lay_off, board.free("k"), line, most)
+    most = draft.draw(law.parabola_V, "h_V", ground.stroke, ground.phase)
+    middle = draft.draw(halve, "m", ground.near, ground.far, free=True)
+    line = draft.draw(parallel, "(m)", middle, ground.rise, sense=ground.of.sign)
+    peak = draft.draw(lay_off, "k", line, most, free=True)
     found = []
     for k in range(len(ground.shares)):
-        side = board.draw(join, "(k)", ground.near if ground.outer(k) else ground.far, peak)
-        found.append(board.draw(meet, board.free("v"), uprights(draft, ground, k), side))
+        side = draft.draw(join, "(k)", ground.near if ground.outer(k) else ground.far, peak)
+        found.append(draft.draw(meet, "v", uprights(draft, ground, k), side, free=True))
     return tuple(found)
 
 
 def _steps(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Lay off the constant accelerations: upward over the outer half, downward over the inner one."""
-    board = draft.board
-    much = board.draw(law.parabola_A, "h_A", ground.stroke, ground.phase, ground.mu)
+    much = draft.draw(law.parabola_A, "h_A", ground.stroke, ground.phase)
     lines = [uprights(draft, ground, k, up=ground.outer(k)) for k in range(len(ground.shares))]
-    return tuple(board.draw(lay_off, board.free("a"), over, much) for over in lines)
+    return tuple(draft.draw(lay_off, "a", over, much, free=True) for over in lines)
 
 
 _PARABOLA = {"S": _parabola, "V": _triangle, "A": _steps}
@@ -165,11 +162,11 @@ _PARABOLA = {"S": _parabola, "V": _triangle, "A": _steps}
 
 def _polynomial(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
     """Lay off calculated ordinates."""
-    board, (share,) = draft.board, ground.shares
+    (share,) = ground.shares
     if which == "S":
-        long = board.draw(law.polynomial_S, "y", share, height)
+        long = draft.draw(law.polynomial_S, "y", share, height)
     else:
         op = law.polynomial_V if which == "V" else law.polynomial_A
-        long = board.draw(op, "y", share, ground.stroke, ground.phase, ground.mu)
+        long = draft.draw(op, "y", share, ground.stroke, ground.phase)
     over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
-    return (board.draw(lay_off, board.free(which.lower()), over, long),)
+    return (draft.draw(lay_off, which.lower(), over, long, free=True),)

@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.bounds import CAM
 from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
 from graphic_tmm.chapters.cam.task import CamOrder, Law
 from graphic_tmm.errors import StructureError
+from graphic_tmm.scene.declare import bound_of
 
 
 class Phase(NamedTuple):
@@ -111,7 +111,7 @@ def _division(order: CamOrder, name: str, extent: float, law: Law) -> Division:
     """
     wanted = order.divisions
     if order.per_turn is not None:
-        wanted = max(int(CAM["parts"].least), round(order.per_turn * extent / TURN))
+        wanted = max(int(bound_of(CamOrder, "parts").least), round(order.per_turn * extent / TURN))
     jumps, corners = _jumps(law), sorted({u for u, _ in law.points if SLACK < u < 1.0 - SLACK})
     for shares, most, least in ((corners or jumps, 2, 2), (jumps, 4, 1)):
         for parts in range(wanted, most * wanted + 1):
@@ -121,7 +121,8 @@ def _division(order: CamOrder, name: str, extent: float, law: Law) -> Division:
                 return parts, shares
     raise StructureError(
         f"cam, {name}: no division into {wanted} … {4 * wanted} parts has a position at every jump of the "
-        "acceleration: let the jumps stand at simple shares of the phase"
+        "acceleration: let the jumps stand at simple shares of the phase",
+        "cam.law_points" if name == "rise" else "cam.return_points",
     )
 
 

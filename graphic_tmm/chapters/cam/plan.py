@@ -132,28 +132,32 @@ def _refuse_triangle(order: CamOrder) -> None:
         if not least < r0 < most:
             raise StructureError(
                 f"cam: with a lever of {follower.lever:g} m and centres {follower.centres:g} m apart r0 lies "
-                f"between {least:.4g} and {most:.4g} m, not at {r0:g} m"
+                f"between {least:.4g} and {most:.4g} m, not at {r0:g} m",
+                "cam.r0",
+                "cam.lever",
+                "cam.centres",
             )
     elif not isinstance(follower, FlatFollower) and abs(follower.offset) >= r0:
         raise StructureError(
-            f"cam: the offset {follower.offset:g} m is not less than r0 = {r0:g} m: take a smaller one"
+            f"cam: the offset {follower.offset:g} m is not less than r0 = {r0:g} m: take a smaller one",
+            "cam.offset",
+            "cam.r0",
         )
 
 
 def _roller(draft: Draft, order: CamOrder, centre: Centre, curvature: TurnDiagram) -> RollerSize:
     """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
-    board = draft.board
-    board.open(PROFILE)
+    draft.open(PROFILE)
     shares = (order.share_of_r0, order.share_of_curvature)
     limits = []
     for name, share, whole in zip(
         "rρ", shares, (centre.r0, curvature.extremes[0].value), strict=True
     ):
         k = draft.take(Number, f"k_{name}", share)
-        limits.append(board.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
+        limits.append(draft.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
     if order.roller is not None:
         chosen = draft.take(Number, "r", order.roller, "m")
     else:
-        lesser = board.draw(f.lesser_radius, "[r]", *limits, unit="m")
-        chosen = board.draw(f.whole_mm_below, "r", lesser, unit="m")
+        lesser = draft.draw(f.lesser_radius, "[r]", *limits, unit="m")
+        chosen = draft.draw(f.whole_mm_below, "r", lesser, unit="m")
     return RollerSize(limits[0], limits[1], chosen)

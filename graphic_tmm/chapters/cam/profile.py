@@ -78,20 +78,20 @@ def draw_profile(
     sense: int,
 ) -> Profile:
     """Draw both profiles of a cam with a roller; ``roller``: its radius (Number, m)."""
-    board, origin = draft.board, _begin(draft, centre.mu)
+    origin = _begin(draft, centre.mu)
     if isinstance(path, Lever):
         placed = _rocker(draft, diagrams, centre, path, origin, sense)
     else:
         placed = _translating(draft, diagrams, centre, path, origin, sense)
-    normals = board.draw(
+    normals = draft.draw(
         inward_normal, "(n)", placed.points, placed.paths, centre.pressure, sense=sense
     )
     paces = [centre.pace] * len(diagrams.stretches)
     theoretical = _contour(draft, diagrams, origin, placed.points, normals, paces, sense)
-    radius = board.draw(to_board, "R", roller, centre.mu)
-    contacts = board.draw(lay_off, "K", normals, radius)
+    radius = draft.draw(to_board, "R", roller)
+    contacts = draft.draw(lay_off, "K", normals, radius)
     paces = [
-        board.draw(f.equidistant_pace, board.free("p"), centre.pace, radius, turning)
+        draft.draw(f.equidistant_pace, "p", centre.pace, radius, turning)
         for turning in centre.turning
     ]
     working = _contour(draft, diagrams, origin, contacts, normals, paces, sense)
@@ -102,23 +102,23 @@ def draw_profile(
 
 def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: int) -> Profile:
     """Draw the profile of a cam with a flat face."""
-    board, origin = draft.board, _begin(draft, of.mu)
-    along = board.draw(ray, "(y)", origin, draft.direction(90.0))
-    paths = board.draw(slew, "(B)", origin, along, diagrams.angle, sense=-sense)
-    reach = board.draw(total, "r_0+S", of.radius, of.motion.S)
-    middles = board.draw(lay_off, "B", paths, reach)
-    faces = board.draw(square, "(f)", middles, paths, sense=-sense)
+    origin = _begin(draft, of.mu)
+    along = draft.draw(ray, "(y)", origin, draft.direction(90.0))
+    paths = draft.draw(slew, "(B)", origin, along, diagrams.angle, sense=-sense)
+    reach = draft.draw(total, "r_0+S", of.radius, of.motion.S)
+    middles = draft.draw(lay_off, "B", paths, reach)
+    faces = draft.draw(square, "(f)", middles, paths, sense=-sense)
     velocity = of.motion.V
-    contacts = board.draw(lay_off, "K", faces, velocity)
-    normals = board.draw(parallel, "(n)", contacts, paths, sense=-1)
-    paces = [board.draw(f.convex, board.free("p"), radius) for radius in of.radii]
+    contacts = draft.draw(lay_off, "K", faces, velocity)
+    normals = draft.draw(parallel, "(n)", contacts, paths, sense=-1)
+    paces = [draft.draw(f.convex, "p", radius) for radius in of.radii]
     working = _contour(draft, diagrams, origin, contacts, normals, paces, sense)
     return Profile(VIEW, of.mu, origin, middles, faces, normals, None, None, working)
 
 
 def _begin(draft: Draft, mu: Mark) -> Mark:
-    draft.board.open(VIEW)
-    draft.board.lay_out(None, mu)
+    draft.open(VIEW)
+    draft.lay_out(None, mu)
     return draft.take(Point, "O", 0j)
 
 
@@ -126,32 +126,30 @@ def _translating(
     draft: Draft, diagrams: Diagrams, centre: Centre, path: Path, origin: Mark, sense: int
 ) -> _Inverted:
     """Turn the guide back by the angle of the cam; lay the displacement off on it."""
-    board = draft.board
-    reach = board.draw(total, "s_0+S", path.s0, centre.displacement)
+    reach = draft.draw(total, "s_0+S", path.s0, centre.displacement)
     if path.offset is None:
-        up = board.draw(ray, "(y)", origin, draft.direction(90.0))
-        guides = board.draw(slew, "(B)", origin, up, diagrams.angle, sense=-sense)
-        return _Inverted(None, guides, guides, board.draw(lay_off, "B", guides, reach))
-    side = board.draw(ray, "(x)", origin, draft.direction(0.0 if sense > 0 else 180.0))
-    arms = board.draw(slew, "(E)", origin, side, diagrams.angle, sense=-sense)
-    feet = board.draw(lay_off, "E", arms, path.offset)
-    guides = board.draw(square, "(B)", feet, arms, sense=sense)
-    return _Inverted(feet, guides, guides, board.draw(lay_off, "B", guides, reach))
+        up = draft.draw(ray, "(y)", origin, draft.direction(90.0))
+        guides = draft.draw(slew, "(B)", origin, up, diagrams.angle, sense=-sense)
+        return _Inverted(None, guides, guides, draft.draw(lay_off, "B", guides, reach))
+    side = draft.draw(ray, "(x)", origin, draft.direction(0.0 if sense > 0 else 180.0))
+    arms = draft.draw(slew, "(E)", origin, side, diagrams.angle, sense=-sense)
+    feet = draft.draw(lay_off, "E", arms, path.offset)
+    guides = draft.draw(square, "(B)", feet, arms, sense=sense)
+    return _Inverted(feet, guides, guides, draft.draw(lay_off, "B", guides, reach))
 
 
 def _rocker(
     draft: Draft, diagrams: Diagrams, centre: Centre, of: Lever, origin: Mark, sense: int
 ) -> _Inverted:
     """Turn the line of centres back by the angle of the cam; lay off the lever's angle and its length."""
-    board = draft.board
-    begin = board.draw(parallel, "(OO_1)", origin, of.line, sense=-1)
-    centres = board.draw(slew, "(O_1)", origin, begin, diagrams.angle, sense=-sense)
-    pivots = board.draw(lay_off, "O_1", centres, of.centres)
-    back = board.draw(parallel, "(O)", pivots, centres, sense=-1)
-    angle = board.draw(advance, "ψ_0+ψ", of.start, of.swing)
-    levers = board.draw(slew, "(l)", pivots, back, angle, sense=of.sense)
-    points = board.draw(lay_off, "B", levers, of.lever)
-    paths = board.draw(square, "(t)", points, levers, sense=of.sense)
+    begin = draft.draw(parallel, "(OO_1)", origin, of.line, sense=-1)
+    centres = draft.draw(slew, "(O_1)", origin, begin, diagrams.angle, sense=-sense)
+    pivots = draft.draw(lay_off, "O_1", centres, of.centres)
+    back = draft.draw(parallel, "(O)", pivots, centres, sense=-1)
+    angle = draft.draw(advance, "ψ_0+ψ", of.start, of.swing)
+    levers = draft.draw(slew, "(l)", pivots, back, angle, sense=of.sense)
+    points = draft.draw(lay_off, "B", levers, of.lever)
+    paths = draft.draw(square, "(t)", points, levers, sense=of.sense)
     return _Inverted(pivots, levers, paths, points)
 
 
@@ -165,16 +163,16 @@ def _contour(
     sense: int,
 ) -> Contour:
     """Draw the profile of every stretch and the circles of the dwells."""
-    board, turn = draft.board, diagrams.turn
+    turn = diagrams.turn
     curves = []
     for pace, (phase, first, last) in zip(paces, diagrams.stretches, strict=True):
         step = diagrams.steps[0 if phase is turn.rise else 1]
         letter = f"({points.letter}–{points.letter})"
         uses = (points, normals, pace, step)
-        curves.append(board.draw(swept_profile, letter, *uses, first=first, last=last, sense=sense))
+        curves.append(draft.draw(swept_profile, letter, *uses, first=first, last=last, sense=sense))
     circles = []
     for at in (turn.rise.last, turn.fall.last):
-        end = board.draw(phase_end, board.free(f"{points.letter}_e"), points, at=at)
-        far = board.draw(measure, f"O{end.name}", origin, end)
-        circles.append(board.draw(strike, f"(O{end.name})", origin, far))
+        end = draft.draw(phase_end, f"{points.letter}_e", points, at=at, free=True)
+        far = draft.draw(measure, f"O{end.name}", origin, end)
+        circles.append(draft.draw(strike, f"(O{end.name})", origin, far))
     return Contour(points, tuple(curves), circles[0], circles[1], -sense)

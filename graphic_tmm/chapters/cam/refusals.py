@@ -7,9 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from graphic_tmm.bounds import CAM, POSITIVE, OrderError
+from graphic_tmm.bounds import POSITIVE, OrderError
 from graphic_tmm.chapters.cam.task import LAWS, CamOrder, FlatFollower, Law, RockerFollower
 from graphic_tmm.errors import StructureError
+from graphic_tmm.scene.declare import bound_of
 
 TURN = 360.0
 SLACK = 1e-9
@@ -34,30 +35,33 @@ def refuse(order: CamOrder) -> None:
         says += f" to {TURN - moving:g}°"
         raise OrderError("cam", "lower_dwell", says)
     for name in ("rise", "upper_dwell", "fall"):
-        CAM[name].refuse("cam", name, getattr(order, name))
+        _bounded(name, getattr(order, name))
     if moving > TURN + 1e-6:
         says = f"the phases {told} make {sum(phases):g}°, not 360°: shorten them"
         raise OrderError("cam", "rise", says)
-    CAM["lower_dwell"].refuse("cam", "lower_dwell", order.lower_dwell)
+    _bounded("lower_dwell", order.lower_dwell)
     _refuse_sizes(order)
     for key, law in (("law", order.rise_law), ("return_law", order.return_law)):
         _refuse_law(key, law)
 
 
+def _bounded(key: str, value: object) -> None:
+    """Refuse a value outside the bounds of a key."""
+    bound_of(CamOrder, key).refuse("cam", key, value)
+
+
 def _refuse_sizes(order: CamOrder) -> None:
-    positive: list[tuple[str, float | None]] = [
-        ("stroke", order.stroke),
-        ("r0", order.r0),
-        ("roller", order.roller),
-        ("base", order.base),
-        ("height", order.height),
-        *((f"mu_{name}", getattr(order, f"mu_{name}")) for name in "SVAl"),
-        *(("H", pole) for pole in order.poles),
-    ]
+    sizes = {
+        name: getattr(order, name) for name in ("stroke", "r0", "roller", "base", "height", "mu_l")
+    }
     follower = order.follower
     if isinstance(follower, RockerFollower):
-        positive += [("lever", follower.lever), ("centres", follower.centres)]
-    for name, value in positive:
+        sizes |= {"lever": follower.lever, "centres": follower.centres}
+    for name, value in sizes.items():
+        if value is not None:
+            _bounded(name, value)
+    others = {f"mu_{name}": getattr(order, f"mu_{name}") for name in "SVA"}
+    for name, value in (*others.items(), *(("H", pole) for pole in order.poles)):
         if value is not None:
             POSITIVE.refuse("cam", name, value)
     if isinstance(follower, RockerFollower) and order.stroke >= math.pi:
@@ -71,17 +75,17 @@ def _refuse_sizes(order: CamOrder) -> None:
 def _refuse_choices(order: CamOrder) -> None:
     follower = order.follower
     if isinstance(follower, FlatFollower):
-        CAM["least_curvature"].refuse("cam", "least_curvature", follower.least)
+        _bounded("least_curvature", follower.least)
     for name in ("pressure", "pressure_return", "share_of_r0", "share_of_curvature"):
         value = getattr(order, name)
         if value is not None:
-            CAM[name].refuse("cam", name, value)
+            _bounded(name, value)
     for count in (order.divisions, order.per_turn):
         if count is not None:
-            CAM["parts"].refuse("cam", "parts", count)
+            _bounded("parts", count)
     if order.turns not in ("clockwise", "counterclockwise"):
         raise StructureError(
-            f'cam: it turns "{order.turns}": take "clockwise" or "counterclockwise"'
+            f'cam: it turns "{order.turns}": take "clockwise" or "counterclockwise"', "cam.turns"
         )
 
 

@@ -75,112 +75,113 @@ def draw_rocker_centre(
 
     ``sense``: 1 if the cam turns counter-clockwise, −1 clockwise.
     """
-    board = draft.board
-    board.open(VIEW)
+    draft.open(VIEW)
     alike = 1 if of.same_sense else -1
     rocks = alike * sense
     mu = draft.take(
         Number, "μ_l", order.mu_l or standard_length(max(of.centres, of.lever), ROOM), "m/mm"
     )
-    board.lay_out(None, mu)
-    lever = board.draw(to_board, "O_1B", draft.take(Number, "l", of.lever, "m"), mu)
-    centres = board.draw(to_board, "O_1O", draft.take(Number, "a", of.centres, "m"), mu)
+    draft.lay_out(None, mu)
+    lever = draft.draw(to_board, "O_1B", draft.take(Number, "l", of.lever, "m"))
+    centres = draft.draw(to_board, "O_1O", draft.take(Number, "a", of.centres, "m"))
     pivot = draft.take(Point, "O_1", 0j)
-    begin = board.draw(ray, "(l_0)", pivot, draft.direction(0.0 if rocks > 0 else 180.0))
-    lowest = board.draw(lay_off, "B_0", begin, lever)
-    swing = board.draw(f.swing_of, "ψ", diagrams.S.reading, diagrams.S.chart.mu, unit="°")
-    levers = board.draw(slew, "(l)", pivot, begin, swing, sense=rocks)
-    roller = board.draw(lay_off, "B", levers, lever)
-    velocity = board.draw(f.travel_on_lever, "v", diagrams.V.reading, diagrams.V.chart.mu, lever)
-    outward = board.draw(parallel, "(v)", roller, levers, sense=-alike)
-    points = board.draw(lay_off, "Q", outward, velocity)
+    begin = draft.draw(ray, "(l_0)", pivot, draft.direction(0.0 if rocks > 0 else 180.0))
+    lowest = draft.draw(lay_off, "B_0", begin, lever)
+    swing = draft.draw(f.swing_of, "ψ", diagrams.S.reading, unit="°")
+    levers = draft.draw(slew, "(l)", pivot, begin, swing, sense=rocks)
+    roller = draft.draw(lay_off, "B", levers, lever)
+    velocity = draft.draw(f.travel_on_lever, "v", diagrams.V.reading, lever)
+    outward = draft.draw(parallel, "(v)", roller, levers, sense=-alike)
+    points = draft.draw(lay_off, "Q", outward, velocity)
     curves = tuple(
-        board.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
+        draft.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
         for _, first, last in diagrams.stretches
     )
-    paths = board.draw(square, "(t)", points, levers, sense=rocks)
-    circle = board.draw(strike, "(O_1O)", pivot, centres)
-    limits, angles = _limits(draft, order, (points, paths, circle, pivot, begin), alike, sense)
-    highest, chart = _limit_diagram(draft, diagrams, angles)
-    board.open(VIEW)
-    bound = board.draw(slew, "(O_{min})", pivot, begin, highest, sense=-rocks)
-    least_centre = board.draw(lay_off, "O_{min}", bound, centres)
-    least = board.draw(
-        in_si, "r_{min}", board.draw(measure, "OB", least_centre, lowest), mu, unit="m"
+    paths = draft.draw(square, "(t)", points, levers, sense=rocks)
+    circle = draft.draw(strike, "(O_1O)", pivot, centres)
+    limits, ends, angles = _limits(
+        draft, order, (points, paths, circle, pivot, begin), alike, sense
     )
-    r0, radius = choose_radius(draft, order, least, mu)
-    small = board.draw(strike, "(R_0)", lowest, radius)
+    highest, chart = _limit_diagram(draft, diagrams, angles)
+    draft.open(VIEW)
+    bound = draft.draw(slew, "(O_{min})", pivot, begin, highest, sense=-rocks)
+    least_centre = draft.draw(lay_off, "O_{min}", bound, centres)
+    least = draft.draw(in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), unit="m")
+    r0, radius = choose_radius(draft, order, least)
+    small = draft.draw(strike, "(R_0)", lowest, radius)
     below = draft.take(Side, "±", float(-rocks))
-    centre = board.draw(cross, "O", circle, small, below)
-    start = board.draw(slant, "ψ_0", pivot, centre, begin, sense=-rocks, unit="°")
-    pressure = board.draw(slant, "α", centre, points, paths, sense=sense, unit="°")
-    pace = board.draw(measure, "OQ", centre, points)
-    p = board.draw(measure_along, "p", centre, points, paths)
-    q = board.draw(measure_along, "q", centre, points, outward)
-    reach = board.draw(measure, "O_1Q", pivot, points)
-    along = board.draw(f.along_path, "w", velocity, reach, lever)
+    centre = draft.draw(cross, "O", circle, small, below)
+    start = draft.draw(slant, "ψ_0", pivot, centre, begin, sense=-rocks, unit="°")
+    pressure = draft.draw(slant, "α", centre, points, paths, sense=sense, unit="°")
+    pace = draft.draw(measure, "OQ", centre, points)
+    p = draft.draw(measure_along, "p", centre, points, paths)
+    q = draft.draw(measure_along, "q", centre, points, outward)
+    reach = draft.draw(measure, "O_1Q", pivot, points)
+    along = draft.draw(f.along_path, "w", velocity, reach, lever)
     turning = []
     for reading in diagrams.A.readings:
-        second = board.draw(f.travel_on_lever, board.free("a"), reading, diagrams.A.chart.mu, lever)
-        turning.append(board.draw(f.turning_of_normal, board.free("τ"), p, q, along, second))
+        second = draft.draw(f.travel_on_lever, "a", reading, lever)
+        turning.append(draft.draw(f.turning_of_normal, "τ", p, q, along, second))
     made = Centre(
-        VIEW, mu, roller, points, curves, limits, lowest, least_centre, centre, least, r0, radius,
-        None, None, diagrams.S.reading, pressure, pace, tuple(turning),
+        VIEW, mu, roller, points, curves, limits, ends, lowest, least_centre, centre, least, r0,
+        radius, None, None, diagrams.S.reading, pressure, pace, tuple(turning),
     )  # fmt: skip
-    line = board.draw(join, "(O_1O)", pivot, centre)
+    line = draft.draw(join, "(O_1O)", pivot, centre)
     return made, Lever(line, centres, lever, start, swing, rocks, chart)
 
 
 def _limits(
     draft: Draft, order: CamOrder, on: tuple[Mark, Mark, Mark, Mark, Mark], alike: int, sense: int
-) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark]]:
-    """Draw the limit lines through every Q and measure where the centre may begin to stand (Angle).
+) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark], tuple[Mark, Mark]]:
+    """Draw the limit lines through every Q, mark where they cut the circle of the centres; return both.
+
+    And at which angles the centre may begin to stand there (Angle).
 
     ``on``: the points Q, the directions of the path, the circle of the centres, the pivot, the lowest lever.
     Of the two points of a line on the circle it is the one at which, going from the lowest lever, one comes
     to its allowed side.
     """
-    board, (points, paths, circle, pivot, begin) = draft.board, on
-    lines, angles = [], []
+    (points, paths, circle, pivot, begin) = on
+    lines, ends, angles = [], [], []
     for name, angle, towards in zip("rf", limit_angles(draft, order), (1, -1), strict=True):
-        line = board.draw(slew, f"(α_{name})", points, paths, angle, sense=sense * towards)
+        line = draft.draw(slew, f"(α_{name})", points, paths, angle, sense=sense * towards)
         enter = draft.take(Side, f"±_{name}", float(-alike * towards))
         # a line that misses the circle leaves the side of the pivot allowed, or nothing of the circle
         op = cut_or_foot if towards == alike else cut
-        spot = board.draw(op, f"O_{name}", line, circle, enter)
+        spot = draft.draw(op, f"O_{name}", line, circle, enter)
         lines.append(line)
+        ends.append(spot)
         angles.append(
-            board.draw(slant, f"β_{name}", pivot, spot, begin, sense=-alike * sense, unit="°")
+            draft.draw(slant, f"β_{name}", pivot, spot, begin, sense=-alike * sense, unit="°")
         )
-    return (lines[0], lines[1]), (angles[0], angles[1])
+    return (lines[0], lines[1]), (ends[0], ends[1]), (angles[0], angles[1])
 
 
 def _limit_diagram(
     draft: Draft, diagrams: Diagrams, angles: tuple[Mark, Mark]
 ) -> tuple[Mark, Chart]:
     """Draw the least angle of the line of centres over the turn; return its highest value (Angle)."""
-    board = draft.board
-    board.open(LIMITS)
+    draft.open(LIMITS)
     mu = draft.take(Number, "μ_ψ", DEGREES, "°/mm")
     axes = graphs.draw_axes(draft, LIMITS, diagrams.base, mu)
-    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
     readings: list[Mark] = []
     numbers = count(1)
     top: Mark | None = None
     for phase, angle in zip(diagrams.turn.phases, angles, strict=True):
-        high = board.draw(f.on_protractor, "y", angle, mu)
-        spots = board.draw(lay_off, board.free("β"), lines, high)
+        high = draft.draw(f.on_protractor, "y", angle)
+        spots = draft.draw(lay_off, "β", lines, high, free=True)
         for first, last in phase.stretches:
-            curve = board.draw(graph_of_stretch, "(β–β)", spots, first=first, last=last)
-            own = board.draw(crest_of_curve, f"k_{next(numbers)}", curve, above=1)
+            curve = draft.draw(graph_of_stretch, "(β–β)", spots, first=first, last=last)
+            own = draft.draw(crest_of_curve, f"k_{next(numbers)}", curve, above=1)
             top = (
                 own
                 if top is None
-                else board.draw(extreme_of_two, board.free("k"), top, own, above=1)
+                else draft.draw(extreme_of_two, "k", top, own, above=1, free=True)
             )
-        readings.append(board.draw(measure_along, f"β_{len(readings)}", axes.feet, spots, axes.up))
+        readings.append(draft.draw(measure_along, f"β_{len(readings)}", axes.feet, spots, axes.up))
     assert top is not None
-    high = board.draw(measure_along, "y_{max}", axes.origin, top, axes.up)
-    found = board.draw(f.off_protractor, "ψ_{0 min}", high, mu, unit="°")
+    high = draft.draw(measure_along, "y_{max}", axes.origin, top, axes.up)
+    found = draft.draw(f.off_protractor, "ψ_{0 min}", high, unit="°")
     assert found.kind is Angle
     return found, Chart(LIMITS, "ψ_0", "°", mu, tuple(readings), False, DEGREES, ROOM)

@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
+from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.chapter import Asked
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
+from graphic_tmm.scene.quantities import kind_of
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
 
 LAWS = ("sine", "cosine", "constant acceleration", "3-4-5", "diagram")
 """The laws of motion; "diagram" is given by points of its acceleration diagram."""
@@ -56,9 +67,82 @@ class FlatFollower:
 Follower = RollerFollower | RockerFollower | FlatFollower
 
 
+def _stroke(value: object, names: Names) -> float:
+    """Return a stroke in m, or in rad for a rocking follower."""
+    if is_angle(value):
+        return math.radians(quantities.parse(value, "angle"))
+    return quantities.parse(value, "length")
+
+
+def is_angle(value: object) -> bool:
+    """Whether a stroke is written as an angle."""
+    try:
+        quantities.parse(value, "angle")
+    except ValueError:
+        return False
+    return isinstance(value, str)
+
+
+def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
+    if not isinstance(value, list) or len(value) < 2:
+        raise ValueError(
+            f"{kind_of(value)} stands here; write points of the acceleration, [[0, 0], [0.25, 1], ...]"
+        )
+    found = []
+    for item in value:
+        plain = isinstance(item, list) and len(item) == 2
+        if not plain or not all(
+            isinstance(x, (int, float)) and not isinstance(x, bool) for x in item
+        ):
+            raise ValueError(
+                f"{kind_of(item)} in the list; a point is a share of the phase and a number, [0.25, 1]"
+            )
+        found.append((float(item[0]), float(item[1])))
+    return tuple(found)
+
+
+def _rest(said: Said) -> float:
+    moving = said.rise + said.upper_dwell + said.fall
+    return float(said.lower_dwell if said.lower_dwell is not None else 360.0 - moving)
+
+
+def _rise_law(said: Said) -> Law:
+    return Law(said.law, (said.law_points or ()) if said.law == "diagram" else ())
+
+
+def _return_law(said: Said) -> Law:
+    name = said.return_law or said.law
+    points = said.return_points or said.law_points or ()
+    return Law(name, points if name == "diagram" else ())
+
+
+def _follower(said: Said) -> Follower:
+    if said.follower == "flat":
+        return FlatFollower(said.least_curvature)
+    if said.follower == "rocker":
+        return RockerFollower(said.lever or 0.0, said.centres or 0.0, said.sense == "along")
+    return RollerFollower(said.offset)
+
+
+def _pressure(said: Said) -> float:
+    angle = 90.0 - said.transmission if said.transmission is not None else said.pressure
+    return 30.0 if angle is None else float(angle)
+
+
+_STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
+_POINTS = Kind(_points, {"type": "array"})
+_MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
+_DWELL = v.number(Bound(0, 360, below=True), "angle")
+_LIMIT = v.number(Bound(0, 90, above=True, below=True), "angle")
+_SHARE = v.number(v.SHARE)
+_LAW = v.choice(*LAWS)
+
+
 @dataclass(frozen=True)
 class CamOrder:
-    """A cam and its drawing. Angles in degrees; other quantities in SI, drawn lengths in mm.
+    """A disc cam: the law of motion, the follower, limits, sizes of the drawing.
+
+    Angles in degrees; other quantities in SI, drawn lengths in mm.
 
     ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°. ``pressure``: the largest
     pressure angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the
@@ -69,33 +153,139 @@ class CamOrder:
     diagrams' length of a turn, and of the stroke unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is
     that of S, ``mu_A`` of d²S/dφ² a standard one, ``mu_l`` of centres and profile (m/mm) that of S (a
     standard one with a rocking roller), if not given. ``poles``: H of the two integrations of an acceleration
-    diagram.
+    diagram. (A scene sets neither of ``per_turn``, ``mu_S``, ``mu_V``, ``mu_A``, ``poles``.)
     """
 
-    stroke: float
-    rise: float
-    upper_dwell: float
-    fall: float
-    lower_dwell: float
-    rise_law: Law = Law("sine")
-    return_law: Law = Law("sine")
-    follower: Follower = RollerFollower()
-    turns: str = "counterclockwise"
-    pressure: float = 30.0
-    pressure_return: float | None = None
-    r0: float | None = None
-    roller: float | None = None
-    share_of_r0: float = 0.4
-    share_of_curvature: float = 0.7
-    divisions: int = 12
+    stroke: float = key(_STROKE, "the stroke of the follower; an angle for a rocker", "28 mm")
+    rise: float = key(_MOVING, "the angle of the rise", "100 deg")
+    upper_dwell: float = made(
+        lambda said: said.upper_dwell,
+        upper_dwell=key(_DWELL, "the angle of the upper dwell", "20 deg", 0.0),
+    )
+    fall: float = key(_MOVING, "the angle of the return", "90 deg")
+    lower_dwell: float = made(
+        _rest,
+        lower_dwell=key(
+            _DWELL, "the angle of the lower dwell; the rest of the turn", "150 deg", None
+        ),
+    )
+    rise_law: Law = made(
+        _rise_law,
+        Law("sine"),
+        law=key(_LAW, "the law of motion of the rise", "sine", "sine"),
+        law_points=key(
+            _POINTS,
+            "points of the acceleration diagram of the rise, for the law diagram",
+            [[0, 0], [0.25, 1]],
+            None,
+        ),
+    )
+    return_law: Law = made(
+        _return_law,
+        Law("sine"),
+        return_law=key(_LAW, "the law of the return, if it is another", "3-4-5", None),
+        return_points=key(
+            _POINTS, "points of the acceleration diagram of the return", [[0, 0], [0.25, 1]], None
+        ),
+    )
+    follower: Follower = made(
+        _follower,
+        RollerFollower(),
+        follower=key(
+            v.choice("roller", "rocker", "flat"), "what follows the cam", "roller", "roller"
+        ),
+        offset=key(v.LENGTH, "offset of the roller's guide", "10 mm", 0.0),
+        lever=key(v.POSITIVE_LENGTH, "length of the rocker's lever", "80 mm", None),
+        centres=key(
+            v.POSITIVE_LENGTH, "distance of the rocker's pivot and the cam's", "100 mm", None
+        ),
+        sense=key(
+            v.choice("against", "along"),
+            "on the rise the lever turns against the cam, or along",
+            "against",
+            "against",
+        ),
+        least_curvature=key(
+            replace(v.LENGTH, bound=Bound(0)),
+            "least radius of curvature under a flat face",
+            "5 mm",
+            0.0,
+        ),
+    )
+    turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
+    pressure: float = made(
+        _pressure,
+        30.0,
+        pressure=key(_LIMIT, "largest pressure angle allowed", "30 deg", None),
+        transmission=key(_LIMIT, "or the least transmission angle", "60 deg", None),
+    )
+    pressure_return: float | None = key(
+        _LIMIT, "largest pressure angle of the return", "45 deg", None
+    )
+    r0: float | None = key(v.POSITIVE_LENGTH, "the least radius chosen", "52.1 mm", None)
+    roller: float | None = key(v.POSITIVE_LENGTH, "the radius of the roller", "16.8 mm", None)
+    share_of_r0: float = key(_SHARE, "how much of r0 the roller may be", 0.4, 0.4)
+    share_of_curvature: float = key(_SHARE, "how much of the least curvature radius", 0.7, 0.7)
+    divisions: int = key(
+        v.number(Bound(4, 360, whole=True)), "parts into which a moving phase is divided", 12, 12,
+        written="parts",
+    )  # fmt: skip
     per_turn: int | None = None
-    base: float = 240.0
-    height: float = 50.0
+    base: float = key(
+        v.DRAWN, "length of the diagrams' base for a turn", "240 mm", 240.0, fixes="size"
+    )
+    height: float = key(v.DRAWN, "drawn stroke", "50 mm", 50.0, fixes="size")
     mu_S: float | None = None
     mu_V: float | None = None
     mu_A: float | None = None
-    mu_l: float | None = None
+    mu_l: float | None = key(
+        v.MU_L, 'm/mm of centre and profile, or "1:1"', "0.00056 m/mm", None, fixes="size"
+    )
     poles: tuple[float, float] = (30.0, 30.0)
 
 
 ASKED: Asked[CamOrder] = Asked("cam")
+
+
+def check(said: Said, parts: Parts) -> Iterator[Found]:
+    """Every contradiction of the section."""
+    rocks, angle = said.follower == "rocker", is_angle(parts.doc["cam"]["stroke"])
+    if rocks and not angle:
+        yield Found(("cam", "stroke"), 'a rocker swings through an angle; write "20 deg"')
+    if not rocks and angle:
+        yield Found(
+            ("cam", "stroke"), 'this follower moves along its guide; write a length, "28 mm"'
+        )
+    for name in ("lever", "centres"):
+        if rocks and getattr(said, name) is None:
+            yield Found(("cam", name), 'a rocker needs it; write, for example, "80 mm"')
+        if not rocks and getattr(said, name) is not None:
+            yield Found(("cam", name), f'the follower "{said.follower}" has none; leave it out')
+    if said.pressure is not None and said.transmission is not None:
+        yield Found(("cam", "transmission"), "pressure says the same; leave one of them out")
+    yield from _laws(said)
+
+
+def _laws(said: Said) -> Iterator[Found]:
+    """The law diagram without points, and points of another law."""
+    for law, points in (("law", "law_points"), ("return_law", "return_points")):
+        given, name = getattr(said, points) is not None, getattr(said, law)
+        others = points == "return_points" and said.law_points
+        if name == "diagram" and not given and not others:
+            yield Found(("cam", points), "the law diagram needs points, [[0, 0], [0.25, 1], ...]")
+        if given and name not in ("diagram", None):
+            yield Found(("cam", points), f'only {law} = "diagram" takes points; leave them out')
+
+
+def _refuse(order: CamOrder) -> None:
+    from graphic_tmm.chapters.cam.refusals import refuse
+
+    refuse(order)
+
+
+SECTIONS = (
+    Section(
+        "cam", CamOrder, "a cam", alone=True,
+        begin='stroke = "28 mm", rise = "100 deg", fall = "90 deg"', check=check, refuse=_refuse,
+    ),
+)  # fmt: skip

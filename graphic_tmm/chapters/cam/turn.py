@@ -55,13 +55,12 @@ class TurnDiagram:
 
 def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagram:
     """Draw the pressure angle; its extremes are the highest of the rise and the lowest of the return."""
-    board = draft.board
-    board.open(PRESSURE)
+    draft.open(PRESSURE)
     mu = draft.take(Number, "μ_α", DEGREES, "°/mm")
     axes = graphs.draw_axes(draft, PRESSURE, diagrams.base, mu)
-    high = board.draw(f.on_protractor, "y_α", centre.pressure, mu)
-    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    spots = board.draw(lay_off, "p", lines, high)
+    high = draft.draw(f.on_protractor, "y_α", centre.pressure)
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    spots = draft.draw(lay_off, "p", lines, high)
     curves = _curves(draft, diagrams, [spots] * len(diagrams.stretches))
     _outline(draft, diagrams, axes, [spots] * len(curves), spots)
     extremes = []
@@ -69,55 +68,50 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
         own = [c for c, row in zip(curves, diagrams.stretches, strict=True) if row[0] is phase]
         point, y, angle = _extreme(draft, axes, own, phase.sign)
         name = "α_{max}" if phase.sign > 0 else "α_{min}"
-        value = board.draw(f.off_protractor, name, y, mu, unit="°")
+        value = draft.draw(f.off_protractor, name, y, unit="°")
         extremes.append(Extreme(point, value, angle))
-    reading = board.draw(measure_along, "α", axes.feet, spots, axes.up)
+    reading = draft.draw(measure_along, "α", axes.feet, spots, axes.up)
     chart = Chart(PRESSURE, "α", "°", mu, (reading,), False, DEGREES, ROOM)
     return TurnDiagram(axes, chart, (spots,) * len(curves), curves, tuple(extremes))
 
 
 def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagram:
     """Draw the curvature of the theoretical profile; its extreme is the least radius of curvature (m)."""
-    board = draft.board
-    board.open(CURVATURE)
-    mu = board.take(Number, "μ_κ", "(1/m)/mm")
+    draft.open(CURVATURE)
+    mu = draft.scale("μ_κ", "(1/m)/mm")
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
     heights = []
     for turning in centre.turning:
-        kappa = board.draw(
-            f.curvature_of_profile, board.free("κ"), turning, centre.pace, centre.mu, unit="1/m"
-        )
-        heights.append(board.draw(to_board, "y_κ", kappa, mu))
+        kappa = draft.draw(f.curvature_of_profile, "κ", turning, centre.pace, unit="1/m")
+        heights.append(draft.draw(to_board, "y_κ", kappa))
     points, curves, readings = _raised(draft, diagrams, axes, heights, "κ")
-    circle = board.draw(
+    circle = draft.draw(
         f.curvature_of_profile,
         "κ",
         draft.take(Number, "1", 1.0),
         centre.pace,
-        centre.mu,
         unit="1/m",
     )
-    high = board.draw(to_board, "y_κ", circle, mu)
+    high = draft.draw(to_board, "y_κ", circle)
     _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, 1)
-    value = board.draw(f.least_radius, "ρ_{min}", y, mu, unit="m")
+    value = draft.draw(f.least_radius, "ρ_{min}", y, unit="m")
     chart = Chart(CURVATURE, "κ", "1/m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 
 
 def draw_radii(draft: Draft, diagrams: Diagrams, of: Convexity) -> TurnDiagram:
     """Draw the radius of curvature of a cam with a flat face; its extreme is the least one (m)."""
-    board = draft.board
-    board.open(CURVATURE)
-    mu = board.take(Number, "μ_ρ", "m/mm")
+    draft.open(CURVATURE)
+    mu = draft.scale("μ_ρ", "m/mm")
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
-    heights = [board.draw(rescaled, board.free("y_ρ"), radius, of.mu, mu) for radius in of.radii]
+    heights = [draft.draw(rescaled, "y_ρ", radius, mu) for radius in of.radii]
     points, curves, readings = _raised(draft, diagrams, axes, heights, "ρ")
-    circle = board.draw(total, "ρ_d", of.radius, of.motion.S)
-    high = board.draw(rescaled, "y_d", circle, of.mu, mu)
+    circle = draft.draw(total, "ρ_d", of.radius, of.motion.S)
+    high = draft.draw(rescaled, "y_d", circle, of.mu, mu)
     _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, -1)
-    value = board.draw(in_si, "ρ_{min}", y, mu, unit="m")
+    value = draft.draw(in_si, "ρ_{min}", y, unit="m")
     chart = Chart(CURVATURE, "ρ", "m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 
@@ -126,11 +120,10 @@ def _raised(
     draft: Draft, diagrams: Diagrams, axes: Axes, heights: Sequence[Mark], letter: str
 ) -> tuple[tuple[Mark, ...], tuple[Mark, ...], tuple[Mark, ...]]:
     """Lay off the ordinates of every stretch; return points, curves and readings."""
-    board = draft.board
-    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    points = [board.draw(lay_off, board.free(letter), lines, high) for high in heights]
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    points = [draft.draw(lay_off, letter, lines, high, free=True) for high in heights]
     readings = [
-        board.draw(measure_along, f"{letter}_{k}", axes.feet, spots, axes.up)
+        draft.draw(measure_along, f"{letter}_{k}", axes.feet, spots, axes.up)
         for k, spots in enumerate(points, 1)
     ]
     return tuple(points), _curves(draft, diagrams, points), tuple(readings)
@@ -138,43 +131,41 @@ def _raised(
 
 def _level(draft: Draft, diagrams: Diagrams, axes: Axes, high: Mark) -> Mark:
     """Lay off the ordinates of the dwells over their ends; ``high``: of all positions (Length)."""
-    board, turn = draft.board, diagrams.turn
+    turn = diagrams.turn
     ends = np.full((1, turn.positions), np.nan)
     for at in (0, turn.rise.last, turn.fall.first, turn.fall.last):
         ends[0, at] = turn.angles[at]
-    angles = draft.take(Angle, board.free("φ_d"), ends, "°")
-    x = board.draw(f.along_turn, "x_d", angles, axes.base.length)
-    foot = board.draw(lay_off, board.free("n"), axes.along, x)
-    line = board.draw(square, "(n)", foot, axes.along, sense=1)
-    return board.draw(lay_off, board.free("d"), line, high)
+    angles = draft.take(Angle, "φ_d", ends, "°")
+    x = draft.draw(f.along_turn, "x_d", angles, axes.base.length)
+    foot = draft.draw(lay_off, "n", axes.along, x, free=True)
+    line = draft.draw(square, "(n)", foot, axes.along, sense=1)
+    return draft.draw(lay_off, "d", line, high, free=True)
 
 
 def _outline(
     draft: Draft, diagrams: Diagrams, axes: Axes, points: Sequence[Mark], level: Mark
 ) -> None:
     """Tell what is drawn besides the curves: the dwells at their level, the jumps between stretches."""
-    board, turn = draft.board, diagrams.turn
+    turn = diagrams.turn
     rows = diagrams.stretches
 
     def end(spots: Mark, at: int) -> Mark:
-        return board.draw(phase_end, board.free(f"{spots.letter}_e"), spots, at=at)
+        return draft.draw(phase_end, f"{spots.letter}_e", spots, at=at, free=True)
 
     for (spots, (_, _, last)), (after, (_, first, _)) in pairwise(zip(points, rows, strict=True)):
         dwell = [end(level, at) for at in (last, first)] if first > last else []
-        board.figure("outline", "between", end(spots, last), *dwell, end(after, first))
+        draft.figure("outline", "between", end(spots, last), *dwell, end(after, first))
     low = end(level, turn.fall.last)
-    across = board.draw(parallel, "(d)", low, axes.along)
-    over = board.draw(square, f"({axes.end.name})", axes.end, axes.along, sense=1)
-    far = board.draw(meet, board.free("d_N"), over, across)
-    board.figure("outline", "lower dwell", end(points[-1], turn.fall.last), low, far)
-    board.figure("outline", "start", end(level, 0), end(points[0], 0))
+    across = draft.draw(parallel, "(d)", low, axes.along)
+    over = draft.draw(square, f"({axes.end.name})", axes.end, axes.along, sense=1)
+    far = draft.draw(meet, "d_N", over, across, free=True)
+    draft.figure("outline", "lower dwell", end(points[-1], turn.fall.last), low, far)
+    draft.figure("outline", "start", end(level, 0), end(points[0], 0))
 
 
 def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[Mark, ...]:
     return tuple(
-        draft.board.draw(
-            graph_of_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last
-        )
+        draft.draw(graph_of_stretch, f"({own.letter}–{own.letter})", own, first=first, last=last)
         for own, (_, first, last) in zip(points, diagrams.stretches, strict=True)
     )
 
@@ -183,16 +174,15 @@ def _extreme(
     draft: Draft, axes: Axes, curves: Sequence[Mark], above: int
 ) -> tuple[Mark, Mark, Mark]:
     """Return the extreme point of some curves, its ordinate (Length) and the angle of the cam (Angle)."""
-    board = draft.board
     letters = [f"k_{k}" for k in range(1, len(curves) + 1)] if len(curves) > 1 else ["k"]
     tops = [
-        board.draw(crest_of_curve, board.free(letter), curve, above=above)
+        draft.draw(crest_of_curve, letter, curve, above=above, free=True)
         for letter, curve in zip(letters, curves, strict=True)
     ]
     point = tops[0]
     for other in tops[1:]:
-        point = board.draw(extreme_of_two, board.free("k"), point, other, above=above)
-    y = board.draw(measure_along, board.free("y_k"), axes.origin, point, axes.up)
-    x = board.draw(measure_along, board.free("x_k"), axes.origin, point, axes.along)
-    angle = board.draw(f.angle_of_turn, board.free("φ_k"), x, axes.base.length, unit="°")
+        point = draft.draw(extreme_of_two, "k", point, other, above=above, free=True)
+    y = draft.draw(measure_along, "y_k", axes.origin, point, axes.up)
+    x = draft.draw(measure_along, "x_k", axes.origin, point, axes.along)
+    angle = draft.draw(f.angle_of_turn, "φ_k", x, axes.base.length, unit="°")
     return point, y, angle

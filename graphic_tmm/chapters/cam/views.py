@@ -119,7 +119,7 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
         view = draw_convexity_ink(drawn.reading, made, told, title, lettered=lettered)
     else:
         draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
-        view = draw(drawn.construction, drawn.reading, made, told, title, lettered=lettered)
+        view = draw(drawn.reading, made, told, title, lettered=lettered)
     lines = [f"r_{{0min}} = {_mm(drawn, made.least)}, r_{{0}} = {_mm(drawn, made.r0)}"]
     return captioned(view, title, _lengths(drawn, made), *lines)
 

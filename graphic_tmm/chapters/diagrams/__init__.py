@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
@@ -17,7 +18,7 @@ from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
-from graphic_tmm.chapters.diagrams.task import ASKED
+from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.language.words import view_name
@@ -52,16 +53,13 @@ CHAPTER = Chapter(
     sizes=(Size("graphs", least=0.2),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=lambda scene: {VELOCITIES: True},
+    sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts.values(),
     scales=lambda fitting: fitting.shorter(
-        "graphs", [("diagrams.base", view, "L") for view in (VIEWS["S"], VIEWS["V"])]
+        "graphs", [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
     named=_named,
-    size_keys=tuple(
-        f"diagrams.{key}"
-        for key in ("base", "mu_t", "mu_phi", "mu_S", "mu_V", "mu_a", "H_S", "H_V", "H_a")
-    ),
     scale_key=lambda view: f"mu_{view.replace(' ', '_')}" if view in VIEWS.values() else "",
     plans=(DIAGRAMS.chapter,),
     columns=diagram_columns,

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, Scaled, ScaleOrder, derived_scale, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Boundaries
@@ -39,6 +39,7 @@ VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
 BASE_VIEW = "base"
 """Under which the scale of the common base is told."""
 UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
+"""Of the diagrams over time."""
 ROOM = 50.0
 """Room for the highest ordinate of a diagram, mm."""
 BASE = 120.0
@@ -88,8 +89,13 @@ def record(bench: Bench) -> Kinematic | None:
     return Kinematic(order, base, charts, planned)
 
 
-def sliding_leg(positions: Positions, letter: str, frame: int, section: str) -> GuideLeg:
-    """Return the leg by which a point's link slides on the frame; StructureError if it does not."""
+def sliding_leg(
+    positions: Positions, letter: str, frame: int, section: str, key: str = ""
+) -> GuideLeg:
+    """Return the leg by which a point's link slides on the frame; StructureError if it does not.
+
+    ``section``: of a scene, whose ``key`` (``point``, if it is not told) names the point.
+    """
     for closing in positions.closings:
         for leg in closing.legs:
             owns = letter in positions.bodies[leg.link].link.points
@@ -104,7 +110,8 @@ def sliding_leg(positions: Positions, letter: str, frame: int, section: str) -> 
     ]
     there = f"points that do are {', '.join(sliding)}" if sliding else "this mechanism has none"
     raise StructureError(
-        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}"
+        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}",
+        key or f"{section}.point",
     )
 
 
@@ -113,7 +120,8 @@ def _refuse_poles(order: KinematicOrder) -> None:
         drawn: ScaleOrder = getattr(order, symbol)
         if drawn.pole is not None and not drawn.pole > 0.0:
             raise StructureError(
-                f"diagrams: the pole distance H_{symbol} = {drawn.pole:g} mm is not greater than 0"
+                f"diagrams: the pole distance H_{symbol} = {drawn.pole:g} mm is not greater than 0",
+                f"diagrams.H_{symbol}",
             )
 
 
@@ -121,9 +129,8 @@ def _base(
     draft: Draft, velocities: Motion, order: KinematicOrder, numbers: np.ndarray, count: int
 ) -> Base:
     """Take the base, its scale over time or angle."""
-    board = draft.board
     first = "V" if order.start == "velocity" else "S"
-    board.open(VIEWS[first])
+    draft.open(VIEWS[first])
     omega = velocities.speed
     assert omega is not None
     over_time = order.over == "time"
@@ -131,32 +138,30 @@ def _base(
     if order.mu_along is not None:
         mu = draft.take(Number, letter, order.mu_along, unit)
         length = (
-            board.draw(mm_of_time, "L", omega, mu) if over_time else board.draw(mm_of_turn, "L", mu)
+            draft.draw(mm_of_time, "L", omega, mu) if over_time else draft.draw(mm_of_turn, "L", mu)
         )
     else:
-        length = draft.take(Length, "L", order.base or BASE, "mm")
+        length = draft.take(Length, "L", order.base or BASE, "mm", roles.BASE)
         if over_time:
-            mu = board.draw(time_per_mm, letter, omega, length, unit=unit)
+            mu = draft.draw(time_per_mm, letter, omega, length, unit=unit)
         else:
-            mu = board.draw(turn_per_mm, letter, length, unit=unit)
+            mu = draft.draw(turn_per_mm, letter, length, unit=unit)
     return graphs.lay_base(draft, length, mu, count, numbers[None, :])
 
 
 def _from_displacement(
     draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicOrder
 ) -> dict[str, Chart]:
-    board = draft.board
     point = positions.point(order.point)
-    board.open(POSITIONS)
-    start = board.draw(at_zero, board.free(f"{order.point}_0"), point)
-    travel = board.draw(measure_along, f"s_{order.point}", start, point, leg.line)
-    board.open(VIEWS["S"])
-    mu = board.take(Number, "μ_S", "m/mm")
-    assert draft.mu_l is not None
-    length = board.draw(rescaled, "y_S", travel, draft.mu_l, mu)
+    draft.open(POSITIONS)
+    start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
+    travel = draft.draw(measure_along, f"s_{order.point}", start, point, leg.line)
+    draft.open(VIEWS["S"])
+    mu = draft.scale("μ_S", "m/mm")
+    length = draft.draw(rescaled, "y_S", travel, mu)
     axes = graphs.draw_axes(draft, VIEWS["S"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "s")
-    charts = {"S": _chart(draft, "S", axes, at, True, order.S)}
+    charts = {"S": _chart(draft, "S", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
     speeds, at_v, curve_v = _derivative(draft, "V", axes, at, curve, order)
     charts["V"] = speeds
@@ -167,13 +172,12 @@ def _from_displacement(
 def _from_velocity(
     draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicOrder
 ) -> dict[str, Chart]:
-    board = draft.board
-    board.open(VIEWS["V"])
-    mu = board.take(Number, "μ_V", "(m/s)/mm")
-    length = board.draw(rescaled, "y_V", velocities.readings[leg.link], velocities.mu, mu)
+    draft.open(VIEWS["V"])
+    mu = draft.scale("μ_V", "(m/s)/mm")
+    length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
     axes = graphs.draw_axes(draft, VIEWS["V"], base, mu)
     at = graphs.lay_ordinates(draft, axes, length, "v")
-    charts = {"V": _chart(draft, "V", axes, at, True, order.V)}
+    charts = {"V": _chart(draft, "V", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
     charts["a"], _, _ = _derivative(draft, "a", axes, at, curve, order)
     charts["S"] = _integral(draft, axes, curve, order)
@@ -184,10 +188,11 @@ def _derivative(
     draft: Draft, symbol: str, source: Axes, at: Boundaries, curve: Mark, order: KinematicOrder
 ) -> tuple[Chart, tuple[Axes, Boundaries], Mark]:
     """Differentiate once; return the chart, its axes with its points, its curve."""
-    draft.board.open(VIEWS[symbol])
+    draft.open(VIEWS[symbol])
     drawn: ScaleOrder = getattr(order, symbol)
-    unit = f"({UNITS[symbol]})/mm"
-    scaled = derived_scale(draft, symbol, unit, source.mu, source.base.mu, drawn)
+    scaled = derived_scale(
+        draft, symbol, _scale_unit(symbol, order), source.mu, source.base.mu, drawn
+    )
     axes = graphs.draw_axes(draft, VIEWS[symbol], source.base, scaled.mu)
     pole = graphs.set_pole(draft, axes, scaled.distance)
     letter = symbol.lower()
@@ -198,26 +203,41 @@ def _derivative(
         middles = graphs.by_chords(draft, source, at, axes, pole, f"{letter}′")
         found = graphs.through(draft, axes, middles)
         points = graphs.on_curve(draft, axes, found, letter)
-    return _chart(draft, symbol, axes, points, scaled.chosen, drawn), (axes, points), found
+    return _chart(draft, symbol, axes, points, scaled.chosen, order), (axes, points), found
 
 
 def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) -> Chart:
     """Integrate the velocities once; the pole stands left of their origin."""
-    draft.board.open(VIEWS["S"])
-    scaled: Scaled = integrated_scale(draft, "S", "m/mm", source.mu, source.base.mu, order.S)
+    draft.open(VIEWS["S"])
+    scaled: Scaled = integrated_scale(
+        draft, "S", _scale_unit("S", order), source.mu, source.base.mu, order.S
+    )
     axes = graphs.draw_axes(draft, VIEWS["S"], source.base, scaled.mu)
     pole = graphs.set_pole(draft, source, scaled.distance)
     points = graphs.integrate(draft, source, curve, axes, pole, "s′")
     found = graphs.through(draft, axes, points, closed=False)
     at = graphs.on_curve(draft, axes, found, "s")
-    chart = _chart(draft, "S", axes, at, scaled.chosen, order.S)
-    end = draft.board.draw(measure_along, "S_N", axes.end, points.end, axes.up)
+    chart = _chart(draft, "S", axes, at, scaled.chosen, order)
+    end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up)
     return chart._replace(end=end)
 
 
 def _chart(
-    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, drawn: ScaleOrder
+    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, order: KinematicOrder
 ) -> Chart:
-    draft.board.open(axes.view)
+    draft.open(axes.view)
     ordinate = graphs.read(draft, axes, at.points, symbol)
-    return Chart(axes.view, symbol, UNITS[symbol], axes.mu, (ordinate,), chosen, drawn.mu, ROOM)
+    unit, drawn = unit_of(symbol, order), getattr(order, symbol)
+    return Chart(axes.view, symbol, unit, axes.mu, (ordinate,), chosen, drawn.mu, ROOM)
+
+
+def unit_of(symbol: str, order: KinematicOrder) -> str:
+    """Return the unit of a diagram's ordinates; over the angle all have that of the first one drawn."""
+    if order.over == "angle":
+        symbol = "V" if order.start == "velocity" else "S"
+    return UNITS[symbol]
+
+
+def _scale_unit(symbol: str, order: KinematicOrder) -> str:
+    unit = unit_of(symbol, order)
+    return f"({unit})/mm" if "/" in unit else f"{unit}/mm"

@@ -2,30 +2,111 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.chapter import Asked
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Said, Section, key, made
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
+
+_START = v.choice("displacement", "velocity", перемещение="displacement", скорость="velocity")
+_OVER = v.choice("time", "angle", время="time", угол="angle")
+_METHOD = v.choice("chords", "tangents", хорды="chords", касательные="tangents")
 
 
 @dataclass(frozen=True)
 class KinematicOrder:
-    """Diagrams S, V, a of a point that slides on the frame.
+    """Kinematic diagrams of a point that slides on the frame.
 
     ``start``: what is taken from the plans, "displacement" (differentiated twice) or "velocity"
     (differentiated once, integrated once). ``over``: "time" or "angle". ``method``: "chords" or "tangents".
     The base is ``base`` mm long, or so long that 1 mm is ``mu_along`` (s or rad).
     """
 
-    point: str
-    start: str = "displacement"
-    over: str = "time"
-    method: str = "chords"
-    base: float | None = None
-    mu_along: float | None = None
-    S: ScaleOrder = STANDARD
-    V: ScaleOrder = STANDARD
-    a: ScaleOrder = STANDARD
+    point: str = key(v.TEXT, "the letter of the point", "D")
+    start: str = key(_START, "what is taken from the plans", "displacement", "displacement")
+    over: str = key(_OVER, "what the base stands for", "time", "time")
+    method: str = key(_METHOD, "how it is differentiated", "chords", "chords")
+    base: float | None = key(
+        v.DRAWN, "length of the base", "120 mm", None,
+        fixes="size", draws=(("diagram S", "L"), ("diagram V", "L")),
+    )  # fmt: skip
+    mu_along: float | None = made(
+        lambda said: said.mu_t or said.mu_phi,
+        None,
+        mu_t=key(
+            v.mu("scale of times"), "time that 1 mm of the base stands for", "0.0025 s/mm", None,
+            fixes="size",
+        ),
+        mu_phi=key(
+            v.mu("scale of angles"), "angle that 1 mm of the base stands for", "0.05 rad/mm", None,
+            fixes="size",
+        ),
+    )  # fmt: skip
+    S: ScaleOrder = made(
+        lambda said: ScaleOrder(said.mu_S, said.H_S),
+        STANDARD,
+        mu_S=key(v.MU_L, "m/mm", "0.001 m/mm", None, fixes="size"),
+        H_S=key(
+            v.DRAWN,
+            "pole distance of the integration, instead of mu_S",
+            "20 mm",
+            None,
+            fixes="size",
+        ),
+    )
+    V: ScaleOrder = made(
+        lambda said: ScaleOrder(said.mu_V, said.H_V),
+        STANDARD,
+        mu_V=key(v.mu("scale of velocities"), "(m/s)/mm", "0.075 (m/s)/mm", None, fixes="size"),
+        H_V=key(
+            v.DRAWN, "pole distance of the velocities, instead of mu_V", "20 mm", None, fixes="size"
+        ),
+    )
+    a: ScaleOrder = made(
+        lambda said: ScaleOrder(said.mu_a, said.H_a),
+        STANDARD,
+        mu_a=key(v.MU_A, "(m/s²)/mm", "2 (m/s^2)/mm", None, fixes="size"),
+        H_a=key(
+            v.DRAWN, "pole distance of the accelerations, instead of mu_a", "15 mm", None,
+            fixes="size",
+        ),
+    )  # fmt: skip
 
 
 ASKED: Asked[KinematicOrder] = Asked("diagrams")
+
+
+def check(said: Said, parts: Parts) -> Iterator[Found]:
+    """Every contradiction of the section: two keys that fix one size, a base that is another's."""
+    yield from parts.moves(("diagrams", "point"), said.point)
+    yield from parts.intervals("diagrams")
+    lengths = [name for name in ("base", "mu_t", "mu_phi") if getattr(said, name) is not None]
+    for name in lengths[1:]:
+        says = f"{lengths[0]} fixes the base already; leave one of them out"
+        yield Found(("diagrams", name), says)
+    other = {"time": ("mu_phi", "mu_t"), "angle": ("mu_t", "mu_phi")}[said.over]
+    if other[0] in lengths:
+        says = f'the diagrams are over {said.over}; write {other[1]}, or over = "'
+        yield Found(("diagrams", other[0]), says + {"time": 'angle"', "angle": 'time"'}[said.over])
+    for symbol in ("S", "V", "a"):
+        if getattr(said, f"mu_{symbol}") is not None and getattr(said, f"H_{symbol}") is not None:
+            says = f"H_{symbol} and mu_{symbol} both fix the same scale; leave one of them out"
+            yield Found(("diagrams", f"H_{symbol}"), says)
+    first = {"displacement": "S", "velocity": "V"}[said.start]
+    if getattr(said, f"H_{first}") is not None:
+        says = f"the diagram of {first} is laid off, not differentiated: it has no pole"
+        yield Found(("diagrams", f"H_{first}"), f"{says}; write mu_{first}, or leave it out")
+
+
+SECTIONS = (
+    Section(
+        "diagrams", KinematicOrder, "kinematic diagrams of a point",
+        begin='point = "D"', check=check,
+    ),
+)  # fmt: skip

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
-from graphic_tmm.chapters.engine.task import ASKED
+from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
 from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -63,12 +63,12 @@ CHAPTER = Chapter(
     sizes=(Size("engine", least=0.5),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,
     scales=engine_scales,
     named=named,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
-    size_keys=("engine.base",),
     plans=(ENGINE.chapter,),
     plans_rank=26,
     columns=engine_columns,

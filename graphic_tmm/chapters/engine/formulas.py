@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Length, Line, Number, Point
 
@@ -17,79 +18,66 @@ def doubled(through: Point, outward: Line, crank: Line) -> Line:
     return Line(through, crank.along * crank.along * np.conj(outward.along))
 
 
-@operation(formula=True)
+@formula
 def split_by_lever(mass: Number, length: Number, whole: Number) -> Number:
     """{mass}·{length}/{whole}"""
-    return Number(mass * length / whole)
 
 
-@operation(formula=True)
+@formula
 def mass_of_share(mass: Number, share: Number) -> Number:
     """{mass}·{share}"""
-    return Number(mass * share)
 
 
-@operation(formula=True)
+@formula
 def rest_of(whole: Number, part: Number) -> Number:
     """{whole} − {part}"""
-    return Number(whole - part)
 
 
-@operation(formula=True)
+@formula
 def lumped_inertia(first: Number, arm: Number, second: Number, other: Number) -> Number:
     """{first}·{arm}² + {second}·{other}²"""
-    return Number(first * arm * arm + second * other * other)
 
 
-@operation(formula=True)
+@formula
 def towards_crank(outward: Number, segment: Length, mu: Number) -> Number:
     """−{outward}·{segment}·{mu}"""
-    return Number(-outward * segment * mu)
 
 
-@operation(formula=True)
+@formula
 def against_acceleration(mass: Number, acceleration: Number) -> Number:
     """−{mass}·{acceleration}"""
-    return Number(-mass * acceleration)
 
 
-@operation(formula=True)
+@formula
 def crank_ratio(crank: Number, rod: Number) -> Number:
     """{crank}/{rod}"""
-    return Number(crank / rod)
 
 
-@operation(formula=True)
+@formula
 def first_order(mass: Number, omega: Number, radius: Number) -> Number:
     """{mass}·{omega}²·{radius}"""
-    return Number(mass * omega * omega * radius)
 
 
-@operation(formula=True)
+@formula
 def second_order(first: Number, ratio: Number) -> Number:
     """{first}·{ratio}"""
-    return Number(first * ratio)
 
 
-@operation(formula=True)
+@formula
 def projected(segment: Length, mu: Number) -> Number:
     """−{segment}·{mu}"""
-    return Number(-segment * mu)
 
 
-@operation(formula=True)
+@formula
 def per_mass(force: Number, mass: Number) -> Number:
     """−{force}/{mass}"""
-    return Number(-force / mass)
 
 
-@operation(formula=True)
+@formula
 def in_kgf(force: Number, unit: Number) -> Number:
     """{force}/{unit}"""
-    return Number(force / unit)
 
 
-@operation(formula=True)
+@formula
 def couple_of(force: Number, distance: Length, mu_l: Number) -> Number:
     """{force}·{distance}·{mu_l}"""
-    return Number(force * distance * mu_l)

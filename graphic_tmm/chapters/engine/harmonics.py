@@ -14,7 +14,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, parallel
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.engine.formulas import (
     crank_ratio,
     doubled,
@@ -54,29 +54,29 @@ def draw_harmonics(
     told: Callable[[str, Mark], Mark],
 ) -> Harmonics:
     """Draw the rotating vectors; ``told`` brings a force (N) to the unit of the task."""
-    board, speed = draft.board, machine.velocities.speed
+    speed = machine.velocities.speed
     assert speed is not None
-    board.open(VIEW)
-    rod = board.uses(legs.rod.length)[0]
-    ratio = board.draw(crank_ratio, "λ", machine.arm, rod)
-    size = board.draw(first_order, "m·ω²·R", mass, speed, machine.arm, unit="N")
-    half = board.draw(second_order, "m·ω²·R·λ", size, ratio, unit="N")
-    mu = board.take(Number, "μ_F", "N/mm")
+    draft.open(VIEW)
+    rod = draft.uses(legs.rod.length)[0]
+    ratio = draft.draw(crank_ratio, "λ", machine.arm, rod)
+    size = draft.draw(first_order, "m·ω²·R", mass, speed, machine.arm, unit="N")
+    half = draft.draw(second_order, "m·ω²·R·λ", size, ratio, unit="N")
+    mu = draft.scale("μ_F", "N/mm")
     origin = draft.take(Point, "O", 0j)
-    board.lay_out(origin, mu)
+    draft.lay_out(origin)
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
-    axis = board.draw(parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1)
-    once = board.draw(parallel, "(I)", origin, crank, sense=1)
-    twice = board.draw(doubled, "(II)", origin, axis, once)
+    axis = draft.draw(parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1)
+    once = draft.draw(parallel, "(I)", origin, crank, sense=1)
+    twice = draft.draw(doubled, "(II)", origin, axis, once)
     ends, forces = [], []
     for k, (name, line, force) in enumerate((("I", once, size), ("II", twice, half)), 1):
-        length = board.draw(to_board, f"y_{name}", force, mu)
-        end = board.draw(lay_off, name, line, length)
-        segment = board.draw(measure_along, f"x_{name}", origin, end, axis)
-        forces.append(board.draw(projected, f"P_{{in{k}}}", segment, mu, unit="N"))
+        length = draft.draw(to_board, f"y_{name}", force)
+        end = draft.draw(lay_off, name, line, length)
+        segment = draft.draw(measure_along, f"x_{name}", origin, end, axis)
+        forces.append(draft.draw(projected, f"P_{{in{k}}}", segment, unit="N"))
         ends.append(end)
-    total = board.draw(added, "P_{inΣ}", *forces, unit="N")
-    acceleration = board.draw(per_mass, "a_{Σ}", total, mass, unit="m/s²")
+    total = draft.draw(added, "P_{inΣ}", *forces, unit="N")
+    acceleration = draft.draw(per_mass, "a_{Σ}", total, mass, unit="m/s²")
     first, second = (
         told(f"P_{{in{name}}}", force) for name, force in zip(("1", "2"), forces, strict=True)
     )

@@ -55,7 +55,6 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrd
     StructureError
         If there is neither a mass given nor masses of rod and slider.
     """
-    board = draft.board
     slider = machine.mechanism.by_number[legs.slider.link]
     parts = _parts(draft, rod, legs, order)
     if order.mass is not None:
@@ -63,20 +62,23 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrd
     elif slider.mass is None or parts is None:
         raise StructureError(
             f"engine: links {rod.number} and {slider.number} need a mass, and the rod a share or its centre: "
-            "give them, or the mass that goes to and fro"
+            "give them, or the mass that goes to and fro",
+            f"link {rod.number}, mass",
+            f"link {slider.number}, mass",
+            "engine.share",
         )
     else:
         own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")
-        whole = board.draw(added, "m", own, parts[1], unit="kg")
+        whole = draft.draw(added, "m", own, parts[1], unit="kg")
     if parts is None:
         return Lumped(whole)
     inertia = lost = None
     arms = _arms(draft, rod, legs.rod.letter, order.point)
     if arms is not None and rod.inertia is not None:
         first, second = arms
-        inertia = board.draw(lumped_inertia, "J′", parts[0], first, parts[1], second, unit="kg·m²")
+        inertia = draft.draw(lumped_inertia, "J′", parts[0], first, parts[1], second, unit="kg·m²")
         own = draft.take(Number, f"J_{rod.number}", rod.inertia, "kg·m²")
-        lost = board.draw(rest_of, "ΔJ", inertia, own, unit="kg·m²")
+        lost = draft.draw(rest_of, "ΔJ", inertia, own, unit="kg·m²")
     return Lumped(whole, *parts, inertia, lost)
 
 
@@ -84,20 +86,19 @@ def _parts(draft: Draft, rod: Link, legs: Legs, order: EngineOrder) -> tuple[Mar
     """Return the rod's masses at the crank pin and at the crosshead."""
     if rod.mass is None:
         return None
-    board = draft.board
     mass = draft.take(Number, f"m_{rod.number}", rod.mass, "kg")
     if order.share is not None:
         share = draft.take(Number, "k", order.share)
-        at_slider = board.draw(mass_of_share, f"m_{{{rod.number}B}}", mass, share, unit="kg")
+        at_slider = draft.draw(mass_of_share, f"m_{{{rod.number}B}}", mass, share, unit="kg")
     else:
         arms = _arms(draft, rod, legs.rod.letter, order.point)
         if arms is None:
             return None
-        length = draft.board.uses(legs.rod.length)[0]
-        at_slider = board.draw(
+        length = draft.uses(legs.rod.length)[0]
+        at_slider = draft.draw(
             split_by_lever, f"m_{{{rod.number}B}}", mass, arms[0], length, unit="kg"
         )
-    at_crank = board.draw(rest_of, f"m_{{{rod.number}A}}", mass, at_slider, unit="kg")
+    at_crank = draft.draw(rest_of, f"m_{{{rod.number}A}}", mass, at_slider, unit="kg")
     return at_crank, at_slider
 
 
@@ -107,7 +108,7 @@ def _arms(draft: Draft, rod: Link, pin: str, crosshead: str) -> tuple[Mark, Mark
         return None
     centre = rod.points[rod.centre]
     first, second = (
-        draft.take(Number, draft.board.free(letter), abs(rod.points[end] - centre), "m")
+        draft.take(Number, letter, abs(rod.points[end] - centre), "m")
         for letter, end in ((f"l_{{A{rod.centre}}}", pin), (f"l_{{{rod.centre}B}}", crosshead))
     )
     return first, second

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
@@ -117,28 +117,27 @@ def draw_engine(
         If the rod does not join the crank pin to the slider's point.
     """
     legs = _legs(machine, cylinder, order)
-    board = draft.board
-    board.open(VIEW)
+    draft.open(VIEW)
     lumped = lump(draft, machine.mechanism.by_number[legs.rod.link], legs, machine, order)
     unit = None
     if order.unit == "kgf":
-        unit = draft.take(Number, board.free(""), KGF, "N/kgf")
+        unit = draft.take(Number, "", KGF, "N/kgf")
 
     def told(letter: str, force: Mark) -> Mark:
         """Return a force in the unit of the task."""
         if unit is None:
             return force
-        return board.draw(in_kgf, board.free(letter), force, unit, unit="kgf")
+        return draft.draw(in_kgf, letter, force, unit, unit="kgf")
 
     sign = draft.take(Number, "σ", cylinder.outward)
     reading = accelerations.readings[legs.slider.link]
-    acceleration = board.draw(towards_crank, "a_B", sign, reading, accelerations.mu, unit="m/s²")
-    exact = board.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
+    acceleration = draft.draw(towards_crank, "a_B", sign, reading, unit="m/s²")
+    exact = draft.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
     harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, told)
-    board.open(VIEW)
+    draft.open(VIEW)
     values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
     used = harmonics.force if order.series else values["P_in"]
-    values["P′"] = board.draw(added, "P′", values["P"], used, unit=order.unit)
+    values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
     charts, curves = _diagrams(draft, machine, values, order)
     found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line)
@@ -155,7 +154,8 @@ def _legs(machine: Machine, cylinder: Cylinder, order: EngineOrder) -> _Legs:
             return _Legs(first, second)
     raise StructureError(
         f"engine: no connecting rod joins the crank to {order.point}: "
-        "these forces are those of a crank, a rod and a slider on the frame"
+        "these forces are those of a crank, a rod and a slider on the frame",
+        "engine.point",
     )
 
 
@@ -168,34 +168,32 @@ def _triangles(
     unit: str,
 ) -> tuple[Triangles, Mark]:
     """Draw both triangles at their points on the plan; read N, Q, T and K; calculate M and N·OB."""
-    board = draft.board
-    assert draft.mu_l is not None
     at_b, at_a = machine.positions.point(_pin(machine, legs)), legs.rod.pivot
     pivot = machine.positions.point(machine.pivot)
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
-    mu = board.take(Number, "μ_F", f"{unit}/mm")
-    board.lay_out(None, mu)
-    inward = board.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
-    end_p = board.draw(lay_off, "1", inward, board.draw(to_board, "y_P′", values["P′"], mu))
+    mu = draft.scale("μ_F", f"{unit}/mm")
+    draft.lay_out()
+    inward = draft.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
+    end_p = draft.draw(lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]))
     sense = 1 if machine.mechanism.drive.speed > 0 else -1
-    across = board.draw(square, "(N)", end_p, inward, sense=sense)
-    rod = board.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
-    end_q = board.draw(meet, "2", across, rod)
-    length_n = board.draw(measure_along, "y_N", end_q, end_p, across)
-    length_q = board.draw(measure_along, "y_Q", at_b, end_q, rod)
-    carried = board.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
-    end_qa = board.draw(lay_off, "3", carried, length_q)
-    tangent = board.draw(square, "(T)", at_a, crank, sense=sense)
-    along = board.draw(parallel, "(K)", end_qa, crank, sense=-1)
-    end_t = board.draw(meet, "4", tangent, along)
-    length_t = board.draw(measure_along, "y_T", at_a, end_t, tangent)
-    length_k = board.draw(measure_along, "y_K", end_t, end_qa, along)
+    across = draft.draw(square, "(N)", end_p, inward, sense=sense)
+    rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
+    end_q = draft.draw(meet, "2", across, rod)
+    length_n = draft.draw(measure_along, "y_N", end_q, end_p, across)
+    length_q = draft.draw(measure_along, "y_Q", at_b, end_q, rod)
+    carried = draft.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
+    end_qa = draft.draw(lay_off, "3", carried, length_q)
+    tangent = draft.draw(square, "(T)", at_a, crank, sense=sense)
+    along = draft.draw(parallel, "(K)", end_qa, crank, sense=-1)
+    end_t = draft.draw(meet, "4", tangent, along)
+    length_t = draft.draw(measure_along, "y_T", at_a, end_t, tangent)
+    length_k = draft.draw(measure_along, "y_K", end_t, end_qa, along)
     for name, length in (("N", length_n), ("Q", length_q), ("T", length_t), ("K", length_k)):
-        values[name] = board.draw(in_si, name, length, mu, unit=unit)
+        values[name] = draft.draw(in_si, name, length, unit=unit)
     moment = f"{unit}·m"
-    values["M"] = board.draw(moment_on_arm, "M", values["T"], machine.arm, unit=moment)
-    distance = board.draw(measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b)
-    values["NOB"] = board.draw(couple_of, "N·OB", values["N"], distance, draft.mu_l, unit=moment)
+    values["M"] = draft.draw(moment_on_arm, "M", values["T"], machine.arm, unit=moment)
+    distance = draft.draw(measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b)
+    values["NOB"] = draft.draw(couple_of, "N·OB", values["N"], distance, unit=moment)
     return Triangles(at_b, end_p, end_q, at_a, end_qa, end_t), mu
 
 
@@ -212,9 +210,8 @@ def _diagrams(
     draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineOrder
 ) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
     """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M."""
-    board = draft.board
-    length = draft.take(Length, "L", order.base, "mm")
-    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    length = draft.take(Length, "L", order.base, "mm", roles.BASE)
+    mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
     charts: list[Chart] = []
     curves: dict[str, tuple[str, ...]] = {}
@@ -222,12 +219,12 @@ def _diagrams(
         view = f"engine {symbol}"
         unit = order.unit if symbol != "M" else f"{order.unit}·m"
         letters = ("P", "P_in", "P′") if symbol == "P" else (symbol,)
-        board.open(view)
-        mu = board.take(Number, f"μ_{symbol}", f"({unit})/mm" if symbol == "M" else f"{unit}/mm")
+        draft.open(view)
+        mu = draft.scale(f"μ_{symbol}", f"({unit})/mm" if symbol == "M" else f"{unit}/mm")
         axes = graphs.draw_axes(draft, view, base, mu)
         found = []
         for letter in letters:
-            heights = board.draw(to_board, ordinate("h", letter), values[letter], mu)
+            heights = draft.draw(to_board, ordinate("h", letter), values[letter])
             at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
             # the links' own inertia is smooth, what the gas has a part in is not
             (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)

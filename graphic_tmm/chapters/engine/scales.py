@@ -6,6 +6,7 @@ from collections.abc import Container
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
@@ -25,7 +26,7 @@ SCALE_KEYS = {VIEW: "mu_F_engine", HARMONICS: "mu_F_harmonics"} | {
 def engine_scales(fitting: Fitting) -> dict[Mark, object]:
     """Return μ of an engine's force triangles and of its rotating vectors: standard ones."""
     made = ENGINE.on(fitting)
-    given = {**fitting.given, **fitting.shorter("graphs", [("engine.base", VIEW, "L")])}
+    given = {**fitting.given, **fitting.shorter("graphs", [("engine.base", VIEW, roles.BASE)])}
     ones = {**given, **fitting.ones, made.mu: 1.0, made.harmonics.mu: 1.0}
     ends = list(made.harmonics.ends)
     wanted = [made.values["P′"], *ends]
@@ -39,7 +40,7 @@ def engine_scales(fitting: Fitting) -> dict[Mark, object]:
         mu: standard(float(np.max(size, initial=0.0, where=np.isfinite(size))), room * share)
         for (mu, size), room in zip(largest.items(), (TRIANGLE, VECTOR), strict=True)
     }
-    return fitting.shorter("graphs", [("engine.base", VIEW, "L")]) | found
+    return fitting.shorter("graphs", [("engine.base", VIEW, roles.BASE)]) | found
 
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:

@@ -2,29 +2,79 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.scene import letters
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Said, Section, key, made
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
 
 
 @dataclass(frozen=True)
 class EngineOrder:
-    """The forces of a crank mechanism, position by position: from the gas to the turning moment.
+    """The forces of the crank mechanism of an engine, over the whole turn.
 
-    ``point``: where the connecting rod meets the piston or crosshead. ``share``: of the rod's mass that goes
-    to and fro with it; None for the exact split by the lever rule. ``mass``: the whole mass going to and fro
-    (kg) where it is given so. ``series``: P_in by the two-term series instead of the plan of accelerations.
-    ``unit``: of forces, "N" or "kgf". ``base``: the length of the diagrams' base, mm.
+    Position by position, from the gas to the turning moment. ``point``: where the connecting rod meets the
+    piston or crosshead. ``share``: of the rod's mass that goes to and fro with it; None for the exact split by
+    the lever rule. ``mass``: the whole mass going to and fro (kg) where it is given so. ``series``: P_in by the
+    two-term series instead of the plan of accelerations. ``unit``: of forces, "N" or "kgf". ``base``: the
+    length of the diagrams' base, mm.
     """
 
     indicator: IndicatorOrder
-    point: str
-    share: float | None = None
-    mass: float | None = None
-    series: bool = False
-    unit: str = "N"
-    base: float = 120.0
+    point: str = key(v.TEXT, "the letter where the connecting rod meets the crosshead", "B")
+    share: float | None = key(
+        v.WITHIN,
+        "share of the rod's mass that goes to and fro; left out: by the lever rule",
+        0.25,
+        None,
+    )
+    mass: float | None = key(v.MASS, "the whole mass that goes to and fro", "2.18 kgf*s^2/m", None)
+    series: bool = made(
+        lambda said: said.inertia == "series",
+        False,
+        inertia=key(
+            v.choice("plan", "series", план="plan", ряд="series"),
+            "inertia from the plan, or by the two-term series",
+            "plan",
+            "plan",
+        ),
+    )
+    unit: str = key(v.choice("N", "kgf", Н="N", кгс="kgf"), "the unit of forces", "kgf", "N")
+    base: float = key(
+        v.DRAWN, "length of the diagrams' base for a turn", "120 mm", 120.0,
+        fixes="size", draws=(("engine", "L"),),
+    )  # fmt: skip
 
 
 ASKED: Asked[EngineOrder] = Asked("engine")
+
+
+def check(said: Said, parts: Parts) -> Iterator[Found]:
+    """What an engine needs besides its own section."""
+    if said.point not in parts.names.moving:
+        hint = letters.unknown(said.point, parts.names.moving, "moving points")
+        yield Found(("engine", "point"), f'"{said.point[:20]}" is no moving point{hint}')
+    if "indicator" not in parts.doc:
+        yield Found(("engine",), "no pressures are given; write a section [indicator]")
+    if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
+        says = (
+            f"diagrams need {INTERVALS.least} positions at least; write positions = 12 in [drive]"
+        )
+        yield Found(("engine",), says)
+
+
+SECTIONS = (
+    Section(
+        "engine", EngineOrder, "the forces of an engine's crank mechanism",
+        begin='point = "B"', check=check,
+        joined=lambda others: {"indicator": others["indicator"]},
+    ),
+)  # fmt: skip

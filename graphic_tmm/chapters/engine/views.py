@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
-from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine, ordinate
+from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
@@ -103,12 +103,10 @@ def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     words = CAPTIONS[language]
     names = [escape(name) for name in project.names]
     views = []
-    for view in made.curves:
-        symbol = view.removeprefix("engine ")
+    for chart in made.charts:
+        view, symbol = chart.view, chart.symbol
         letters = [words[f"engine {k}"] for k in made.curves[view]]
-        curves = {
-            ordinate("y", k): letter for k, letter in zip(made.curves[view], letters, strict=True)
-        }
+        curves = dict(zip(chart.ordinates, letters, strict=True))
         title = words[f"diagram engine {symbol}"]
         graph = draw_graph(
             project.construction,

@@ -12,12 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
-from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -74,12 +75,16 @@ CHAPTER = Chapter(
     sizes=(Size("sketch"),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,
     scales=lambda fitting: fitting.shorter(
-        "graphs", [("flywheel.base", VIEWS["moment"], "L"), ("flywheel.H", VIEWS["work"], "H")]
+        "graphs",
+        [
+            ("flywheel.base", VIEWS["moment"], roles.BASE),
+            ("flywheel.H", VIEWS["work"], roles.POLE_DISTANCE),
+        ],
     ),
-    size_keys=tuple(f"flywheel.{key}" for key in ("base", "H", "mu_M")),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     warnings=_warnings,
     plans=(FLYWHEEL.chapter,),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from operator import attrgetter
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added, rotation, translation
 from graphic_tmm.board.record import Mark
@@ -35,28 +36,31 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         parts |= _of_link(draft, mechanism, link, velocities)
     if not parts:
         raise StructureError(
-            "flywheel: no link has a mass or J: write mass and J of the links that have them"
+            "flywheel: no link has a mass or J: write mass and J of the links that have them",
+            "flywheel",
         )
     total: Mark | None = None
     for part in parts.values():
-        total = part if total is None else draft.board.draw(added, "T_{L}", total, part, unit="J")
+        total = (
+            part
+            if total is None
+            else draft.draw(added, "T_{L}", total, part, unit="J", role=roles.SUM)
+        )
     assert total is not None
     return Energies(parts, total)
 
 
 def _of_link(draft: Draft, mechanism: Mechanism, link: Link, velocities: Motion) -> dict[str, Mark]:
-    board, n, found = draft.board, link.number, {}
+    n, found = link.number, {}
     if link.mass:
         segment = _speed(draft, mechanism, link, velocities)
         if segment is not None:
             mass = draft.take(Number, f"m_{n}", link.mass, "kg")
-            found[f"T_{{{n}t}}"] = board.draw(
-                translation, f"T_{{{n}t}}", mass, segment, velocities.mu, unit="J"
-            )
+            found[f"T_{{{n}t}}"] = draft.draw(translation, f"T_{{{n}t}}", mass, segment, unit="J")
     rate = velocities.rates.get(n)
     if link.inertia and rate is not None:
         inertia = draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
-        found[f"T_{{{n}r}}"] = board.draw(rotation, f"T_{{{n}r}}", inertia, rate, unit="J")
+        found[f"T_{{{n}r}}"] = draft.draw(rotation, f"T_{{{n}r}}", inertia, rate, unit="J")
     return found
 
 

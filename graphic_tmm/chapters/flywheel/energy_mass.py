@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.graph_curves import curve_of_two
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, ray, square
 from graphic_tmm.board.operations.supports import supporting, supporting_curve
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.flywheel.energy import Energies
 
 VIEW = "energy-mass"
@@ -34,13 +34,17 @@ class Surplus(NamedTuple):
 
 @dataclass(frozen=True)
 class EnergyMass:
-    """The curve as drawn: its chart (μ_J), points, curve, tangents, the segment ab, the inertia found."""
+    """The curve as drawn: its chart (μ_J), points, curve, tangents, the segment ab, the inertia found.
+
+    ``angles``: of the tangents (Angle).
+    """
 
     chart: Chart
     mu_T: Mark
     points: Mark
     curve: Mark
     tangents: tuple[Mark, Mark]
+    angles: tuple[Mark, Mark]
     ends: tuple[Mark, Mark]
     segment: Mark
     inertia: Mark
@@ -59,31 +63,33 @@ def draw_energy_mass(
 
     ``surplus``: ΔT as read (Length), to the scale of its graph ``source``.
     """
-    board, row, mu_T = draft.board, source.axes.base.intervals, source.axes.mu
-    board.open(VIEW)
-    mu_J = board.take(Number, "μ_J", "(kg·m²)/mm")
-    board.lay_out(None, mu_J)
-    inertia = board.draw(reduced_inertia, "J_{red}", energies.total, omega, unit="kg·m²")
-    x = board.draw(to_board, "x_J", inertia, mu_J)
+    row, mu_T = source.axes.base.intervals, source.axes.mu
+    draft.open(VIEW)
+    mu_J = draft.scale("μ_J", "(kg·m²)/mm")
+    draft.lay_out()
+    inertia = draft.draw(reduced_inertia, "J_{red}", energies.total, omega, unit="kg·m²")
+    x = draft.draw(to_board, "x_J", inertia)
     origin = draft.take(Point, "O", 0j)
-    along = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
-    up = board.draw(square, "(Oy)", origin, along, sense=1)
-    feet = board.draw(lay_off, "j", along, x)
-    lines = board.draw(square, "(j)", feet, along, sense=1)
-    points = board.draw(lay_off, "e", lines, surplus)
-    curve = board.draw(curve_of_two, "(e–e)", points, source.curve, row=row)
-    lines_found, ends = [], []
+    along = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
+    up = draft.draw(square, "(Oy)", origin, along, sense=1)
+    feet = draft.draw(lay_off, "j", along, x)
+    lines = draft.draw(square, "(j)", feet, along, sense=1)
+    points = draft.draw(lay_off, "e", lines, surplus)
+    curve = draft.draw(curve_of_two, "(e–e)", points, source.curve, row=row)
+    lines_found, angles, ends = [], [], []
     for op, name, letter, above in ((steepest, "max", "a", 1), (flattest, "min", "b", -1)):
-        angle = board.draw(op, f"ψ_{{{name}}}", mu_J, mu_T, omega, delta, unit="°")
+        angle = draft.draw(op, f"ψ_{{{name}}}", mu_J, mu_T, omega, delta, unit="°")
         if tangents == "curve":
-            line = board.draw(supporting_curve, f"({letter})", curve, angle, above=above)
+            line = draft.draw(supporting_curve, f"({letter})", curve, angle, above=above)
         else:
-            line = board.draw(supporting, f"({letter})", points, angle, row=row, above=above)
+            line = draft.draw(supporting, f"({letter})", points, angle, row=row, above=above)
         lines_found.append(line)
-        ends.append(board.draw(meet, letter, up, line))
-    segment = board.draw(measure_along, "ab", ends[1], ends[0], up)
-    found = board.draw(flywheel_inertia, "J_F", segment, mu_T, delta, omega, unit="kg·m²")
-    measured = board.draw(measure_along, "J_r", origin, feet, along)
+        angles.append(angle)
+        ends.append(draft.draw(meet, letter, up, line))
+    segment = draft.draw(measure_along, "ab", ends[1], ends[0], up)
+    found = draft.draw(flywheel_inertia, "J_F", segment, mu_T, delta, omega, unit="kg·m²")
+    measured = draft.draw(measure_along, "J_r", origin, feet, along)
     chart = Chart(VIEW, "J", "kg·m²", mu_J, (measured,), True, None, None)
     pair, spots = (lines_found[0], lines_found[1]), (ends[0], ends[1])
-    return EnergyMass(chart, mu_T, points, curve, pair, spots, segment, found)
+    turned = (angles[0], angles[1])
+    return EnergyMass(chart, mu_T, points, curve, pair, turned, spots, segment, found)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
@@ -34,7 +34,6 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.bounds import DELTA
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
@@ -45,6 +44,7 @@ from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.declare import bound_of
 
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 
@@ -53,7 +53,8 @@ VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 class Flywheel:
     """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
 
-    ``works``: the points of the integrated side and of the straight one; ``segment``: cd (Length).
+    ``works``: the points of the integrated side and of the straight one; ``sides``: its curve and its line;
+    ``segment``: cd (Length).
     """
 
     order: FlywheelOrder
@@ -62,6 +63,7 @@ class Flywheel:
     charts: tuple[Chart, ...]
     energies: Energies
     works: tuple[Boundaries, Mark]
+    sides: tuple[Mark, Mark]
     segment: Mark
     inertia: Mark
     energy_mass: EnergyMass | None
@@ -97,17 +99,17 @@ def draw_flywheel(
         If δ or H is not positive, masses or loads are missing.
     """
     _refuse(order)
-    board, velocities = draft.board, machine.velocities
-    board.open(VIEWS["moment"])
-    length = draft.take(Length, "L", order.base, "mm")
-    mu_phi = board.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    velocities = machine.velocities
+    draft.open(VIEWS["moment"])
+    length = draft.take(Length, "L", order.base, "mm", roles.BASE)
+    mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
     if cylinder is not None:
         moment = _by_gas(draft, machine, cylinder, order.constant)
     else:
         moment = _by_loads(draft, machine, forces, order.constant)
-    mu_M = board.take(Number, "μ_M", "(N·m)/mm")
-    heights = board.draw(to_board, "y_M", moment, mu_M)
+    mu_M = draft.scale("μ_M", "(N·m)/mm")
+    heights = draft.draw(to_board, "y_M", moment)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
@@ -119,9 +121,7 @@ def draw_flywheel(
     segment = _segment(draft, energy_axes, own)
     assert velocities.speed is not None
     delta = draft.take(Number, "δ", order.delta)
-    inertia = board.draw(
-        flywheel_inertia, "J_F", segment, energy_axes.mu, delta, velocities.speed, unit="kg·m²"
-    )
+    inertia = draft.draw(flywheel_inertia, "J_F", segment, delta, velocities.speed, unit="kg·m²")
     rim = None
     if order.rim is not None:
         rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
@@ -135,14 +135,18 @@ def draw_flywheel(
     first = (indicator.chart,) if indicator is not None else ()
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
-    return Flywheel(order, base, indicator, found, energies, works, segment, inertia, second, rim)
+    return Flywheel(
+        order, base, indicator, found, energies, works, done.sides, segment, inertia, second, rim
+    )
 
 
 def _refuse(order: FlywheelOrder) -> None:
-    DELTA.refuse("flywheel", "delta", order.delta)
+    bound_of(FlywheelOrder, "delta").refuse("flywheel", "delta", order.delta)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
-        raise StructureError(f"flywheel: the pole distance H = {pole:g} mm is not greater than 0")
+        raise StructureError(
+            f"flywheel: the pole distance H = {pole:g} mm is not greater than 0", "flywheel.H"
+        )
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -150,44 +154,47 @@ def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -
 
     It drives; with a constant driving moment it is the resistance of the gas that is told, of a compressor.
     """
-    board, velocities = draft.board, machine.velocities
+    velocities = machine.velocities
     way = cylinder.outward if constant == "resisting" else -cylinder.outward
     sign = draft.take(Number, "σ", way)
     pin = velocities.images.by_letter[machine.mechanism.drive.link][machine.pin]
-    drawn = board.uses(pin)[1]
+    drawn = draft.uses(pin)[1]
     speed = velocities.readings[cylinder.leg.link]
     force = cylinder.indicator.force
-    return board.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
+    return draft.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
 
 
 def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:
     """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
     if forces is None:
         raise StructureError(
-            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]"
+            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]",
+            "flywheel",
         )
-    board = draft.board
-    found = [forces.lever.moments[k] for k in forces.loads.outer if k in forces.lever.moments]
+    moments = forces.lever.moments
+    found = [one.value for load in forces.loads.outer for one in moments if one.load == load]
     if not found:
         raise StructureError(
-            "flywheel: no load does work: give gravity or a [[load]] besides inertia"
+            "flywheel: no load does work: give gravity or a [[load]] besides inertia", "flywheel"
         )
     total = found[0]
     for more in found[1:]:
-        total = board.draw(added, "ΣM", total, more, unit="N·mm")
+        total = draft.draw(added, "ΣM", total, more, unit="N·mm", role=roles.SUM)
     formula = moment_of_drive if constant == "resisting" else moment_of_resistance
-    return board.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
+    return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
 class _Works(NamedTuple):
-    """The works as drawn: their axes, the integrated side, the straight one, ΔT read off (Length).
+    """The works as drawn: their axes, points of the integrated side and of the straight one.
 
-    ``pole``: from where the rays to the ordinates of the moment have the slopes of ΔT.
+    ``sides``: the curve and the straight line. ``surplus``: ΔT read off (Length). ``pole``: from where the rays
+    to the ordinates of the moment have the slopes of ΔT.
     """
 
     axes: Axes
     points: Boundaries
     straight: Mark
+    sides: tuple[Mark, Mark]
     surplus: Mark
     pole: Mark
     chart: Chart
@@ -195,23 +202,22 @@ class _Works(NamedTuple):
 
 def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder) -> _Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
-    board = draft.board
-    board.open(VIEWS["work"])
+    draft.open(VIEWS["work"])
     scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
     axes = graphs.draw_axes(draft, VIEWS["work"], source.base, scaled.mu)
     pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
-    graphs.along_rays(draft, axes, found, pole.point, at, source)
-    straight = board.draw(join, "(A′)", axes.origin, found.end)
-    lines = board.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    other = board.draw(meet, "A′", straight, lines)
+    curve_of_work = graphs.along_rays(draft, axes, found, pole.point, at, source)
+    straight = draft.draw(join, "(A′)", axes.origin, found.end)
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
+    other = draft.draw(meet, "A′", straight, lines)
     ahead = order.constant == "resisting"
     ends = (other, found.points) if ahead else (found.points, other)
-    surplus = board.draw(measure_along, "ΔT", *ends, axes.up)
+    surplus = draft.draw(measure_along, "ΔT", *ends, axes.up)
     level = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
-    return _Works(axes, found, other, surplus, level, chart)
+    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, chart)
 
 
 def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
@@ -219,12 +225,11 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
 
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
-    board = draft.board
-    board.open(source.view)
-    slope = board.draw(parallel, "(PM)", pole.point, straight, sense=1)
-    constant = board.draw(meet, "M_c", source.up, slope)
-    level = board.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
-    return board.draw(lay_off, "P′", level, pole.distance)
+    draft.open(source.view)
+    slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
+    constant = draft.draw(meet, "M_c", source.up, slope, role=roles.MEAN)
+    level = draft.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
+    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE)
 
 
 def _energies(
@@ -234,16 +239,16 @@ def _energies(
 
     Returns the energies, ΔT, the curve of the flywheel's energy, the charts. ``source``, ``at``: the moment.
     """
-    board, work = draft.board, done.axes
-    board.open(VIEWS["energy"])
+    work = done.axes
+    draft.open(VIEWS["energy"])
     energies = draw_energies(draft, machine.mechanism, machine.velocities)
-    heights = board.draw(to_board, "y_T", energies.total, work.mu)
+    heights = draft.draw(to_board, "y_T", energies.total, work.mu)
     axes = graphs.draw_axes(draft, VIEWS["energy"], work.base, work.mu)
     gained = graphs.lay_ordinates(draft, axes, done.surplus, "g")
     ahead = graphs.along_rays(draft, axes, gained, done.pole, at, source)
     links = graphs.lay_ordinates(draft, axes, heights, "l")
     carried = graphs.through(draft, axes, links)
-    rest = board.draw(measure_along, "y_F", links.points, gained.points, axes.up)
+    rest = draft.draw(measure_along, "y_F", links.points, gained.points, axes.up)
     own = graphs.lay_ordinates(draft, axes, rest, "f")
     curve = graphs.difference(draft, axes, own, ahead, carried)
     readings = [
@@ -258,9 +263,9 @@ def _energies(
 
 def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
-    board, ends = draft.board, []
+    ends = []
     for op, name in ((highest, "c"), (lowest, "d")):
-        top = board.draw(op, f"{name}′", own, axes.origin, axes.end)
-        level = board.draw(parallel, f"({name})", top, axes.along, sense=1)
-        ends.append(board.draw(meet, name, axes.up, level))
-    return board.draw(measure_along, "cd", ends[1], ends[0], axes.up)
+        top = draft.draw(op, f"{name}′", own, axes.origin, axes.end)
+        level = draft.draw(parallel, f"({name})", top, axes.along, sense=1)
+        ends.append(draft.draw(meet, name, axes.up, level, role=roles.EXTREME))
+    return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up)

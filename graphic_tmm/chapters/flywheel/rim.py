@@ -41,24 +41,25 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
     """
     if not 0.0 < order.ratio < 1.0:
         raise StructureError(
-            f"flywheel: D_i/D_e = {order.ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85"
+            f"flywheel: D_i/D_e = {order.ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85",
+            "flywheel.ratio",
         )
     most = 2.0 * order.speed_limit / abs(speed)
     if order.outer > most:
         raise StructureError(
             f"flywheel: a rim of {order.outer:g} m runs faster than {order.speed_limit:g} m/s at this speed: "
-            f"D_e is {most:.3g} m at most"
+            f"D_e is {most:.3g} m at most",
+            "flywheel.D_e",
         )
-    board = draft.board
     limit = draft.take(Number, "v_{max}", order.speed_limit, "m/s")
-    largest = board.draw(largest_rim, "D_{max}", limit, omega, unit="m")
+    largest = draft.draw(largest_rim, "D_{max}", limit, omega, unit="m")
     outer = draft.take(Number, "D_e", order.outer, "m")
     ratio = draft.take(Number, "k", order.ratio)
-    inner = board.draw(share, "D_i", outer, ratio, unit="m")
-    middle = board.draw(mean, "D_m", outer, inner, unit="m")
-    mass = board.draw(rim_mass, "m_r", inertia, middle, unit="kg")
+    inner = draft.draw(share, "D_i", outer, ratio, unit="m")
+    middle = draft.draw(mean, "D_m", outer, inner, unit="m")
+    mass = draft.draw(rim_mass, "m_r", inertia, middle, unit="kg")
     density = draft.take(Number, "ρ", order.density, "kg/m³")
-    width = board.draw(rim_width, "b", inertia, density, outer, inner, middle, unit="m")
+    width = draft.draw(rim_width, "b", inertia, density, outer, inner, middle, unit="m")
     return DrawnRim(order, largest, outer, inner, middle, mass, width)
 
 

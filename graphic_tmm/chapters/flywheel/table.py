@@ -17,9 +17,12 @@ PLAN = FLYWHEEL.chapter
 
 def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
     """Yield the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
-    for chart in FLYWHEEL.on(drawn).charts:
+    made = FLYWHEEL.on(drawn)
+    sides = made.indicator.sides if made.indicator is not None else ()
+    pressures = {side.ordinate: side.pressure for side in sides}
+    for chart in made.charts:
         for mark in chart.ordinates:
-            letter = mark.name.replace("y_", "p_") if chart.symbol == "p" else mark.name
+            letter = pressures.get(mark, mark).name
             if chart.view == VIEWS["work"]:
                 continue  # ΔT is laid off, and read, once more among the energies
             rows = ordinates(drawn.reading, mark, chart.mu, len(drawn.names))

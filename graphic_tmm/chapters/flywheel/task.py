@@ -2,11 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
+from graphic_tmm.bounds import Bound
 from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Said, Section, key, made
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
+
+MATERIALS = {"steel": (110.0, 7800.0), "cast iron": (35.0, 7200.0)}
+"""Limit of the rim's speed (m/s) and density (kg/m³) by material."""
+SHAFT, STUD = 8.0, 28.0
+"""Outer diameter of the rim over that of the shaft, and over that of the stud holes, where none is given."""
+
+_CONSTANT = v.choice("resisting", "driving", сопротивления="resisting", движущий="driving")
+_INTEGRATION = v.choice(
+    "areas", "middles", "chords", площади="areas", середины="middles", хорды="chords"
+)
+_TANGENTS = v.choice("curve", "points", "none", кривая="curve", точки="points", нет="none")
+_MATERIAL = v.choice(*MATERIALS, сталь="steel", чугун="cast iron")
 
 
 @dataclass(frozen=True)
@@ -25,11 +45,20 @@ class Rim:
     stud: float = 0.016
 
 
+def _rim(said: Said) -> Rim | None:
+    if said.D_e is None:
+        return None
+    shaft = said.shaft or round(said.D_e / SHAFT, 3)
+    stud = said.stud or round(said.D_e / STUD, 3)
+    return Rim(said.D_e, said.ratio, *MATERIALS[said.material], shaft, said.studs, stud)
+
+
 @dataclass(frozen=True)
 class FlywheelOrder:
-    """A flywheel for the coefficient of irregularity ``delta``.
+    """The flywheel of a machine driven by the gas of the indicator diagram.
 
-    ``indicator``: the gas forces of which diagram; None: by the loads of the links.
+    It keeps the coefficient of irregularity ``delta``. ``indicator``: the gas forces of which diagram; None: by
+    the loads of the links.
 
     ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``A``: the scale of the
     works, or the pole distance that gives it.
@@ -39,14 +68,72 @@ class FlywheelOrder:
     """
 
     indicator: IndicatorOrder | None
-    delta: float
-    constant: str = "resisting"
-    A: ScaleOrder = STANDARD
-    base: float = 120.0
-    mu_M: float | None = None
-    integration: str = "areas"
-    tangents: str | None = "curve"
-    rim: Rim | None = None
+    delta: float = key(
+        v.number(Bound(0, 2, above=True, below=True), "ratio"), "coefficient of irregularity", 0.04
+    )
+    constant: str = key(_CONSTANT, "which moment is constant", "resisting", "resisting")
+    A: ScaleOrder = made(
+        lambda said: ScaleOrder(pole=said.H),
+        STANDARD,
+        H=key(
+            v.DRAWN, "pole distance of the integration", "40 mm", None,
+            fixes="size", draws=(("work", "H"),),
+        ),
+    )  # fmt: skip
+    base: float = key(
+        v.DRAWN, "length of the base for a turn", "120 mm", 120.0,
+        fixes="size", draws=(("moment", "L"),),
+    )  # fmt: skip
+    mu_M: float | None = key(v.mu("scale of moments"), "(N·m)/mm", "8 N*m/mm", None, fixes="size")
+    integration: str = key(
+        _INTEGRATION,
+        "mean ordinates: of areas, at the middles of intervals, of chords",
+        "areas",
+        "areas",
+    )
+    tangents: str | None = made(
+        lambda said: None if said.tangents == "none" else said.tangents,
+        "curve",
+        tangents=key(_TANGENTS, "tangents of the energy–mass curve", "curve", "curve"),
+    )
+    rim: Rim | None = made(
+        _rim,
+        None,
+        D_e=key(v.POSITIVE_LENGTH, "outer diameter of the rim", "0.45 m", None),
+        ratio=key(
+            v.number(v.SHARE, "ratio"), "inner diameter of the rim over the outer", 0.85, 0.85
+        ),
+        material=key(_MATERIAL, "material of the rim", "steel", "steel"),
+        shaft=key(v.POSITIVE_LENGTH, "diameter of the shaft", "55 mm", None),
+        studs=key(v.number(Bound(1, 24, whole=True)), "how many stud holes", 3, 3),
+        stud=key(v.POSITIVE_LENGTH, "their diameter", "16 mm", None),
+    )
 
 
 ASKED: Asked[FlywheelOrder] = Asked("flywheel")
+
+
+def check(said: Said, parts: Parts) -> Iterator[Found]:
+    """What a flywheel needs besides its own section."""
+    yield from parts.intervals("flywheel")
+    if "indicator" not in parts.doc and "forces" not in parts.doc:
+        says = "nothing drives or resists; write a section [indicator], or loads and [forces]"
+        yield Found(("flywheel",), says)
+
+
+def _defaults(said: Said, parts: Parts) -> Iterator[str]:
+    if "constant" not in parts.doc["flywheel"]:
+        yield (
+            f"flywheel.constant: it is left out, so the {said.constant} moment is taken as constant; "
+            'write constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives'
+        )
+
+
+SECTIONS = (
+    Section(
+        "flywheel", FlywheelOrder, "the flywheel of a machine",
+        begin="delta = 0.04", weighs=True, check=check,
+        joined=lambda others: {"indicator": others["indicator"]},
+        shows=lambda order: () if order.indicator else ("forces",), defaults=_defaults,
+    ),
+)  # fmt: skip

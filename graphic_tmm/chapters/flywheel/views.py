@@ -62,7 +62,7 @@ def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             lettered=lettered,
         )
         scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
-        angles = [_angle(drawn, name) for name in ("ψ_{max}", "ψ_{min}")]
+        angles = [_angle(drawn, mark) for mark in made.energy_mass.angles]
         views.append(captioned(found, words["energy-mass"], ", ".join(scales), ", ".join(angles)))
     if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
         views.append(_sketch(drawn, made))
@@ -76,8 +76,13 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
     words = CAPTIONS[language]
     sides = (words["A driving"], words["A resisting"])
     found, straight = sides if made.order.constant == "resisting" else reversed(sides)
-    works = {"(A–A)": found, "(A′)": straight}
-    curves = {key: symbols.symbol(key, language) for key in ("ΔT", "T_L", "T_F")}
+    works = dict(zip(made.sides, (found, straight), strict=True))
+    curves = {
+        mark: symbols.symbol(mark.name, language)
+        for chart in made.charts
+        if chart.view == VIEWS["energy"]
+        for mark in chart.ordinates
+    }
     views = []
     for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
         view = VIEWS[key]
@@ -87,7 +92,7 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
             symbol,
             "φ",
             {"energy": curves, "work": works}.get(key, {}),
-            {"cd": number(_value(drawn, made.segment), language)},
+            {made.segment: number(_value(drawn, made.segment), language)},
         )
         graph = draw_graph(
             project.construction,
@@ -112,10 +117,8 @@ def _value(drawn: Drawn, mark: Mark) -> float:
     return float(drawn.reading[mark][0, 0])
 
 
-def _angle(drawn: Drawn, letter: str) -> str:
-    mark = drawn.project.construction.mark("energy-mass", letter)
-    assert mark is not None
-    return f"{letter} = {number(_value(drawn, mark), drawn.scene.language)}°"
+def _angle(drawn: Drawn, mark: Mark) -> str:
+    return f"{mark.name} = {number(_value(drawn, mark), drawn.scene.language)}°"
 
 
 def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:

@@ -19,6 +19,7 @@ from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, scale_key
+from graphic_tmm.chapters.forces.sections import SECTIONS
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -81,11 +82,11 @@ CHAPTER = Chapter(
     sizes=SIZES,
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    sections=SECTIONS,
     record=record,
     scales=force_scales,
     named=named,
     scale_key=scale_key,
-    size_keys=("forces.mu_F",),
     nothing=balanced,
     coarse=ruled,
     compared=compared,

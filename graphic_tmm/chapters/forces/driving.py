@@ -9,10 +9,10 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, square
 from graphic_tmm.board.operations.statics import balancing, reversed_
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces.loads import Force
 from graphic_tmm.chapters.forces.moments import Acting, Moments
-from graphic_tmm.chapters.forces.polygons import Chain, Polygon, Reaction
+from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.kinematics.bodies import Body
 
 
@@ -42,19 +42,18 @@ def solve_driver(
     driver: Driver,
     acting: Acting,
     moments: Moments,
-    views: tuple[str, str],
+    views: Views,
     frame: int,
     kind: str,
     tried: str = "",
 ) -> Driven:
-    """Balance the driving link; ``views``: of its figure and of its polygon; ``kind``: "force" or "moment".
+    """Balance the driving link; ``kind``: "force" or "moment".
 
     ``tried``: the number of a pass that others follow.
     """
-    board, number = draft.board, driver.body.link.number
-    figure, polygon = views
-    board.open(figure)
-    board.say(f"I({number})")
+    number = driver.body.link.number
+    draft.open(views.figure)
+    draft.say(f"I({number})")
     forces = acting.forces.get(number, [])
     couples = acting.couples.get(number, [])
     total = moments.sum(driver.pivot, forces, couples, f"ΣM_{number}")
@@ -63,26 +62,25 @@ def solve_driver(
     sides = [(force.letter, force.line, force.value) for force in forces]
     force, raised = None, f"^{{({tried})}}" if tried else ""
     if kind == "force":
-        assert draft.mu_l is not None
         letter = f"P_b{raised}"
-        balance = board.draw(balancing, letter, total, driver.arm, draft.mu_l, unit="N")
-        line = board.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
+        balance = draft.draw(balancing, letter, total, driver.arm, unit="N")
+        line = draft.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
         force = Force(letter, number, driver.pin, line, balance)
         sides.append((letter, line, balance))
     else:
-        balance = board.draw(reversed_, f"M_b{raised}", total, unit="N·m")
-    board.open(polygon)
-    mu = board.take(Number, "μ_F", "N/mm")
-    start = draft.take(Point, "1", 0j)
-    board.lay_out(start, mu)
-    chain = Chain(draft, mu, start)
+        balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m")
+    chain = views.begin(draft)
+    start = chain.end
     for letter, line, value in sides:
         chain.add(letter, line, value)
     end = chain.end
     name = f"R_{{{frame}{number}}}"
-    length = board.draw(measure, f"y_{{R{frame}{number}}}", end, start)
-    value = board.draw(in_si, name, length, mu, unit="N")
+    length = draft.draw(measure, f"y_{{R{frame}{number}}}", end, start)
+    value = draft.draw(in_si, name, length, unit="N")
     reaction = Reaction(name, (frame, number), end, start, length, value, value)
     return Driven(
-        balance, force, reaction, Polygon(polygon, mu, (*chain.sides, (name, end, start)))
+        balance,
+        force,
+        reaction,
+        Polygon(views.polygon, chain.mu, (*chain.sides, (name, end, start))),
     )

@@ -48,7 +48,7 @@ def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
         lost = [doubts.lost[use.slot] for use in one.step.uses if use.slot in doubts.lost]
         places -= nothing.union(*(np.flatnonzero(mask[0]).tolist() for mask in lost))
     if one.kind == "lost" and places <= nothing:
-        return one._replace(letters=tuple(k for k in one.letters if k != difference.letter))
+        return one._replace(marks=tuple(mark for mark in one.marks if mark != difference))
     return one
 
 

@@ -88,7 +88,7 @@ class Rub:
 
     def draw(self, found: tuple[Joint, ...], reactions: Reactions) -> Rubbing:
         """Return the friction that the reactions of the pass before cause."""
-        self.draft.board.open(VIEW)
+        self.draft.open(VIEW)
         made = Rubbing()
         for joint in found:
             if self.friction.f.get(joint.pair.name, 0.0) <= 0.0:
@@ -107,18 +107,18 @@ class Rub:
         return self._coefficients[name]
 
     def _pin(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
-        board, (link, body), name = self.draft.board, joint.links, joint.pair.name
+        draft, (link, body), name = self.draft, joint.links, joint.pair.name
         radius = self.friction.radius.get(name, 0.0)
         omega = self._turning(link, body)
         if radius <= 0.0 or omega is None:
             return
         if name not in self.circles:
             of = self.draft.take(Number, f"r_{{{name}}}", radius, "m")
-            self.circles[name] = board.draw(
+            self.circles[name] = draft.draw(
                 circle_radius, f"ρ_{{{name}}}", self._coefficient(name), of, unit="m"
             )
         letter = f"M_{{f{name}{link}}}"
-        value = board.draw(
+        value = draft.draw(
             pin_friction,
             letter,
             self.circles[name],
@@ -128,7 +128,7 @@ class Rub:
             unit="N·m",
         )
         made.couples.append(Couple(letter, link, value))
-        back = board.draw(reversed_, f"M_{{f{name}{body}}}", value, unit="N·m")
+        back = draft.draw(reversed_, f"M_{{f{name}{body}}}", value, unit="N·m")
         made.couples.append(Couple(f"M_{{f{name}{body}}}", body, back))
 
     def _guide(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
@@ -146,37 +146,36 @@ class Rub:
         return made
 
     def _along(self, joint: Joint, reaction: Reaction) -> list[Force]:
-        board, (link, body), closing = self.draft.board, joint.links, joint.closing
+        draft, (link, body), closing = self.draft, joint.links, joint.closing
         assert closing is not None
         leg, view = guide_leg(joint), reaction.length.view
-        board.open(view)
-        scale = board.uses(reaction.value)[1]
+        draft.open(view)
         letters = (f"F_{{{body}{link}}}", f"F_{{{link}{body}}}")
         ends = (reaction.tail, reaction.head)
-        segment = board.draw(measure_along, f"y_{{F{body}{link}}}", *ends, leg.line)
-        value = board.draw(in_si, letters[0], segment, scale, unit="N")
+        segment = draft.draw(measure_along, f"y_{{F{body}{link}}}", *ends, leg.line)
+        value = draft.draw(in_si, letters[0], segment, unit="N")
         own = self.velocities.closed[closing.group.name]
         under = known_image(self.velocities, closing, leg)
         made = [Force(letters[0], link, closing.point, leg.line, value, own)]
         if under != self.velocities.images.pole:
-            back = board.draw(reversed_, letters[1], value, unit="N")
+            back = draft.draw(reversed_, letters[1], value, unit="N")
             made.append(Force(letters[1], body, closing.point, leg.line, back, under))
         return made
 
     def _turning(self, link: int, body: int) -> Mark | None:
         """Return the angular velocity of a link relative to another; None if there is none."""
         if (link, body) not in self._relative:
-            rates, board = self.velocities.rates, self.draft.board
+            rates, draft = self.velocities.rates, self.draft
             own, other = rates.get(link), rates.get(body)
             letter = f"ω_{{{link}{body}}}"
             if own == other:
                 found = None
             elif own is None and other is not None:
-                found = board.draw(reversed_, letter, other, unit="1/s")
+                found = draft.draw(reversed_, letter, other, unit="1/s")
             elif other is None:
                 found = own
             else:
                 assert own is not None
-                found = board.draw(difference_of, letter, own, other, unit="1/s")
+                found = draft.draw(difference_of, letter, own, other, unit="1/s")
             self._relative[link, body] = found
         return self._relative[link, body]

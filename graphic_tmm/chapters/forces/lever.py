@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.instruments import measure, parallel, square
@@ -27,6 +28,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.forces.driving import Driver
 from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.polygons import bare
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import Positions
@@ -43,11 +45,18 @@ class Carried(NamedTuple):
     value: Mark
 
 
+class Turning(NamedTuple):
+    """The moment of a load on the lever (N·mm), and the size of that load (N or N·m)."""
+
+    load: Mark
+    value: Mark
+
+
 class Lever(NamedTuple):
     """The lever as drawn: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
-    ``balance``: N at the crank pin, or N·m; ``couples``: the converted moments (N·mm) by letter;
-    ``moments``: of all loads (N·mm); ``segment``: of the crank pin, as read (Length).
+    ``balance``: N at the crank pin, or N·m; ``moments``: of all loads; ``segment``: of the crank pin, as read
+    (Length).
     """
 
     pole: Mark
@@ -55,8 +64,7 @@ class Lever(NamedTuple):
     mu: Mark
     images: dict[int, tuple[Mark, ...]]
     forces: tuple[Carried, ...]
-    couples: dict[str, Mark]
-    moments: dict[str, Mark]
+    moments: tuple[Turning, ...]
     balance: Mark
     pin: Mark
     segment: Mark
@@ -68,73 +76,57 @@ class _Plan:
     def __init__(self, draft: Draft, velocities: Motion, quarters: int) -> None:
         self.draft, self.velocities, self.quarters = draft, velocities, quarters
         self.pole = draft.take(Point, "p", 0j)
-        self.times = draft.board.take(Number, "k")
+        self.times = draft.ask(Number, "k")
         self.known: dict[Mark, Mark] = {velocities.images.pole: self.pole}
         self.forces: list[Carried] = []
-        self.moments: dict[str, Mark] = {}
-        self.converted: dict[str, Mark] = {}
+        self.moments: list[Turning] = []
 
     def image(self, of: Mark) -> Mark:
         if of not in self.known:
-            board = self.draft.board
-            pole = self.velocities.images.pole
-            letter = board.free(of.letter)
-            self.known[of] = board.draw(
-                carry, letter, self.pole, pole, of, self.times, quarters=self.quarters
+            plan = (self.velocities.images.pole, of)
+            self.known[of] = self.draft.draw(
+                carry, of.letter, self.pole, *plan, self.times, quarters=self.quarters, free=True
             )
         return self.known[of]
 
-    def carry_force(self, letter: str, image: Mark, line: Mark, value: Mark) -> None:
-        """Carry a force to its image; one at the pole has no arm."""
+    def carry_force(self, letter: str, image: Mark, line: Mark, value: Mark, load: Mark) -> None:
+        """Carry a force to its image; one at the pole has no arm. ``load``: the size of what it stands for."""
         point = self.image(image)
         if point != self.pole:
-            board = self.draft.board
-            along = board.draw(parallel, board.free(f"({letter})"), point, line, sense=1)
-            self.turn(letter, point, along, value)
+            along = self.draft.draw(parallel, f"({letter})", point, line, sense=1)
+            self.turn(letter, point, along, value, load)
 
-    def turn(self, letter: str, point: Mark, along: Mark, value: Mark) -> None:
+    def turn(self, letter: str, point: Mark, along: Mark, value: Mark, load: Mark) -> None:
         """Measure the arm of a force on the lever and calculate its moment, N·mm."""
-        board = self.draft.board
-        bare = letter.replace("_", "").replace("{", "").replace("}", "")
-        height = board.draw(arm, board.free(f"h_{{{bare}}}"), self.pole, along)
-        found = board.draw(on_lever, board.free(f"M({letter})"), value, height, unit="N·mm")
+        draft = self.draft
+        height = draft.draw(arm, f"h_{{{bare(letter)}}}", self.pole, along)
+        found = draft.draw(on_lever, f"M({letter})", value, height, unit="N·mm")
         self.forces.append(Carried(letter, point, along, value))
-        self.note(letter, found)
-
-    def note(self, letter: str, moment: Mark) -> None:
-        """Keep a moment; loads of one letter (friction of two pairs at a pin) are told apart by primes."""
-        while letter in self.moments:
-            letter += "′"
-        self.moments[letter] = moment
+        self.moments.append(Turning(load, found))
 
     def carry_couple(self, couple: Couple, base: _Base, kind: str) -> None:
         """Convert a couple to the plan, or set a pair of forces at the ends of its link's segment."""
-        draft, board = self.draft, self.draft.board
-        assert draft.mu_l is not None
-        bare = couple.letter.replace("_", "").replace("{", "").replace("}", "")
+        draft, load = self.draft, couple.value
         if kind == "moment":
             formula = converted if base.sense > 0 else converted_reversed
-            found = board.draw(
+            found = draft.draw(
                 formula,
-                board.free(f"{couple.letter}′"),
+                f"{couple.letter}′",
                 couple.value,
                 self.times,
                 base.segment,
                 base.length,
-                draft.mu_l,
                 unit="N·mm",
             )
-            self.converted[couple.letter] = found
-            self.note(couple.letter, found)
+            self.moments.append(Turning(load, found))
             return
-        force = board.draw(
-            tangential, board.free(f"F_{{{bare}}}"), couple.value, base.length, draft.mu_l, unit="N"
-        )
-        across = board.draw(square, board.free(f"(F_{{{bare}}})"), base.at, base.line, sense=1)
-        self.carry_force(f"F_{{{bare}}}", base.end, across, force)
+        letter = f"F_{{{bare(couple.letter)}}}"
+        force = draft.draw(tangential, letter, couple.value, base.length, unit="N")
+        across = draft.draw(square, f"({letter})", base.at, base.line, sense=1)
+        self.carry_force(letter, base.end, across, force, load)
         if base.start != self.velocities.images.pole:
-            back = board.draw(reversed_, board.free(f"−F_{{{bare}}}"), force, unit="N")
-            self.carry_force(f"−F_{{{bare}}}", base.start, across, back)
+            back = draft.draw(reversed_, f"−{letter}", force, unit="N")
+            self.carry_force(f"−{letter}", base.start, across, back, load)
 
 
 class _Base(NamedTuple):
@@ -166,21 +158,21 @@ def draw_lever(
     ``quarters``: right angles that the velocity plan lacks to be a turned one; ``sense``: of the crank's
     rotation; ``arm``: the crank's real length (m) if a balancing moment is wanted, None for a force.
     """
-    draft.board.open(VIEW)
+    draft.open(VIEW)
     plan = _Plan(draft, velocities, quarters)
-    mu = draft.board.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
-    draft.board.lay_out(plan.pole, mu)
+    mu = draft.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
+    draft.lay_out(plan.pole, mu)
     forces, turned = loads
-    pin_image = velocities.images.by_letter[driver.body.link.number][driver.pin.letter]
+    pin_image = velocities.images.at(driver.body, driver.pin)
     pin = plan.image(pin_image)
     for force in forces:
         assert force.image is not None
-        plan.carry_force(force.letter, force.image, force.line, force.value)
+        plan.carry_force(force.letter, force.image, force.line, force.value, force.value)
     for couple in turned:
         base = _base(draft, positions, velocities, driver, couple.link, sense)
         if base is not None:
             plan.carry_couple(couple, base, couples)
-    segment = draft.board.draw(measure, f"p{pin.letter}", plan.pole, pin)
+    segment = draft.draw(measure, f"p{pin.letter}", plan.pole, pin)
     balance = _balance(draft, plan, segment, arm)
     images = {
         number: tuple(
@@ -190,21 +182,24 @@ def draw_lever(
         )
         for number in positions.bodies
     }
-    found = (images, tuple(plan.forces), plan.converted, plan.moments)
+    found = (images, tuple(plan.forces), tuple(plan.moments))
     return Lever(plan.pole, plan.times, mu, *found, balance, pin, segment)
 
 
 def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
-    board = draft.board
     total: Mark | None = None
-    for found in plan.moments.values():
-        total = found if total is None else board.draw(added, "ΣM", total, found, unit="N·mm")
+    for found in (one.value for one in plan.moments):
+        total = (
+            found
+            if total is None
+            else draft.draw(added, "ΣM", total, found, unit="N·mm", role=roles.SUM)
+        )
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
-    force = board.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
+    force = draft.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
     if arm is None:
         return force
-    return board.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m")
+    return draft.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m")
 
 
 def _base(
@@ -219,8 +214,8 @@ def _base(
         return None
     crank = driver.body.link.number
     if rate == velocities.rates[crank]:
-        image = velocities.images.by_letter[crank][driver.pin.letter]
-        segment = draft.board.uses(image)[1]
+        image = velocities.images.at(driver.body, driver.pin)
+        segment = draft.uses(image)[1]
         pole = velocities.images.pole
         return _Base(segment, driver.arm, pole, image, driver.pin, driver.body.axis, 1)
     for closing in positions.closings:

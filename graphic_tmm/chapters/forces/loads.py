@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
 from graphic_tmm.board.operations.statics import (
@@ -74,11 +75,11 @@ class Loads:
     couples_on_lever: list[Couple] = field(default_factory=list)
 
     @property
-    def outer(self) -> tuple[str, ...]:
-        """The letters of the loads that are not inertia's."""
-        letters = [force.letter for force in self.on_lever]
-        letters += [couple.letter for couple in self.couples_on_lever]
-        return tuple(k for k in letters if not k.startswith(("P_{i", "M_{i")))
+    def outer(self) -> tuple[Mark, ...]:
+        """The sizes of the loads that are not inertia's."""
+        sizes = [force.value for force in self.on_lever]
+        sizes += [couple.value for couple in self.couples_on_lever]
+        return tuple(size for size in sizes if size.role != roles.INERTIA)
 
     def add(self, load: Force | Couple) -> None:
         """Enter a load that both methods take alike."""
@@ -118,15 +119,18 @@ def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Load
     StructureError
         If a load names a link or point that is not there, or a mass has no centre.
     """
-    ground.draft.board.open(VIEW)
+    ground.draft.open(VIEW)
     loads = Loads()
     for link in sorted(ground.mechanism.links, key=attrgetter("number")):
         if order.gravity and link.mass:
             loads.add(_weight(ground, link, order.g))
         if order.inertia:
             _inertia(ground, link, loads, single=link.number in order.single)
-    for load in order.loads:
-        loads.add(_given(ground, load))
+    for k, load in enumerate(order.loads, 1):
+        try:
+            loads.add(_given(ground, load))
+        except StructureError as error:
+            raise error.inside(f"load {k}") from None
     if gas is not None:
         loads.add(_gas(ground, gas))
     return loads
@@ -143,21 +147,23 @@ def _weight(ground: Ground, link: Link, gravity: float) -> Force:
     point, image = _at(ground, n, mass_centre(ground.mechanism, link))
     assert link.mass is not None
     mass, g = draft.constant(f"m_{n}", link.mass, "kg"), draft.constant("g", gravity, "m/s²")
-    value = draft.board.draw(weight, f"G_{n}", mass, g, unit="N")
-    line = draft.board.draw(ray, f"(G_{n})", point, draft.direction(-90.0))
+    value = draft.draw(weight, f"G_{n}", mass, g, unit="N")
+    line = draft.draw(ray, f"(G_{n})", point, draft.direction(-90.0))
     return Force(f"G_{n}", n, point, line, value, image)
 
 
 def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
     plan = ground.accelerations
     assert plan is not None, "inertia needs the plan of accelerations"
-    board, n = ground.draft.board, link.number
+    draft, n = ground.draft, link.number
     force = _inertia_force(ground, plan, link) if link.mass else None
     couple = None
     if link.inertia and n in plan.rates:
         inertia = ground.draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
         letter = f"M_{{i{n}}}"
-        value = board.draw(inertia_couple, letter, inertia, plan.rates[n], unit="N·m")
+        value = draft.draw(
+            inertia_couple, letter, inertia, plan.rates[n], unit="N·m", role=roles.INERTIA
+        )
         couple = Couple(letter, n, value)
     if not (single and force is not None and couple is not None):
         for load in (force, couple):
@@ -166,11 +172,10 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
         return
     loads.on_lever.append(force)
     loads.couples_on_lever.append(couple)
-    assert ground.draft.mu_l is not None
-    by = board.draw(offset, f"h_{{i{n}}}", couple.value, force.value, ground.draft.mu_l)
-    across = board.draw(square, f"(h_{{i{n}}})", force.point, force.line, sense=1)
-    point = board.draw(lay_off, board.free(f"T{n}"), across, by)
-    line = board.draw(parallel, f"({force.letter}′)", point, force.line, sense=1)
+    by = draft.draw(offset, f"h_{{i{n}}}", couple.value, force.value)
+    across = draft.draw(square, f"(h_{{i{n}}})", force.point, force.line, sense=1)
+    point = draft.draw(lay_off, f"T{n}", across, by, free=True)
+    line = draft.draw(parallel, f"({force.letter}′)", point, force.line, sense=1)
     loads.forces.append(force._replace(point=point, line=line, image=None))
 
 
@@ -186,8 +191,8 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     mass = draft.constant(f"m_{n}", link.mass, "kg")
     formula = inertia_force_along if is_signed(draft, segment) else inertia_force
     letter = f"P_{{i{n}}}"
-    value = draft.board.draw(formula, letter, mass, segment, plan.mu, unit="N")
-    line = draft.board.draw(action, f"({letter})", point, end, plan.images.pole)
+    value = draft.draw(formula, letter, mass, segment, unit="N", role=roles.INERTIA)
+    line = draft.draw(action, f"({letter})", point, end, plan.images.pole, role=roles.INERTIA)
     return Force(letter, n, point, line, value, image)
 
 
@@ -196,44 +201,46 @@ def _gas(ground: Ground, cylinder: Cylinder) -> Force:
     letter, link = cylinder.indicator.order.point, cylinder.leg.link
     point, image = _at(ground, link, letter)
     sense = -1 if cylinder.outward > 0 else 1
-    line = ground.draft.board.draw(parallel, "(P)", point, cylinder.leg.line, sense=sense)
+    line = ground.draft.draw(parallel, "(P)", point, cylinder.leg.line, sense=sense)
     return Force("P", link, point, line, cylinder.indicator.force, image)
 
 
 def _given(ground: Ground, load: Load) -> Force | Couple:
     links = ground.mechanism.by_number
     if load.link not in links or load.link == ground.mechanism.frame.number:
-        raise StructureError(f"load: there is no moving link {load.link}")
+        raise StructureError(f"load: there is no moving link {load.link}", "link")
     if load.point is None:
         return _moment(ground, load)
     if load.point not in links[load.link].points:
         known = ", ".join(links[load.link].points)
         raise StructureError(
-            f"load on link {load.link}: it has no point {load.point}; its points are {known}"
+            f"load on link {load.link}: it has no point {load.point}; its points are {known}",
+            "point",
         )
-    draft, board = ground.draft, ground.draft.board
+    draft = ground.draft
     point, image = _at(ground, load.link, load.point)
     letter = _letter(ground, "F", load.link)
     if load.direction != AGAINST:
         size = _size(ground, load, letter, "N")
-        line = board.draw(ray, f"({letter})", point, draft.direction(float(load.direction)))
+        line = draft.draw(ray, f"({letter})", point, draft.direction(float(load.direction)))
         return Force(letter, load.link, point, line, size, image)
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
         raise StructureError(
-            f"load on link {load.link}: {load.point} does not move: give the direction as an angle"
+            f"load on link {load.link}: {load.point} does not move: give the direction as an angle",
+            "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N")
     line = _against(ground, letter, point, image, reading)
-    value = board.draw(with_motion, letter, size, reading, ground.pin_speed, unit="N")
+    value = draft.draw(with_motion, letter, size, reading, ground.pin_speed, unit="N")
     return Force(letter, load.link, point, line, value, image)
 
 
 def _letter(ground: Ground, symbol: str, link: int) -> str:
     """Return the letter of a given load: F_5; a second one on its link is F_{5(2)}."""
-    board, letter = ground.draft.board, f"{symbol}_{link}"
+    draft, letter = ground.draft, f"{symbol}_{link}"
     for k in count(2):
-        if board.free(letter) == letter:
+        if draft.board.free(letter) == letter:
             break
         letter = f"{symbol}_{{{link}({k})}}"
     return letter
@@ -241,36 +248,36 @@ def _letter(ground: Ground, symbol: str, link: int) -> str:
 
 def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mark) -> Mark:
     """Draw the line of action against a velocity; where that was read along a line, against its sense."""
-    board, turns = ground.draft.board, ground.quarters
+    draft, turns = ground.draft, ground.quarters
     if not is_signed(ground.draft, reading):
         pole = ground.velocities.images.pole
-        return board.draw(action, f"({letter})", point, image, pole, quarters=turns)
-    along = board.uses(reading)[2]
+        return draft.draw(action, f"({letter})", point, image, pole, quarters=turns)
+    along = draft.uses(reading)[2]
     if turns == 0:
-        return board.draw(parallel, f"({letter})", point, along, sense=-1)
-    return board.draw(square, f"({letter})", point, along, sense=-turns)
+        return draft.draw(parallel, f"({letter})", point, along, sense=-1)
+    return draft.draw(square, f"({letter})", point, along, sense=-turns)
 
 
 def _moment(ground: Ground, load: Load) -> Couple:
-    board, plan = ground.draft.board, ground.velocities
+    draft, plan = ground.draft, ground.velocities
     letter = _letter(ground, "M", load.link)
     if load.direction != AGAINST:
         return Couple(letter, load.link, _size(ground, load, letter, "N·m"))
     rate = plan.rates.get(load.link)
     if rate is None:
         raise StructureError(
-            f"load on link {load.link}: it does not turn: leave the moment's direction out"
+            f"load on link {load.link}: it does not turn: leave the moment's direction out",
+            "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N·m")
     fastest = plan.rates[ground.mechanism.drive.link]
-    value = board.draw(against_turning, letter, size, rate, fastest, unit="N·m")
+    value = draft.draw(against_turning, letter, size, rate, fastest, unit="N·m")
     return Couple(letter, load.link, value)
 
 
 def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     """Take the size of a load: constant, by position, by angle; or find it by a travel."""
     draft, intervals = ground.draft, ground.intervals
-    letter = draft.board.free(letter)
     if load.travel is not None:
         return by_travel(
             draft, ground.positions, ground.mechanism, load.travel, ground.numbers, (letter, unit)
@@ -283,7 +290,9 @@ def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     elif isinstance(load.size, tuple):
         if len(load.size) != intervals:
             raise StructureError(
-                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: give one for each"
+                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: "
+                "give one for each",
+                "by_position",
             )
         value = np.array([*load.size, *[np.nan] * (ground.numbers.size - intervals)])[None, :]
     return draft.take(Number, letter, value, unit)

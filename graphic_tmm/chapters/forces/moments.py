@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.statics import arm, moment
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.polygons import bare
 
 
 class Moments:
@@ -31,18 +33,17 @@ class Moments:
         return total
 
     def _added(self, first: Mark, second: Mark, letter: str) -> Mark:
-        board = self.draft.board
-        return board.draw(added, board.free(letter), first, second, unit="N·m")
+        draft = self.draft
+        return draft.draw(added, letter, first, second, unit="N·m", role=roles.SUM)
 
     def _of(self, about: Mark, force: Force) -> Mark:
         known = self._known.get((about, force.line))
         if known is None:
-            board, mu_l = self.draft.board, self.draft.mu_l
+            draft, mu_l = self.draft, self.draft.mu_l
             assert mu_l is not None
-            name = force.letter.replace("{", "").replace("}", "").replace("_", "")
-            height = board.draw(arm, board.free(f"h_{{{name}}}"), about, force.line)
-            letter = board.free(f"M_{{{about.letter}}}({force.letter})")
-            known = board.draw(moment, letter, force.value, height, mu_l, unit="N·m")
+            height = draft.draw(arm, f"h_{{{bare(force.letter)}}}", about, force.line)
+            letter = f"M_{{{about.letter}}}({force.letter})"
+            known = draft.draw(moment, letter, force.value, height, unit="N·m")
             self._known[about, force.line] = known
         return known
 

@@ -18,7 +18,7 @@ from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.loads import Couple, Force, Ground, Loads, draw_loads
 from graphic_tmm.chapters.forces.moments import Acting, Moments
-from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
+from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, ForcesOrder
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
@@ -36,7 +36,7 @@ class Forces:
 
     ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %.
     ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
-    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by letter;
+    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by pin;
     ``places``: the positions (indices) at which forces are asked for.
     """
 
@@ -50,7 +50,7 @@ class Forces:
     difference: Mark
     open: Mark | None = None
     efficiency: Mark | None = None
-    circles: dict[str, Mark] | None = None
+    circles: dict[Mark, Mark] | None = None
     places: tuple[int, ...] = ()
 
     @staticmethod
@@ -104,7 +104,7 @@ def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Gro
         velocities,
         accelerations,
         sense if bench.scene.turned else 0,
-        draft.board.uses(image)[1],
+        draft.uses(image)[1],
         machine.numbers,
         machine.count,
     )
@@ -113,7 +113,7 @@ def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Gro
 def _driver(draft: Draft, machine: Machine) -> Driver:
     body = machine.positions.bodies[machine.mechanism.drive.link]
     pin = body.marks[machine.pin]
-    return Driver(body, body.marks[machine.pivot], pin, draft.board.uses(pin)[1])
+    return Driver(body, body.marks[machine.pivot], pin, draft.uses(pin)[1])
 
 
 class _Pass(NamedTuple):
@@ -145,7 +145,7 @@ def draw_forces(
     crank, frame = driver.body.link.number, ground.mechanism.frame.number
     friction = order.friction
     count = friction.passes if friction is not None else 0
-    found = joints(ground.positions.closings, (crank, frame, driver.pivot.letter))
+    found = joints(ground.positions.closings, (crank, frame, driver.body.letter_of(driver.pivot)))
     rub = Rub(draft, ground.velocities, friction, ground.pin_speed, crank) if friction else None
     rubbing = Rubbing()
     passes: list[_Pass] = []
@@ -162,9 +162,12 @@ def draw_forces(
     slid = rub.along_guides(found, _by_joint(found, last)) if rub is not None else []
     carried = ([*loads.on_lever, *slid], [*loads.couples_on_lever, *rubbing.couples])
     lever = _lever(ground, driver, order, carried, arm)
-    draft.board.open("lever")
-    difference = draft.board.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
-    circles = rub.circles if rub is not None else None
+    draft.open("lever")
+    difference = draft.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
+    circles = None
+    if rub is not None:
+        pins = ground.positions
+        circles = {pins.point(name): radius for name, radius in rub.circles.items()}
     return Forces(
         order,
         loads,
@@ -206,17 +209,21 @@ def _solve(
             closing,
             acting,
             moments,
-            (f"group {name}", f"{VIEW} {name}{suffix}"),
+            _views(name, suffix),
             rubbing.slopes,
             rough=order.friction is not None,
         )
         hand_on(draft, solved, acting, frame, figures.__getitem__)
         groups.append(solved)
-    views = (f"group {crank}", f"{VIEW} {crank}{suffix}")
+    views = _views(str(crank), suffix)
     driven = solve_driver(
         draft, driver, acting, moments, views, frame, order.balance, suffix.strip()
     )
     return _Pass(tuple(groups), driven, acting, rubbing)
+
+
+def _views(name: str, suffix: str) -> Views:
+    return Views(f"group {name}", f"{VIEW} {name}{suffix}", f"{VIEW} {name}")
 
 
 def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str], Reaction]:
@@ -235,15 +242,15 @@ def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str
 
 def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark, Mark]:
     """Tell what further passes can change, refuse what does not settle, and find the efficiency."""
-    board = ground.draft.board
-    board.open("friction")
+    draft = ground.draft
+    draft.open("friction")
     unit, letter = ("N", "P_b") if kind == "force" else ("N·m", "M_b")
     last, before, first = (done.driven.balance for done in reversed(passes[-3:]))
-    open_ = board.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
-    balance = board.draw(settled, letter, last, open_, unit=unit)
+    open_ = draft.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
+    balance = draft.draw(settled, letter, last, open_, unit=unit)
     speed = ground.velocities.rates[ground.mechanism.drive.link]
     without = passes[0].driven.balance
-    share = board.draw(efficiency, "η", without, balance, speed, unit="%")
+    share = draft.draw(efficiency, "η", without, balance, speed, unit="%")
     return balance, open_, share
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, parallel, square
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Point
 
 Pair = tuple[int, int]
 
@@ -29,6 +31,25 @@ class Reaction(NamedTuple):
     place: Mark | None = None
 
 
+class Views(NamedTuple):
+    """Where what is detached is drawn: its figure, where moments are taken, and its polygon.
+
+    ``last``: its polygon in the last pass of friction.
+    """
+
+    figure: str
+    polygon: str
+    last: str
+
+    def begin(self, draft: Draft) -> Chain:
+        """Open the polygon: take its scale and its first vertex."""
+        draft.open(self.polygon)
+        mu = draft.scale("μ_F", "N/mm")
+        start = draft.take(Point, "1", 0j)
+        draft.lay_out(start, role=roles.FORCE_POLYGON, last=self.last)
+        return Chain(draft, mu, start)
+
+
 class Polygon(NamedTuple):
     """A polygon of forces as drawn: its view, its scale, its sides (letter, tail, head) in order."""
 
@@ -46,20 +67,20 @@ class Chain:
 
     def add(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a load parallel to its line of action."""
-        board = self.draft.board
-        side = board.draw(parallel, board.free(f"({letter})"), self.end, line, sense=1)
+        draft = self.draft
+        side = draft.draw(parallel, f"({letter})", self.end, line, sense=1)
         self.lay(letter, side, value)
 
     def add_across(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a tangential component: square to its link."""
-        side = self.draft.board.draw(square, f"({letter})", self.end, line, sense=1)
+        side = self.draft.draw(square, f"({letter})", self.end, line, sense=1)
         self.lay(letter, side, value)
 
     def lay(self, letter: str, side: Mark, value: Mark) -> None:
         """Lay off a force along a line that begins at the end of the chain."""
-        board = self.draft.board
-        length = board.draw(to_board, board.free(f"y_{{{_bare(letter)}}}"), value, self.mu)
-        head = self.draft.board.draw(lay_off, str(self.count + 1), side, length)
+        draft = self.draft
+        length = draft.draw(to_board, f"y_{{{bare(letter)}}}", value)
+        head = self.draft.draw(lay_off, str(self.count + 1), side, length)
         self.sides.append((letter, self.end, head))
         self.end = head
 
@@ -69,5 +90,6 @@ class Chain:
         return len(self.sides) + 1
 
 
-def _bare(letter: str) -> str:
+def bare(letter: str) -> str:
+    """Return a letter as it stands in the index of another: F_{12} -> F12."""
     return letter.replace("_", "").replace("{", "").replace("}", "")

@@ -6,6 +6,7 @@ from collections.abc import Container, Mapping
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
@@ -42,7 +43,9 @@ SIZES = (
 def polygon_scales(project: Project) -> list[Mark]:
     """Return the marks of μ of every polygon of forces."""
     views = project.construction.views
-    return [view.scale for view in views if view.scale is not None and view.name.startswith(VIEW)]
+    return [
+        view.scale for view in views if view.scale is not None and view.role == roles.FORCE_POLYGON
+    ]
 
 
 def force_scales(fitting: Fitting) -> dict[Mark, object]:
@@ -54,9 +57,8 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     project, doubts, made = fitting.project, fitting.doubts, FORCES.on(fitting)
     log, scales = project.construction, polygon_scales(project)
     ones = {**fitting.ones, **dict.fromkeys(scales, 1.0)}
-    marks = [
-        step.it for step in log.steps if step.it.view.startswith(VIEW) and step.it.kind is Point
-    ]
+    views = {mu.view for mu in scales}
+    marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
     reading = execute(log, ones, marks).without(doubts.lost)
     found: dict[Mark, object] = {}
     for mu in scales:

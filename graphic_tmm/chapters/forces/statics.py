@@ -15,10 +15,9 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
 from graphic_tmm.board.operations.statics import action, at_friction_angle, place_of, tangential
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.moments import Acting, Moments
-from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction
+from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction, Views
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 
 
@@ -52,32 +51,28 @@ def solve_group(
     closing: Closing,
     acting: Acting,
     moments: Moments,
-    views: tuple[str, str],
+    views: Views,
     slopes: dict[Pair, Slope],
     *,
     rough: bool,
 ) -> Solved:
-    """Solve a group; ``views``: of its figure, where moments are taken, and of its polygon.
+    """Solve a group.
 
     ``slopes``: friction along guides by pair (link, body); of the inner guide by (link 3, link 2).
     ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
     first, second = closing.legs
     inner = closing.group.inner.kind == "P"
-    board, (figure, polygon) = draft.board, views
-    board.open(figure)
-    board.say(f"II({closing.group.name})")
+    draft.open(views.figure)
+    draft.say(f"II({closing.group.name})")
     turning: dict[int, Mark | None] = {}
     for leg in closing.legs:
         both = inner and not (isinstance(leg, GuideLeg) and leg.inner)
         links = (first.link, second.link) if both else (leg.link,)
         turning[leg.link] = _moments_of(closing, acting, moments, links, f"ΣM_{leg.link}")
     tangents = _tangents(draft, closing, turning)
-    board.open(polygon)
-    mu = board.take(Number, "μ_F", "N/mm")
-    start = draft.take(Point, "1", 0j)
-    board.lay_out(start, mu)
-    chain = Chain(draft, mu, start)
+    chain = views.begin(draft)
+    start = chain.end
     if first.link in tangents and isinstance(first, PinLeg):
         chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
     loads = chain.end
@@ -94,7 +89,7 @@ def solve_group(
         _unknown(draft, first, middle if held else start, slopes),
         _unknown(draft, second, chain.end, slopes),
     ]
-    top = board.draw(meet, str(chain.count + 1), lines[1], lines[0])
+    top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0])
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
     return _read(draft, closing, chain, corners, (turning, tangents), rough=rough)
 
@@ -113,11 +108,8 @@ def _tangents(draft: Draft, closing: Closing, turning: dict[int, Mark | None]) -
     for leg in closing.legs:
         total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
-            assert draft.mu_l is not None
             letter = _tangent_letter(leg)
-            found[leg.link] = draft.board.draw(
-                tangential, letter, total, leg.length, draft.mu_l, unit="N"
-            )
+            found[leg.link] = draft.draw(tangential, letter, total, leg.length, unit="N")
     return found
 
 
@@ -140,15 +132,14 @@ def _unknown(
     draft: Draft, leg: PinLeg | GuideLeg, through: Mark, slopes: dict[Pair, Slope]
 ) -> Mark:
     """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
-    board = draft.board
     if isinstance(leg, PinLeg):
-        letter = board.free(f"(R_{{{leg.body}{leg.link}}})")
-        return board.draw(parallel, letter, through, leg.line, sense=1)
+        letter = f"(R_{{{leg.body}{leg.link}}})"
+        return draft.draw(parallel, letter, through, leg.line, sense=1)
     pair = _pair(leg)
-    letter = board.free(f"(R_{{{pair[1]}{pair[0]}}})")
+    letter = f"(R_{{{pair[1]}{pair[0]}}})"
     if pair in slopes:
-        return board.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
-    return board.draw(square, letter, through, leg.line, sense=1)
+        return draft.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
+    return draft.draw(square, letter, through, leg.line, sense=1)
 
 
 def _pair(leg: GuideLeg) -> Pair:
@@ -178,11 +169,9 @@ def _read(
         slides = isinstance(leg, GuideLeg) and not leg.inner
         guide = leg.line if slides and rough else None
         couple = turning[leg.link] if slides else None
-        found.append(_reaction(draft, chain.mu, (leg.body, leg.link), vector, guide, couple))
+        found.append(_reaction(draft, (leg.body, leg.link), vector, guide, couple))
     guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
-    between = _reaction(
-        draft, chain.mu, (first.link, second.link), (at.top, at.middle), guide, couple
-    )
+    between = _reaction(draft, (first.link, second.link), (at.top, at.middle), guide, couple)
     letters = [
         f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
         for leg in closing.legs
@@ -194,25 +183,23 @@ def _read(
 
 def _reaction(
     draft: Draft,
-    mu: Mark,
     links: Pair,
     vector: tuple[Mark, Mark],
     guide: Mark | None,
     couple: Mark | None,
 ) -> Reaction:
     """Measure a reaction; ``guide``: to which its normal part is wanted; ``couple``: that it has to hold."""
-    board, name = draft.board, f"{links[0]}{links[1]}"
-    length = board.draw(measure, f"y_{{R{name}}}", *vector)
-    value = board.draw(in_si, f"R_{{{name}}}", length, mu, unit="N")
+    name = f"{links[0]}{links[1]}"
+    length = draft.draw(measure, f"y_{{R{name}}}", *vector)
+    value = draft.draw(in_si, f"R_{{{name}}}", length, unit="N")
     force, normal, place = value, None, None
     if guide is not None:
-        across = board.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
-        normal = board.draw(measure_along, f"y_{{N{name}}}", *vector, across)
+        across = draft.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
+        normal = draft.draw(measure_along, f"y_{{N{name}}}", *vector, across)
         if couple is not None:
-            force = board.draw(in_si, f"N_{{{name}}}", normal, mu, unit="N")
+            force = draft.draw(in_si, f"N_{{{name}}}", normal, unit="N")
     if couple is not None:
-        assert draft.mu_l is not None
-        place = board.draw(place_of, f"h_{{{name}}}", couple, force, draft.mu_l)
+        place = draft.draw(place_of, f"h_{{{name}}}", couple, force)
     return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, place)
 
 
@@ -227,10 +214,10 @@ def hand_on(
     for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
         if leg.body == frame:
             continue
-        draft.board.open(figure_of(leg.body))
+        draft.open(figure_of(leg.body))
         point = leg.pivot if isinstance(leg, PinLeg) else closing.point
         letter = f"R_{{{leg.link}{leg.body}}}"
-        line = draft.board.draw(action, f"({letter})", point, reaction.head, reaction.tail)
+        line = draft.draw(action, f"({letter})", point, reaction.head, reaction.tail)
         acting.add(Force(letter, leg.body, point, line, reaction.value))
         couple = solved.turning.get(leg.link)
         if isinstance(leg, GuideLeg) and not leg.inner and couple is not None:

@@ -46,7 +46,8 @@ def force_columns(drawn: Drawn) -> tuple[Column, ...]:
         told = row_of(np.abs(value) if row.size else value, places, count)
         found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
     # passes that do not settle leave no force known; without friction each force stands by itself
-    unsettled = [k for k in places if made.open is not None and _balance_at(found, k) is None]
+    balance = next(c for c, row in zip(found, rows, strict=True) if row.value == made.balance)
+    unsettled = [k for k in places if made.open is not None and balance.value[k] is None]
     return tuple(column.without(unsettled) for column in found)
 
 
@@ -55,15 +56,11 @@ def _at(values: Reals, places: tuple[int, ...]) -> Reals:
     return values[:, list(places)] if values.shape[1] > 1 else values
 
 
-def _balance_at(found: list[Column], place: int) -> float | None:
-    return next(c.value[place] for c in found if c.segment.endswith("_bal_forces"))
-
-
 def _loads(made: Forces) -> list[_Row]:
-    forces = {force.letter: force for force in (*made.loads.on_lever, *made.loads.forces)}
-    couples = {couple.letter: couple for couple in made.loads.couples_on_lever}
-    found = [_Row(segment_name(k), k, "N", f.value, size=True) for k, f in forces.items()]
-    return found + [_Row(segment_name(k), k, "N·m", couple.value) for k, couple in couples.items()]
+    forces = {force.value: force.letter for force in (*made.loads.on_lever, *made.loads.forces)}
+    found = [_Row(segment_name(k), k, "N", value, size=True) for value, k in forces.items()]
+    couples = [(segment_name(one.letter), one) for one in made.loads.couples_on_lever]
+    return found + [_Row(name, one.letter, "N·m", one.value) for name, one in couples]
 
 
 def _reactions(made: Forces, mu_l: Mark) -> list[_Row]:

@@ -1,17 +1,40 @@
-"""Loads and effects: what acts on the links, and what of it a scene calls for. SI, degrees."""
+"""What is asked of forces: effects, loads, friction, the positions that are drawn. SI, degrees."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from graphic_tmm.chapter import Asked
+from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.mechanism.masses import pins
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Others, Said, key, made
+from graphic_tmm.scene.quantities import KGF
+from graphic_tmm.scene.tables import Named
 
 GRAVITY = 9.81
 """g throughout the documents, m/s²: what a weight is taken with if a scene gives no other."""
-AGAINST = "against"
-"""The direction of a load that resists: against the velocity of its point, or the rotation of its link."""
+AGAINST = w.AGAINST
+_BY_SHARES = [[0, "0 N"], [1, "190 N"]]
+
+
+@dataclass(frozen=True)
+class Effects:
+    """What acts; an effect that is left out is not simulated, not computed and not on the sheet."""
+
+    gravity: bool = key(w.SWITCH, "weights of the links", True, False)
+    g: float | None = key(
+        v.ACCELERATION,
+        f"what weights are taken with; {GRAVITY} m/s² if it is left out, while kgf is {KGF} N",
+        "9.80665 m/s^2",
+        None,
+    )
+    inertia: bool = key(w.SWITCH, "inertia forces and couples of the links", True, False)
+    gas: bool = key(w.SWITCH, "the gas of the indicator diagram on the piston", True, False)
+    friction: bool = key(w.SWITCH, "friction in the pairs that [friction] names", True, False)
 
 
 @dataclass(frozen=True)
@@ -26,21 +49,91 @@ class Travel:
     back: tuple[tuple[float, float], ...] = ()
 
 
+def _size(said: Said) -> float | tuple[float, ...]:
+    told = [one for one in (said.force, said.moment, said.by_position) if one is not None]
+    return told[-1] if told else 0.0
+
+
+def _direction(said: Said) -> float | str:
+    if said.direction is None:
+        return AGAINST if said.point is not None else 0.0
+    found: float | str = said.direction
+    return found
+
+
 @dataclass(frozen=True)
 class Load:
-    """A force (N) at a point of a link, or a moment (N·m) on the link where ``point`` is None.
+    """A force at a point of a link, or a moment on a link.
 
-    ``size``: constant; or at every position of the row; ``by_angle``: at turns of the crank from the zero
-    position (degrees, in order), straight between them; ``travel``. ``direction``: degrees, fixed in the
-    sheet; or `AGAINST`. A moment with a direction in degrees is counter-clockwise positive.
+    A force in N; a moment in N·m on the link where ``point`` is None. ``size``: constant; or at every position
+    of the row; ``by_angle``: at turns of the crank from the zero position (degrees, in order), straight between
+    them; ``travel``. ``direction``: degrees, fixed in the sheet; or `AGAINST`. A moment with a direction in
+    degrees is counter-clockwise positive.
     """
 
-    link: int
-    point: str | None = None
-    size: float | tuple[float, ...] = 0.0
-    direction: float | str = AGAINST
-    by_angle: tuple[tuple[float, float], ...] = ()
-    travel: Travel | None = None
+    link: int = key(v.LINK_NUMBER, "the number of the link", 5)
+    point: str | None = key(v.TEXT, "the letter of the point where a force acts", "D", None)
+    size: float | tuple[float, ...] = made(
+        _size,
+        0.0,
+        force=key(w.FORCE, "its size", "190 N", None),
+        moment=key(w.MOMENT, "a moment, counter-clockwise positive", "12 N*m", None),
+        by_position=key(w.SIZES, "its size in each position", ["190 N", "0 N"], None),
+    )
+    direction: float | str = made(
+        _direction,
+        AGAINST,
+        direction=key(
+            w.DIRECTION,
+            "an angle from the x axis, or against velocity, or against rotation",
+            "against velocity",
+            None,
+        ),
+    )
+    by_angle: tuple[tuple[float, float], ...] = made(
+        lambda said: said.by_angle or (),
+        (),
+        by_angle=key(
+            w.BY_ANGLE,
+            "its size by the turn of the crank from the zero position",
+            [[0, "0 N"], [90, "190 N"]],
+            None,
+        ),
+    )
+    travel: Travel | None = made(
+        lambda said: None if said.of is None else Travel(said.of, said.out or (), said.back or ()),
+        None,
+        of=key(v.TEXT, "the letter of the point by whose travel it is told", "D", None),
+        out=key(
+            w.BY_TRAVEL,
+            "its size on the stroke from the zero position, by shares of it",
+            _BY_SHARES,
+            None,
+        ),
+        back=key(
+            w.BY_TRAVEL,
+            "its size on the stroke back, by shares from the same end",
+            _BY_SHARES,
+            None,
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class Rubbed:
+    """Coefficients of friction, radii of pins."""
+
+    f: float = key(w.COEFFICIENT, "the coefficient of every pair that is not named", 0.1, 0.0)
+    pairs: Mapping[str, float] = key(
+        Named(w.COEFFICIENT), "coefficients of pairs by their letter or guide", default={}
+    )
+    radius: float | None = key(
+        v.POSITIVE_LENGTH, "the radius of every pin that is not named", "15 mm", None
+    )
+    radii: Mapping[str, float] = key(
+        Named(v.POSITIVE_LENGTH), "radii of pins by their letter", default={}
+    )
+    passes: int = key(w.PASSES, "passes with friction", 2, 2)
 
 
 @dataclass(frozen=True)
@@ -54,7 +147,7 @@ class Friction:
 
 @dataclass(frozen=True)
 class ForcesOrder:
-    """Kinetostatics and Zhukovsky's lever in some positions.
+    """Kinetostatics by groups and Zhukovsky's lever.
 
     ``positions``: their numbers, or ("all",). ``balance``: a "force" at the crank pin, square to the crank, or
     a "moment". ``couples``: on the lever as "moment" or as a "pair" of forces. ``single``: links whose inertia
@@ -63,18 +156,56 @@ class ForcesOrder:
     indicator diagram whose gas pushes the piston.
     """
 
-    positions: tuple[str, ...]
+    positions: tuple[str, ...] = made(
+        lambda said: said.positions,
+        positions=key(v.POSITIONS, "the positions whose forces are drawn", [8], ("all",)),
+    )
     loads: tuple[Load, ...] = ()
     gravity: bool = False
     inertia: bool = False
     gas: IndicatorOrder | None = None
     friction: Friction | None = None
-    balance: str = "force"
-    couples: str = "moment"
-    single: tuple[int, ...] = field(default=())
-    limit: float = 5.0
-    mu: float | None = None
+    balance: str = key(
+        w.BALANCE, "what balances the crank: a force at its pin, or a moment", "force", "force"
+    )
+    couples: str = key(
+        w.COUPLES, "couples on the lever: converted moments, or pairs of forces", None, "moment"
+    )
+    single: tuple[int, ...] = key(
+        w.LINKS, "links whose inertia force and couple are replaced by one force", [3], ()
+    )
+    limit: float = key(w.LIMIT, "how much the two methods may differ", "5 %", 5.0)
+    mu: float | None = key(
+        v.mu("scale of forces"), "N/mm, of every polygon", "40 N/mm", None,
+        written="mu_F", fixes="size",
+    )  # fmt: skip
     g: float = GRAVITY
 
 
 ASKED: Asked[ForcesOrder] = Asked("forces")
+
+
+def joined(others: Others) -> Mapping[str, object]:
+    """Return what of the other sections acts; an effect that is not named leaves nothing behind."""
+    effects, rubbed, mechanism = others["effects"], others["friction"], others.mechanism
+    assert mechanism is not None
+    return {
+        "loads": others["load"] or (),
+        "gravity": effects.gravity,
+        "inertia": effects.inertia,
+        "gas": others["indicator"] if effects.gas else None,
+        "friction": friction(rubbed, mechanism) if effects.friction and rubbed else None,
+        "g": GRAVITY if effects.g is None else effects.g,
+    }
+
+
+def friction(rubbed: Rubbed, mechanism: Mechanism) -> Friction:
+    """Return the coefficient and the radius of every pair, its own or the common one."""
+    guides = [slide.guide.name for link in mechanism.links for slide in link.slides]
+    bodies, joined = (mechanism.frame, *mechanism.links), pins(mechanism)
+    turning = [k for k in dict.fromkeys(k for link in bodies for k in link.points) if k in joined]
+    return Friction(
+        {name: rubbed.pairs.get(name, rubbed.f) for name in (*turning, *guides)},
+        {name: rubbed.radii.get(name, rubbed.radius or 0.0) for name in turning},
+        rubbed.passes,
+    )

@@ -46,20 +46,19 @@ def by_travel(
         If the point does not slide on the frame, or the row does not begin at an end of its travel.
     """
     letter, unit = named
-    sliding_leg(positions, travel.of, mechanism.frame.number, "load")
-    board, point = draft.board, positions.point(travel.of)
-    start = board.draw(at_zero, board.free(f"{travel.of}_0"), point)
-    way = board.draw(measure, board.free(f"s_{travel.of}"), start, point)
-    last = board.draw(farthest, board.free(f"{travel.of}_S"), start, point, row=numbers.size)
-    stroke = board.draw(measure, board.free(f"s_{{{travel.of}max}}"), start, last)
+    sliding_leg(positions, travel.of, mechanism.frame.number, "load", "of")
+    point = positions.point(travel.of)
+    start = draft.draw(at_zero, f"{travel.of}_0", point, free=True)
+    way = draft.draw(measure, f"s_{travel.of}", start, point)
+    last = draft.draw(farthest, f"{travel.of}_S", start, point, row=numbers.size, free=True)
+    stroke = draft.draw(measure, f"s_{{{travel.of}max}}", start, last)
     parts = _parts(draft, travel, (point, start, last), way, stroke, numbers)
     units = (unit, unit, "", "")
     values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T
     given = [
-        draft.take(Number, board.free(""), row[None, :], of)
-        for of, row in zip(units, values, strict=True)
+        draft.take(Number, "", row[None, :], of) for of, row in zip(units, values, strict=True)
     ]
-    return board.draw(between, letter, *given, way, stroke, unit=unit)
+    return draft.draw(between, letter, *given, way, stroke, unit=unit)
 
 
 def _parts(
@@ -74,7 +73,6 @@ def _parts(
 
     ``ends``: the point, where it begins, where it is farthest from there.
     """
-    assert draft.mu_l is not None
     given = {**draft.given, draft.mu_l: 1.0}
     reading = execute(draft.board.construction(), given, [*ends, way, stroke])
     point, start, last = (reading[mark][0] for mark in ends)
@@ -85,7 +83,9 @@ def _parts(
     if along.min() < -SLACK:
         raise StructureError(
             f"load: the row does not begin where the travel of {travel.of} does: begin at an extreme "
-            f'position, zero = {{ point = "{travel.of}", at = "left" }}'
+            f'position, zero = {{ point = "{travel.of}", at = "left" }}',
+            "drive.zero",
+            "of",
         )
     turn = numbers[int(np.argmax(shares))]
     return [

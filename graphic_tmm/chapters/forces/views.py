@@ -159,7 +159,7 @@ def _arrows(drawn: Drawn, polygon: Polygon) -> float:
 def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
     """Return the friction circles of pins: their points and radii (m)."""
     circles = made.circles or {}
-    return [(pin, circles[pin.letter]) for pin in pins if pin.letter in circles]
+    return [(pin, circles[pin]) for pin in pins if pin in circles]
 
 
 def _driver(drawn: Drawn, made: Forces) -> Detached:

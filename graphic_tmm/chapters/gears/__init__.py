@@ -12,7 +12,7 @@ from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.task import ASKED
+from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.measured import measured_columns
@@ -30,11 +30,11 @@ CHAPTER = Chapter(
     places=(Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),),
     sizes=(Size(GEARS.chapter, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
+    sections=SECTIONS,
     record=record,
     scales=gear_scales,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
-    size_keys=("gears.mu_l",),
     plans=(GEARS.chapter,),
     columns=measured_columns,
     results=gear_results,

@@ -45,7 +45,7 @@ class Verdict:
 
 def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
     """Record the limits of the checks."""
-    draft.board.open(VIEW)
+    draft.open(VIEW)
     zero = draft.take(Number, "0", 0.0, "m")
     one = draft.take(Number, "[ε_{α}]", 1.0)
     teeth, found = float(sizes.order.z1 + sizes.order.z2), []

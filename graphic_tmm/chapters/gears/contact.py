@@ -56,36 +56,36 @@ def draw_contact(
     draft: Draft, sizes: GearSizes, line: ActionLine, wheels: tuple[Wheel, Wheel]
 ) -> Contact:
     """Draw the working parts of the flanks and the arcs of engagement; measure the contact ratio."""
-    board, (a, b) = draft.board, line.ends
+    (a, b) = line.ends
     engaged = (_engagement(draft, 0, line, wheels[0]), _engagement(draft, 1, line, wheels[1]))
-    pitch = board.draw(to_board, "[p_{b}]", sizes.p_b, line.mu)
-    onward = board.draw(parallel, "(ab)", a, line.line, sense=1)
-    backward = board.draw(parallel, "(ba)", b, line.line, sense=-1)
-    second = board.draw(lay_off, "a′", onward, pitch)
-    first = board.draw(lay_off, "b′", backward, pitch)
-    measured = board.draw(measure, "aa′", a, second)
-    drawn = board.draw(ratio_of, "ε_{dr}", line.working, measured)
-    off = board.draw(percent_off, "Δε", drawn, sizes.contact_ratio, unit="%")
+    pitch = draft.draw(to_board, "[p_{b}]", sizes.p_b)
+    onward = draft.draw(parallel, "(ab)", a, line.line, sense=1)
+    backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1)
+    second = draft.draw(lay_off, "a′", onward, pitch)
+    first = draft.draw(lay_off, "b′", backward, pitch)
+    measured = draft.draw(measure, "aa′", a, second)
+    drawn = draft.draw(ratio_of, "ε_{dr}", line.working, measured)
+    off = draft.draw(percent_off, "Δε", drawn, sizes.contact_ratio, unit="%")
     return Contact(engaged, (first, second), measured, drawn, off)
 
 
 def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagement:
     """Turn the flank through the pitch point to where it touches in a, and in b."""
-    board, centre, i = draft.board, wheel.circles.centre, k + 1
+    centre, i = wheel.circles.centre, k + 1
     turned, crossings, lows = [], [], []
     for end, name in zip(line.ends, "ab", strict=True):
-        reach = board.draw(measure, f"O_{i}{name}", centre, end)
-        arc = board.draw(strike, f"(O_{i}{name})", centre, reach)
-        spot = board.draw(curve_meets_arc, board.free(f"{name}_{{{i}}}"), wheel.flank, arc)
-        angle = board.draw(angle_at, f"∠{name}_{i}", centre, spot, end)
-        points = board.draw(turn_about, f"E_{{{name}{i}}}", wheel.points, centre, angle, sense=1)
+        reach = draft.draw(measure, f"O_{i}{name}", centre, end)
+        arc = draft.draw(strike, f"(O_{i}{name})", centre, reach)
+        spot = draft.draw(curve_meets_arc, f"{name}_{{{i}}}", wheel.flank, arc, free=True)
+        angle = draft.draw(angle_at, f"∠{name}_{i}", centre, spot, end)
+        points = draft.draw(turn_about, f"E_{{{name}{i}}}", wheel.points, centre, angle, sense=1)
         turned.append(
-            board.draw(smooth_through, f"(E_{{{name}{i}}})", points, row=wheel.roll.count)
+            draft.draw(smooth_through, f"(E_{{{name}{i}}})", points, row=wheel.roll.count)
         )
         letter = f"{'cd'['ab'.index(name)]}_{{{i}}}"
-        crossings.append(board.draw(turn_about, letter, line.pole, centre, angle, sense=1))
+        crossings.append(draft.draw(turn_about, letter, line.pole, centre, angle, sense=1))
         lows.append(spot)
     sense = 1 if k else -1
-    length = board.draw(measure_arc, f"c_{i}d_{i}", *crossings, wheel.circles.working, sense=sense)
-    real = board.draw(in_si, f"c_{i}d_{i}·μ", length, line.mu, unit="m")
+    length = draft.draw(measure_arc, f"c_{i}d_{i}", *crossings, wheel.circles.working, sense=sense)
+    real = draft.draw(in_si, f"c_{i}d_{i}·μ", length, unit="m")
     return Engagement(lows[k], turned[0], turned[1], (crossings[0], crossings[1]), length, real)

@@ -83,35 +83,34 @@ class GearSizes:
 
 def calculate_sizes(draft: Draft, order: GearOrder) -> GearSizes:
     """Calculate the dimensions of both wheels, the quality of their meshing and the limits of their teeth."""
-    board = draft.board
-    board.open(VIEW)
+    draft.open(VIEW)
     m = draft.take(Number, "m", order.m, "m")
     alpha = draft.take(Angle, "α", order.alpha, "°")
     tool = _rack(draft, order, m, alpha)
     z = [draft.take(Number, f"z_{i}", float(n)) for i, n in ((1, order.z1), (2, order.z2))]
     x = [draft.take(Number, f"x_{i}", v) for i, v in ((1, order.x1), (2, order.x2))]
-    r = [board.draw(g.pitch_radius, f"r_{k + 1}", m, z[k], unit="m") for k in range(2)]
-    inv = board.draw(g.involute, "inv α", alpha)
-    inv_w = board.draw(g.working_involute, "inv α_{w}", *x, alpha, *z)
-    alpha_w = board.draw(g.angle_of_involute, "α_{w}", inv_w)
-    a = board.draw(added, "a", *r, unit="m")
-    a_w = board.draw(g.working_distance, "a_{w}", a, alpha, alpha_w, unit="m")
-    y = board.draw(g.perceived_shift, "y", a_w, a, m)
+    r = [draft.draw(g.pitch_radius, f"r_{k + 1}", m, z[k], unit="m") for k in range(2)]
+    inv = draft.draw(g.involute, "inv α", alpha)
+    inv_w = draft.draw(g.working_involute, "inv α_{w}", *x, alpha, *z)
+    alpha_w = draft.draw(g.angle_of_involute, "α_{w}", inv_w)
+    a = draft.draw(added, "a", *r, unit="m")
+    a_w = draft.draw(g.working_distance, "a_{w}", a, alpha, alpha_w, unit="m")
+    y = draft.draw(g.perceived_shift, "y", a_w, a, m)
     if order.delta_y is None:
-        dy = board.draw(g.equalising_shift, "Δy", *x, y)
+        dy = draft.draw(g.equalising_shift, "Δy", *x, y)
     else:
         dy = draft.take(Number, "Δy", order.delta_y)
-    p = board.draw(g.pitch_of, "p", m, unit="m")
-    p_b = board.draw(g.times_cosine, "p_{b}", p, alpha, unit="m")
-    h = board.draw(g.tooth_height, "h", m, tool.ha, tool.c, dy, unit="m")
-    h_w = board.draw(g.working_depth, "h_{w}", m, tool.ha, dy, unit="m")
+    p = draft.draw(g.pitch_of, "p", m, unit="m")
+    p_b = draft.draw(g.times_cosine, "p_{b}", p, alpha, unit="m")
+    h = draft.draw(g.tooth_height, "h", m, tool.ha, tool.c, dy, unit="m")
+    h_w = draft.draw(g.working_depth, "h_{w}", m, tool.ha, dy, unit="m")
     shape = [
         _shape(draft, k + 1, (m, alpha, alpha_w, dy), tool, (z[k], x[k], r[k])) for k in range(2)
     ]
     tips = [one["alpha_a"] for one in shape]
-    ratio = board.draw(g.contact_ratio, "ε_{α}", z[0], tips[0], z[1], tips[1], alpha_w)
+    ratio = draft.draw(g.contact_ratio, "ε_{α}", z[0], tips[0], z[1], tips[1], alpha_w)
     k_tip = draft.take(Number, "k_{s}", order.least_tip)
-    least = board.draw(share, "[s_{a}]", m, k_tip, unit="m")
+    least = draft.draw(share, "[s_{a}]", m, k_tip, unit="m")
     wheels = [
         WheelSizes(k + 1, z[k], x[k], r[k], **shape[k], **_limits(draft, k, (a_w, alpha_w), shape))
         for k in range(2)
@@ -124,11 +123,10 @@ def calculate_sizes(draft: Draft, order: GearOrder) -> GearSizes:
 
 def _rack(draft: Draft, order: GearOrder, m: Mark, alpha: Mark) -> RackSizes:
     """Take the coefficients of the basic rack and calculate the rounding of its tip."""
-    board = draft.board
     ha, c = draft.take(Number, "h_{a}^{*}", order.ha), draft.take(Number, "c^{*}", order.c)
-    rounding = board.draw(rack.rounding, "ρ_{f}", m, ha, c, alpha, unit="m")
-    straight = board.draw(rack.straight_depth, "h_{l}", ha, c, m, rounding, alpha, unit="m")
-    offset = board.draw(rack.rounding_offset, "e_{F}", m, ha, c, rounding, alpha, unit="m")
+    rounding = draft.draw(rack.rounding, "ρ_{f}", m, ha, c, alpha, unit="m")
+    straight = draft.draw(rack.straight_depth, "h_{l}", ha, c, m, rounding, alpha, unit="m")
+    offset = draft.draw(rack.rounding_offset, "e_{F}", m, ha, c, rounding, alpha, unit="m")
     return RackSizes(ha, c, rounding, straight, offset)
 
 
@@ -140,24 +138,24 @@ def _shape(
     wheel: tuple[Mark, Mark, Mark],
 ) -> dict[str, Mark]:
     """Calculate the radii and thicknesses of a wheel; ``pair``: m, α, α_w, Δy; ``wheel``: z, x, r."""
-    board, (m, alpha, alpha_w, dy), (z, x, r) = draft.board, pair, wheel
-    r_b = board.draw(g.times_cosine, f"r_{{b{i}}}", r, alpha, unit="m")
-    r_w = board.draw(g.over_cosine, f"r_{{w{i}}}", r_b, alpha_w, unit="m")
-    r_f = board.draw(g.root_radius, f"r_{{f{i}}}", r, m, tool.ha, tool.c, x, unit="m")
-    r_a = board.draw(g.tip_radius, f"r_{{a{i}}}", r, m, tool.ha, x, dy, unit="m")
-    s = board.draw(g.tooth_thickness, f"s_{i}", m, x, alpha, unit="m")
-    alpha_a = board.draw(g.tip_angle, f"α_{{a{i}}}", r_b, r_a)
-    s_a = board.draw(g.tip_thickness, f"s_{{a{i}}}", r_a, s, r, alpha, alpha_a, unit="m")
-    inv_p = board.draw(g.pointed_involute, f"inv α_{{p{i}}}", s, r, alpha)
-    alpha_p = board.draw(g.angle_of_involute, f"α_{{p{i}}}", inv_p)
-    pointed = board.draw(g.over_cosine, f"r_{{p{i}}}", r_b, alpha_p, unit="m")
-    depth = board.draw(
+    (m, alpha, alpha_w, dy), (z, x, r) = pair, wheel
+    r_b = draft.draw(g.times_cosine, f"r_{{b{i}}}", r, alpha, unit="m")
+    r_w = draft.draw(g.over_cosine, f"r_{{w{i}}}", r_b, alpha_w, unit="m")
+    r_f = draft.draw(g.root_radius, f"r_{{f{i}}}", r, m, tool.ha, tool.c, x, unit="m")
+    r_a = draft.draw(g.tip_radius, f"r_{{a{i}}}", r, m, tool.ha, x, dy, unit="m")
+    s = draft.draw(g.tooth_thickness, f"s_{i}", m, x, alpha, unit="m")
+    alpha_a = draft.draw(g.tip_angle, f"α_{{a{i}}}", r_b, r_a)
+    s_a = draft.draw(g.tip_thickness, f"s_{{a{i}}}", r_a, s, r, alpha, alpha_a, unit="m")
+    inv_p = draft.draw(g.pointed_involute, f"inv α_{{p{i}}}", s, r, alpha)
+    alpha_p = draft.draw(g.angle_of_involute, f"α_{{p{i}}}", inv_p)
+    pointed = draft.draw(g.over_cosine, f"r_{{p{i}}}", r_b, alpha_p, unit="m")
+    depth = draft.draw(
         rack.rounding_depth, f"d_{{F{i}}}", tool.ha, tool.c, x, m, tool.rounding, unit="m"
     )
-    x_min = board.draw(rack.least_shift, f"x_{{min{i}}}", tool.straight, m, z, alpha)
-    limit = board.draw(rack.limit_curvature, f"ρ_{{l{i}}}", r, alpha, tool.straight, x, m, unit="m")
-    tau = board.draw(g.angular_pitch, f"τ_{i}", z)
-    p_w = board.draw(g.arc_of_pitch, f"p_{{w{i}}}", r_w, z, unit="m")
+    x_min = draft.draw(rack.least_shift, f"x_{{min{i}}}", tool.straight, m, z, alpha)
+    limit = draft.draw(rack.limit_curvature, f"ρ_{{l{i}}}", r, alpha, tool.straight, x, m, unit="m")
+    tau = draft.draw(g.angular_pitch, f"τ_{i}", z)
+    p_w = draft.draw(g.arc_of_pitch, f"p_{{w{i}}}", r_w, z, unit="m")
     return {
         "r_b": r_b, "r_w": r_w, "r_f": r_f, "r_a": r_a, "s": s, "alpha_a": alpha_a, "s_a": s_a,
         "pointed": pointed, "depth": depth, "x_min": x_min, "limit": limit, "angular_pitch": tau,
@@ -169,8 +167,8 @@ def _limits(
     draft: Draft, k: int, pair: tuple[Mark, Mark], shape: list[dict[str, Mark]]
 ) -> dict[str, Mark]:
     """Calculate where a wheel's flank works lowest, how low it may, and the clearance at its root."""
-    board, (a_w, alpha_w), own, other = draft.board, pair, shape[k], shape[1 - k]
-    lowest = board.draw(
+    (a_w, alpha_w), own, other = pair, shape[k], shape[1 - k]
+    lowest = draft.draw(
         rack.lowest_curvature,
         f"ρ_{{p{k + 1}}}",
         a_w,
@@ -179,6 +177,6 @@ def _limits(
         other["alpha_a"],
         unit="m",
     )
-    free = board.draw(rack.not_negative, f"[ρ_{{p{k + 1}}}]", own["limit"], unit="m")
-    clearance = board.draw(g.tip_clearance, f"c_{k + 1}", a_w, other["r_a"], own["r_f"], unit="m")
+    free = draft.draw(rack.not_negative, f"[ρ_{{p{k + 1}}}]", own["limit"], unit="m")
+    clearance = draft.draw(g.tip_clearance, f"c_{k + 1}", a_w, other["r_a"], own["r_f"], unit="m")
     return {"lowest": lowest, "free": free, "clearance": clearance}

@@ -17,7 +17,7 @@ from graphic_tmm.board.operations.instruments import (
     touch,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point, Side
+from graphic_tmm.board.values import Point, Side
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 
 VIEW = "gear"
@@ -61,30 +61,29 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
 
     The line of action touches both base circles; wheel 2's tip circle cuts a off it, wheel 1's b.
     """
-    board = draft.board
-    board.open(VIEW)
-    mu = board.take(Number, "μ_l", "m/mm")
-    board.lay_out(None, mu)
+    draft.open(VIEW)
+    mu = draft.scale("μ_l", "m/mm")
+    draft.lay_out()
     first = draft.take(Point, "O_{1}", 0j)
-    centres = board.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0))
-    distance = board.draw(to_board, "[a_{w}]", sizes.a_w, mu)
-    second = board.draw(lay_off, "O_{2}", centres, distance)
+    centres = draft.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0))
+    distance = draft.draw(to_board, "[a_{w}]", sizes.a_w)
+    second = draft.draw(lay_off, "O_{2}", centres, distance)
     own, other = sizes.wheels
-    circles = (_circles(draft, mu, own, first), _circles(draft, mu, other, second))
-    reach = next(m for m in board.uses(circles[0].working) if m != first)
-    pole = board.draw(lay_off, "P", centres, reach)
+    circles = (_circles(draft, own, first), _circles(draft, other, second))
+    reach = next(m for m in draft.uses(circles[0].working) if m != first)
+    pole = draft.draw(lay_off, "P", centres, reach)
     side = draft.take(Side, "σ", -1.0)
     limits = (
-        board.draw(touch, "N_{1}", pole, circles[0].base, side),
-        board.draw(touch, "N_{2}", pole, circles[1].base, side),
+        draft.draw(touch, "N_{1}", pole, circles[0].base, side),
+        draft.draw(touch, "N_{2}", pole, circles[1].base, side),
     )
-    line = board.draw(join, "(N_{1}N_{2})", *limits)
+    line = draft.draw(join, "(N_{1}N_{2})", *limits)
     forward, back = draft.take(Side, "+", 1.0), draft.take(Side, "−", -1.0)
-    a = board.draw(cut, "a", line, circles[1].tip, back)
-    b = board.draw(cut, "b", line, circles[0].tip, forward)
-    angle = board.draw(bearing, "α_{w}", *limits)
+    a = draft.draw(cut, "a", line, circles[1].tip, back)
+    b = draft.draw(cut, "b", line, circles[0].tip, forward)
+    angle = draft.draw(bearing, "α_{w}", *limits)
     spans = [
-        board.draw(measure_along, f"{start.letter}{end.letter}", start, end, line)
+        draft.draw(measure_along, f"{start.letter}{end.letter}", start, end, line)
         for start, end in (
             (limits[0], limits[1]),
             (limits[0], a),
@@ -98,10 +97,10 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     )  # fmt: skip
 
 
-def _circles(draft: Draft, mu: Mark, wheel: WheelSizes, centre: Mark) -> Circles:
+def _circles(draft: Draft, wheel: WheelSizes, centre: Mark) -> Circles:
     """Strike the five circles of a wheel."""
-    board, arcs = draft.board, []
+    arcs = []
     for real in (wheel.r, wheel.r_b, wheel.r_w, wheel.r_f, wheel.r_a):
-        radius = board.draw(to_board, f"[{real.letter}]", real, mu)
-        arcs.append(board.draw(strike, f"({real.letter})", centre, radius))
+        radius = draft.draw(to_board, f"[{real.letter}]", real)
+        arcs.append(draft.draw(strike, f"({real.letter})", centre, radius))
     return Circles(centre, *arcs)

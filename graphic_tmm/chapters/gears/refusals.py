@@ -6,9 +6,10 @@ import math
 from collections.abc import Callable
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.bounds import GEARS, POSITIVE, OrderError
+from graphic_tmm.bounds import POSITIVE, OrderError
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.scene.declare import bound_of
 
 
 def refuse_order(order: GearOrder) -> None:
@@ -20,15 +21,23 @@ def refuse_order(order: GearOrder) -> None:
         If teeth are not whole or too few, or a size is not what it can be.
     """
     for key in ("z1", "z2", "x1", "x2", "alpha", "ha", "c", "steps"):
-        GEARS[key].refuse("gears", key, getattr(order, key))
-    if order.delta_y is not None:
-        GEARS["delta_y"].refuse("gears", "delta_y", order.delta_y)
+        _bounded(key, getattr(order, key))
     for station in order.stations:
-        GEARS["stations"].refuse("gears", "stations", station)
-    positive = {"m": order.m, "least_tip": order.least_tip}
-    scales = {"mu_l": order.mu, "mu_theta": order.mu_sliding}
-    for key, value in (positive | {k: mu for k, mu in scales.items() if mu is not None}).items():
-        POSITIVE.refuse("gears", key, value)
+        _bounded("stations", station)
+    for key, value in (
+        ("delta_y", order.delta_y),
+        ("m", order.m),
+        ("mu_l", order.mu),
+        ("mu_theta", order.mu_sliding),
+    ):
+        if value is not None:
+            _bounded(key, value)
+    POSITIVE.refuse("gears", "least_tip", order.least_tip)
+
+
+def _bounded(key: str, value: object) -> None:
+    """Refuse a value outside the bounds of a key."""
+    bound_of(GearOrder, key).refuse("gears", key, value)
 
 
 def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:

@@ -78,24 +78,22 @@ class Sliding:
 
 @dataclass(frozen=True)
 class _Ground:
-    """What the stations stand on: axes, scale, N1N2, the numbers of teeth."""
+    """What the stations stand on: the base, N1N2, the numbers of teeth."""
 
     base: Mark
-    mu: Mark
     length: Mark
     teeth: tuple[Mark, Mark]
 
 
 def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -> Sliding:
     """Draw the diagram; lengths along its base are those measured on the line of action."""
-    board = draft.board
-    board.open(VIEW)
-    mu = board.take(Number, "μ_{ϑ}", "1/mm")
-    board.lay_out(None, mu)
+    draft.open(VIEW)
+    mu = draft.scale("μ_{ϑ}", "1/mm")
+    draft.lay_out()
     origin = draft.take(Point, "N_{1}", 0j)
-    base = board.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0))
-    end = board.draw(lay_off, "N_{2}", base, line.length)
-    ground = _Ground(base, mu, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
+    base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0))
+    end = draft.draw(lay_off, "N_{2}", base, line.length)
+    ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
     ends = tuple(
         _stations(draft, ground, x, letter) for x, letter in zip(line.to_ends, "ab", strict=True)
     )
@@ -105,9 +103,9 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
         _branch(draft, ground, 0, rows.row(_shares(sizes.order.z1 / sizes.order.z2, floor))),
         _branch(draft, ground, 1, rows.row(_shares(sizes.order.z2 / sizes.order.z1, floor))),
     )
-    up = board.draw(square, "(N_{1}ϑ)", origin, base, sense=1)
+    up = draft.draw(square, "(N_{1}ϑ)", origin, base, sense=1)
     read = tuple(
-        board.draw(measure_along, f"y_{k + 1}", branch.feet, branch.points, up)
+        draft.draw(measure_along, f"y_{k + 1}", branch.feet, branch.points, up)
         for k, branch in enumerate(branches)
     )
     further = None
@@ -120,35 +118,35 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
 
 def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
     """Calculate both slidings at places, lay them off over the base."""
-    board, (z1, z2) = draft.board, ground.teeth
-    rest = board.draw(remainder, f"N_{{2}}{letter}", ground.length, x)
+    (z1, z2) = ground.teeth
+    rest = draft.draw(remainder, f"N_{{2}}{letter}", ground.length, x)
     sliding = (
-        board.draw(specific_sliding, f"ϑ_{{1{letter}}}", z1, z2, rest, x),
-        board.draw(specific_sliding, f"ϑ_{{2{letter}}}", z2, z1, x, rest),
+        draft.draw(specific_sliding, f"ϑ_{{1{letter}}}", z1, z2, rest, x),
+        draft.draw(specific_sliding, f"ϑ_{{2{letter}}}", z2, z1, x, rest),
     )
-    feet = board.draw(lay_off, board.free(letter), ground.base, x)
-    lines = board.draw(square, f"({letter})", feet, ground.base, sense=1)
+    feet = draft.draw(lay_off, letter, ground.base, x, free=True)
+    lines = draft.draw(square, f"({letter})", feet, ground.base, sense=1)
     points = []
     for k, mark in enumerate(sliding):
-        height = board.draw(to_board, f"[ϑ_{{{k + 1}{letter}}}]", mark, ground.mu)
-        points.append(board.draw(lay_off, f"{letter}_{{{k + 1}}}", lines, height))
+        height = draft.draw(to_board, f"[ϑ_{{{k + 1}{letter}}}]", mark)
+        points.append(draft.draw(lay_off, f"{letter}_{{{k + 1}}}", lines, height))
     return Stations(x, sliding, feet, (points[0], points[1]))
 
 
 def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
     """Draw the curve of wheel ``k`` (0 or 1) through points over a row of shares of N1N2 from its own limit."""
-    board, i = draft.board, k + 1
+    i = k + 1
     share = draft.take(Number, f"f_{i}", shares)
-    near = board.draw(part_of, f"N_{i}i", share, ground.length)
-    far = board.draw(remainder, f"N_{2 - k}i", ground.length, near)
+    near = draft.draw(part_of, f"N_{i}i", share, ground.length)
+    far = draft.draw(remainder, f"N_{2 - k}i", ground.length, near)
     x = near if k == 0 else far
     own, other = ground.teeth[k], ground.teeth[1 - k]
-    sliding = board.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
-    feet = board.draw(lay_off, f"i_{{{i}}}", ground.base, x)
-    lines = board.draw(square, f"(i_{i})", feet, ground.base, sense=1)
-    height = board.draw(to_board, f"[ϑ_{i}]", sliding, ground.mu)
-    points = board.draw(lay_off, f"i_{{{i}}}′", lines, height)
-    curve = board.draw(smooth_through, f"(ϑ_{i})", points, row=STATIONS)
+    sliding = draft.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
+    feet = draft.draw(lay_off, f"i_{{{i}}}", ground.base, x)
+    lines = draft.draw(square, f"(i_{i})", feet, ground.base, sense=1)
+    height = draft.draw(to_board, f"[ϑ_{i}]", sliding)
+    points = draft.draw(lay_off, f"i_{{{i}}}′", lines, height)
+    curve = draft.draw(smooth_through, f"(ϑ_{i})", points, row=STATIONS)
     return Branch(near, x, sliding, feet, points, curve)
 
 

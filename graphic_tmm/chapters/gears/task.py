@@ -1,37 +1,80 @@
-"""What is asked for of a gear pair: two spur wheels cut by one rack (SI; drawn lengths in mm)."""
+"""What is asked of a gear pair: two spur wheels cut by one rack (SI; drawn lengths in mm)."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.chapter import Asked
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Kind, Names, Section, key
+from graphic_tmm.scene.quantities import kind_of
+
+
+def _stations(value: object, names: Names) -> tuple[float, ...]:
+    if not isinstance(value, list):
+        raise ValueError(f'{kind_of(value)} stands here; a list of lengths is wanted, ["23.5 mm"]')
+    found = tuple(1000.0 * quantities.parse(item, "length") for item in value)
+    for item, station in zip(value, found, strict=True):
+        if not POSITIVE.holds(station):
+            raise ValueError(
+                f"{kind_of(item)} in the list; a station lies beyond N1: write it positive"
+            )
+    return found
+
+
+_TEETH = v.number(Bound(5, 2000, whole=True))
+"""With fewer teeth no flank is left between the root and the tip that could drive."""
+_SHIFT = v.number(Bound(-5, 5))
+_STATIONS = Kind(_stations, {"type": "array"}, POSITIVE, "length")
 
 
 @dataclass(frozen=True)
 class GearOrder:
-    """A pair of external spur gears with the module ``m`` (m) and the shift coefficients ``x1``, ``x2``.
+    """A pair of external spur gears with shift.
 
-    Wheel 1 drives. ``alpha`` (degrees), ``ha`` and ``c`` are those of the basic rack. ``delta_y``: the
-    equalising shift if a table gives it, else it follows exactly. ``steps``: by how many steps a flank is
-    rolled. ``least_tip``: the least thickness at the tip, in modules. ``stations``: further distances from N1
-    along the drawn line of action, mm, at which the specific sliding is found. ``mu`` (m/mm) and
-    ``mu_sliding`` (1/mm): scales if the task fixes them, else standard ones are chosen.
+    Its module is ``m`` (m), the shift coefficients are ``x1``, ``x2``. Wheel 1 drives. ``alpha`` (degrees),
+    ``ha`` and ``c`` are those of the basic rack. ``delta_y``: the equalising shift if a table gives it, else it
+    follows exactly. ``steps``: by how many steps a flank is rolled. ``least_tip``: the least thickness at the
+    tip, in modules; no scene sets it. ``stations``: further distances from N1 along the drawn line of action,
+    mm, at which the specific sliding is found. ``mu`` (m/mm) and ``mu_sliding`` (1/mm): scales if the task
+    fixes them, else standard ones are chosen.
     """
 
-    z1: int
-    z2: int
-    m: float
-    x1: float = 0.0
-    x2: float = 0.0
-    alpha: float = 20.0
-    ha: float = 1.0
-    c: float = 0.25
-    delta_y: float | None = None
-    steps: int = 12
+    z1: int = key(_TEETH, "teeth of the driving wheel", 15)
+    z2: int = key(_TEETH, "teeth of the driven wheel", 25)
+    m: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
+    x1: float = key(_SHIFT, "shift coefficient of wheel 1", 0.83, 0.0)
+    x2: float = key(_SHIFT, "shift coefficient of wheel 2", 0.445, 0.0)
+    alpha: float = key(v.RACK, "pressure angle of the rack", "20 deg", 20.0)
+    ha: float = key(v.ADDENDUM, "addendum coefficient", 1, 1.0)
+    c: float = key(v.CLEARANCE, "clearance coefficient", 0.25, 0.25)
+    delta_y: float | None = key(_SHIFT, "equalising shift, if a table gives it", 0.19, None)
+    steps: int = key(v.number(Bound(4, 60, whole=True)), "steps by which a flank is rolled", 12, 12)
     least_tip: float = 0.2
-    stations: tuple[float, ...] = ()
-    mu: float | None = None
-    mu_sliding: float | None = None
+    stations: tuple[float, ...] = key(
+        _STATIONS, "distances from N1 where the sliding is wanted", ["23.5 mm"], ()
+    )
+    mu: float | None = key(v.MU_L, 'm/mm, or "5:1"', "5:1", None, written="mu_l", fixes="size")
+    mu_sliding: float | None = key(
+        v.number(Bound(1e-6, 1e3)), "specific sliding that 1 mm stands for", 0.05, None,
+        written="mu_theta",
+    )  # fmt: skip
 
 
 ASKED: Asked[GearOrder] = Asked("gears")
+
+
+def _refuse(order: GearOrder) -> None:
+    from graphic_tmm.chapters.gears.refusals import refuse_order
+
+    refuse_order(order)
+
+
+SECTIONS = (
+    Section(
+        "gears", GearOrder, "a pair of gears", alone=True,
+        begin='z1 = 15, z2 = 25, m = "8 mm"', refuse=_refuse,
+    ),
+)  # fmt: skip

@@ -95,24 +95,24 @@ def draw_wheel(
 
     ``value``: of a calculated mark; by it a tooth is known to be undercut, or pointed.
     """
-    board, wheel, circles = draft.board, sizes.wheels[k], line.circles[k]
+    wheel, circles = sizes.wheels[k], line.circles[k]
     i, roll = wheel.number, rows.flanks[k]
     origin, feet, points = _involute(draft, k, line, rows)
-    curve = board.draw(smooth_through, f"(E_{i})", points, row=roll.count)
-    at_pitch = board.draw(curve_meets_arc, f"D_{{{i}}}", curve, circles.pitch)
-    thickness = board.draw(to_board, f"[s_{i}]", wheel.s, line.mu)
-    half = board.draw(half_of, f"[s_{i}]/2", thickness)
-    middle = board.draw(along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1)
-    axis = board.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
+    curve = draft.draw(smooth_through, f"(E_{i})", points, row=roll.count)
+    at_pitch = draft.draw(curve_meets_arc, f"D_{{{i}}}", curve, circles.pitch)
+    thickness = draft.draw(to_board, f"[s_{i}]", wheel.s)
+    half = draft.draw(half_of, f"[s_{i}]/2", thickness)
+    middle = draft.draw(along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1)
+    axis = draft.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
     bends = _fillet(draft, k, sizes, line, rows, middle)
-    fillet = board.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet)
+    fillet = draft.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet)
     start = _start(draft, wheel, (curve, fillet, origin), value, sizes.order.m)
-    corner = board.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
+    corner = draft.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
-    left = _Spots(*(board.draw(reflect, board.free(f"{mark.name}′"), mark, axis) for mark in right))
+    left = _Spots(*(draft.draw(reflect, f"{mark.name}′", mark, axis, free=True) for mark in right))
     mirrored = _curves(draft, left, i, (roll.count, rows.fillet))
     if value(wheel.s_a) < 0.0:
-        apex = board.draw(curves_cross, f"V_{{{i}}}", curve, mirrored[0])
+        apex = draft.draw(curves_cross, f"V_{{{i}}}", curve, mirrored[0])
         right, left = right._replace(tip=apex), left._replace(tip=apex)
     sides = (
         Flank(curve, fillet, right.start, right.tip),
@@ -142,9 +142,9 @@ def _start(
     curve, fillet, origin = drawn
     limit, letter = value(wheel.limit), f"L_{{{wheel.number}}}"
     if limit >= 0.0:
-        return draft.board.draw(beginning, letter, fillet)
+        return draft.draw(beginning, letter, fillet)
     if -(limit**3) > UNDERCUT * m * value(wheel.r) ** 2:
-        return draft.board.draw(curves_cross, letter, fillet, curve)
+        return draft.draw(curves_cross, letter, fillet, curve)
     return origin
 
 
@@ -158,13 +158,12 @@ def _beside(
     sense: int,
 ) -> Tooth:
     """Draw the tooth one pitch to the left (``sense`` 1) of the middle one, or to its right (−1)."""
-    board, name, flanks = draft.board, "^{+}" if sense > 0 else "^{−}", []
+    name, flanks = "^{+}" if sense > 0 else "^{−}", []
     for side in sides:
         turned = []
         for mark in side:
-            letter = board.free(f"{mark.letter}{name}")
-            turn = (circles.centre, wheel.angular_pitch)
-            turned.append(board.draw(turn_about, letter, mark, *turn, sense=sense))
+            letter, turn = f"{mark.letter}{name}", (circles.centre, wheel.angular_pitch)
+            turned.append(draft.draw(turn_about, letter, mark, *turn, sense=sense, free=True))
         spots = _Spots(*turned)
         flanks.append(Flank(*_curves(draft, spots, wheel.number, counts), spots.start, spots.tip))
     return Tooth(flanks[0], flanks[1])
@@ -176,18 +175,18 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     Returns where the involute begins, the feet of the tangents and the points of the involute (rows). The
     string from N to the tip circle is divided evenly, so that one of the points stands on it.
     """
-    board, circles, roll = draft.board, line.circles[k], rows.flanks[k]
+    circles, roll = line.circles[k], rows.flanks[k]
     i, limit, end = k + 1, line.limits[k], line.ends[1 - k]
-    string = line.to_pole if k == 0 else board.draw(measure, f"N_{i}P", limit, line.pole)
-    origin = board.draw(along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1)
-    whole = line.to_ends[1] if k == 0 else board.draw(measure, f"N_{i}a", limit, end)
+    string = line.to_pole if k == 0 else draft.draw(measure, f"N_{i}P", limit, line.pole)
+    origin = draft.draw(along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1)
+    whole = line.to_ends[1] if k == 0 else draft.draw(measure, f"N_{i}a", limit, end)
     parts = draft.take(Number, f"k_{i}", float(roll.parts))
     n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
-    unrolled = board.draw(abscissa, f"u_{i}", n, whole, parts)
-    feet = board.draw(along_arc, f"B_{{{i}}}", origin, circles.base, unrolled, sense=1)
-    radii = board.draw(join, f"(O_{i}B_{i})", circles.centre, feet)
-    tangents = board.draw(square, f"(B_{i}E_{i})", feet, radii, sense=-1)
-    return origin, feet, board.draw(lay_off, f"E_{{{i}}}", tangents, unrolled)
+    unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts)
+    feet = draft.draw(along_arc, f"B_{{{i}}}", origin, circles.base, unrolled, sense=1)
+    radii = draft.draw(join, f"(O_{i}B_{i})", circles.centre, feet)
+    tangents = draft.draw(square, f"(B_{i}E_{i})", feet, radii, sense=-1)
+    return origin, feet, draft.draw(lay_off, f"E_{{{i}}}", tangents, unrolled)
 
 
 def _fillet(
@@ -197,28 +196,27 @@ def _fillet(
 
     The rack's pitch line rolls on the pitch circle; where it touches, the normal of the contact passes.
     """
-    board, circles, wheel, i = draft.board, line.circles[k], sizes.wheels[k], k + 1
-    pitch = board.draw(to_board, f"[p]_{i}", sizes.p, line.mu)
-    half = board.draw(half_of, f"[p]_{i}/2", pitch)
-    space = board.draw(along_arc, f"W_{{{i}}}", middle, circles.pitch, half, sense=-1)
+    circles, wheel, i = line.circles[k], sizes.wheels[k], k + 1
+    pitch = draft.draw(to_board, f"[p]_{i}", sizes.p)
+    half = draft.draw(half_of, f"[p]_{i}/2", pitch)
+    space = draft.draw(along_arc, f"W_{{{i}}}", middle, circles.pitch, half, sense=-1)
     n = draft.take(Number, f"j_{i}", rows.row(np.arange(rows.fillet)))
     parts = draft.take(Number, f"k_{{F{i}}}", float(rows.fillet - 1))
-    phi = board.draw(ray_of_rounding, f"φ_{i}", sizes.alpha, n, parts)
+    phi = draft.draw(ray_of_rounding, f"φ_{i}", sizes.alpha, n, parts)
     reals = ((sizes.rack.offset, "e_{F}"), (wheel.depth, "d_{F}"), (sizes.rack.rounding, "ρ_{f}"))
-    offset, depth, rho = (board.draw(to_board, f"[{name}]_{i}", m, line.mu) for m, name in reals)
-    rolled = board.draw(rolled_of_ray, f"t_{i}", offset, depth, phi)
-    reach = board.draw(reach_of_ray, f"l_{i}", depth, phi, rho)
-    touching = board.draw(along_arc, f"T_{{{i}}}", space, circles.pitch, rolled, sense=1)
-    radii = board.draw(join, f"(O_{i}T_{i})", circles.centre, touching)
-    tangents = board.draw(square, f"(T_{i})", touching, radii, sense=1)
-    normals = board.draw(incline, f"(T_{i}K_{i})", touching, tangents, phi)
-    return board.draw(lay_off, f"K_{{{i}}}", normals, reach)
+    offset, depth, rho = (draft.draw(to_board, f"[{name}]_{i}", m) for m, name in reals)
+    rolled = draft.draw(rolled_of_ray, f"t_{i}", offset, depth, phi)
+    reach = draft.draw(reach_of_ray, f"l_{i}", depth, phi, rho)
+    touching = draft.draw(along_arc, f"T_{{{i}}}", space, circles.pitch, rolled, sense=1)
+    radii = draft.draw(join, f"(O_{i}T_{i})", circles.centre, touching)
+    tangents = draft.draw(square, f"(T_{i})", touching, radii, sense=1)
+    normals = draft.draw(incline, f"(T_{i}K_{i})", touching, tangents, phi)
+    return draft.draw(lay_off, f"K_{{{i}}}", normals, reach)
 
 
 def _curves(draft: Draft, spots: _Spots, i: int, counts: tuple[int, int]) -> tuple[Mark, Mark]:
     """Draw the flank and the fillet through their points."""
-    board = draft.board
     return (
-        board.draw(smooth_through, f"(E_{i})", spots.flank, row=counts[0]),
-        board.draw(smooth_through, f"(K_{i})", spots.fillet, row=counts[1]),
+        draft.draw(smooth_through, f"(E_{i})", spots.flank, row=counts[0]),
+        draft.draw(smooth_through, f"(K_{i})", spots.fillet, row=counts[1]),
     )

@@ -12,14 +12,15 @@ from graphic_tmm.chapter import Chapter
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, record
 from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.chapters.indicator.task import SECTIONS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 
 CHAPTER = Chapter(
     name=INDICATOR.chapter,
     number=4,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter),
+    sections=SECTIONS,
     record=record,
     charts=lambda made: (made.indicator.chart,),
-    size_keys=tuple(f"indicator.{key}" for key in ("base", "height", "mu_p")),
     scale_key=lambda view: "mu_p" if view == VIEW else "",
 )

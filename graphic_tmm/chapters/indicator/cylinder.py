@@ -89,10 +89,10 @@ def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorOrder, section
     leg = sliding_leg(machine.positions, order.point, frame, section)
     outward = _outward(draft, machine, leg)
     _refuse_zero(draft, machine, leg, outward, order)
-    board, point = draft.board, machine.positions.point(order.point)
-    board.open(POSITIONS)
-    start = board.draw(at_zero, board.free(f"{order.point}_0"), point)
-    travel = board.draw(measure, f"s_{order.point}", start, point)
+    point = machine.positions.point(order.point)
+    draft.open(POSITIONS)
+    start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
+    travel = draft.draw(measure, f"s_{order.point}", start, point)
     extras = machine.numbers.size - machine.count
     indicator = draw_indicator(draft, travel, machine.count, extras, order)
     return Cylinder(indicator, leg, outward)
@@ -109,7 +109,6 @@ def _refuse_zero(
     draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: IndicatorOrder
 ) -> None:
     """Refuse a row that does not begin at a dead centre, or parts of a diagram that begin at the inner one."""
-    assert draft.mu_l is not None
     speed = machine.velocities.readings[leg.link]
     given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
     found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
@@ -118,10 +117,13 @@ def _refuse_zero(
     fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
     if abs(found[0]) > STANDS * fastest:
         raise StructureError(
-            f"indicator: the row does not begin at a dead centre of {point}: {remedy}"
+            f"indicator: the row does not begin at a dead centre of {point}: {remedy}",
+            "drive.zero",
+            "indicator.point",
         )
     sides = (order.cover, order.shaft)
     if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
         raise StructureError(
-            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}"
+            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}",
+            "drive.zero",
         )

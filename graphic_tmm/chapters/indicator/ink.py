@@ -35,8 +35,7 @@ def draw_indicator_ink(
     """Return the indicator diagram with the division of its base; ``names``: of the positions of the row."""
     ink = Spots(construction, reading, len(names))
     origin, end, feet = ink.one(made.origin), ink.one(made.end), ink.all(made.feet)
-    auxiliary = next(s for s in construction.steps if s.it.view == INDICATOR and s.it.name == "q")
-    spots = ink.all(auxiliary.it)
+    spots = ink.all(made.divisions)
     strokes: list[Stroke | Bezier] = list(ink.lines(spots, feet))
     far = complex(spots[int(np.argmax(np.nan_to_num(np.abs(spots - origin))))])
     if np.isfinite(far) and far != origin:

@@ -38,25 +38,32 @@ NAMES = {"cover": "k", "shaft": "v"}
 
 @dataclass(frozen=True)
 class Side:
-    """One side of the piston on the diagram: its points, curve, ordinates read, mean pressure, gas force."""
+    """One side of the piston on the diagram: its points, curve, ordinates read (Length), the pressures
+    they stand for, mean pressure, gas force.
+    """
 
     name: str
     points: Mark
     curve: Mark
     ordinate: Mark
+    pressure: Mark
     mean: Mark
     force: Mark
 
 
 @dataclass(frozen=True)
 class Indicator:
-    """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force."""
+    """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force.
+
+    ``divisions``: the points on the auxiliary ray by which the base is divided.
+    """
 
     order: IndicatorOrder
     chart: Chart
     origin: Mark
     end: Mark
     feet: Mark
+    divisions: Mark
     sides: tuple[Side, ...]
     force: Mark
 
@@ -73,32 +80,30 @@ def draw_indicator(
     StructureError
         If the pressures are not as many as the positions of the row.
     """
-    board = draft.board
-    board.open(VIEW)
-    mu = board.take(Number, "μ_p", "Pa/mm")
-    board.lay_out(None, mu)
+    draft.open(VIEW)
+    mu = draft.scale("μ_p", "Pa/mm")
+    draft.lay_out()
     origin = draft.take(Point, "O", 0j)
-    base = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
-    up = board.draw(square, "(Oy)", origin, base, sense=1)
+    base = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
+    up = draft.draw(square, "(Oy)", origin, base, sense=1)
     length = draft.take(Length, "L", order.base, "mm")
-    end = board.draw(lay_off, "E", base, length)
-    feet, stroke = _divide(draft, origin, base, end, travel, count)
-    lines = board.draw(square, "(i)", feet, base, sense=1)
-    ground = _Ground(mu, length, lines, feet, up, travel, stroke)
+    end = draft.draw(lay_off, "E", base, length)
+    feet, divisions, stroke = _divide(draft, origin, base, end, travel, count)
+    lines = draft.draw(square, "(i)", feet, base, sense=1)
+    ground = _Ground(length, lines, feet, up, travel, stroke)
     sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
     force = sides[0].force
     if order.shaft is not None:
         sides.append(_side(draft, "shaft", order.shaft, (count, extras), ground))
-        force = board.draw(net_force, "P", force, sides[1].force, unit="N")
+        force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
     chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
-    return Indicator(order, chart, origin, end, feet, tuple(sides), force)
+    return Indicator(order, chart, origin, end, feet, divisions, tuple(sides), force)
 
 
 class _Ground(NamedTuple):
-    """What both sides stand on: μ_p, the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
+    """What both sides stand on: the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
 
-    mu: Mark
     length: Mark
     lines: Mark
     feet: Mark
@@ -109,24 +114,23 @@ class _Ground(NamedTuple):
 
 def _divide(
     draft: Draft, origin: Mark, base: Mark, end: Mark, travel: Mark, count: int
-) -> tuple[Mark, Mark]:
+) -> tuple[Mark, Mark, Mark]:
     """Divide the base in proportion to the travel by similar triangles on an auxiliary ray.
 
-    Returns the feet of the positions, and the stroke as it lies on the ray (Length).
+    Returns the feet of the positions, their points on the ray, the stroke as it lies there (Length).
     """
-    board = draft.board
-    way = board.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
-    marks = board.draw(lay_off, "q", way, travel)
-    last = board.draw(farthest, "q_S", origin, marks, row=count)
-    closing = board.draw(join, "(q_SE)", last, end)
-    lines = board.draw(parallel, "(q)", marks, closing, sense=1)
-    stroke = board.draw(measure, "s_{max}", origin, last)
-    return board.draw(meet, "i", base, lines), stroke
+    way = draft.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
+    marks = draft.draw(lay_off, "q", way, travel)
+    last = draft.draw(farthest, "q_S", origin, marks, row=count)
+    closing = draft.draw(join, "(q_SE)", last, end)
+    lines = draft.draw(parallel, "(q)", marks, closing, sense=1)
+    stroke = draft.draw(measure, "s_{max}", origin, last)
+    return draft.draw(meet, "i", base, lines), marks, stroke
 
 
 def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
     """Lay off the pressures of one side, read them, go round them with the planimeter."""
-    board, sign, (count, extras) = draft.board, NAMES[name], row
+    sign, (count, extras) = NAMES[name], row
     if gas.stretches:
         pressure = by_stretches(
             draft, sign, gas, row, on.travel, on.stroke, at_shaft=name == "shaft"
@@ -136,18 +140,19 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
         pressure = draft.take(Number, f"p_{sign}", values, "Pa")
     else:
         raise StructureError(
-            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each"
+            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each",
+            f"indicator.{name}",
         )
-    height = board.draw(to_board, f"h_{sign}", pressure, on.mu)
-    points = board.draw(lay_off, sign, on.lines, height)
-    curve = board.draw(taut_curve, f"({sign}–{sign})", points, row=count)
-    ordinate = board.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
-    read = board.draw(in_si, f"p_{sign}", ordinate, on.mu, unit="Pa")
-    area = board.draw(planimeter, f"f_{sign}", curve, unit="mm²")
-    height = board.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
-    mean = board.draw(in_si, f"p_{{{sign}m}}", height, on.mu, unit="Pa")
+    height = draft.draw(to_board, f"h_{sign}", pressure)
+    points = draft.draw(lay_off, sign, on.lines, height)
+    curve = draft.draw(taut_curve, f"({sign}–{sign})", points, row=count)
+    ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
+    read = draft.draw(in_si, f"p_{sign}", ordinate, unit="Pa")
+    area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
+    height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
+    mean = draft.draw(in_si, f"p_{{{sign}m}}", height, unit="Pa")
     outer = draft.take(Number, f"D_{sign}", gas.bore, "m")
     inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
-    face = board.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
-    force = board.draw(gas_force, f"P_{sign}", read, face, unit="N")
-    return Side(name, points, curve, ordinate, mean, force)
+    face = draft.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
+    force = draft.draw(gas_force, f"P_{sign}", read, face, unit="N")
+    return Side(name, points, curve, ordinate, read, mean, force)

@@ -57,15 +57,14 @@ def by_stretches(
         exponent = take(f"n_{sign}", "exponent")
         uses = (first, clearance, start, travel, stroke, exponent)
         formula = polytropic_at_shaft if at_shaft else polytropic
-        return draft.board.draw(formula, f"p_{sign}", *uses, unit="Pa")
+        return draft.draw(formula, f"p_{sign}", *uses, unit="Pa")
     last, end = take(f"p_{sign}1", "last", "Pa"), take(f"x_{sign}1", "end")
     uses = (first, last, start, end, travel, stroke)
-    return draft.board.draw(between, f"p_{sign}", *uses, unit="Pa")
+    return draft.draw(between, f"p_{sign}", *uses, unit="Pa")
 
 
 def _shares(draft: Draft, travel: Mark, stroke: Mark) -> Reals:
     """Return the exact travel of every position as a share of the stroke."""
-    assert draft.mu_l is not None
     given = {**draft.given, draft.mu_l: 1.0}
     reading = execute(draft.board.construction(), given, [travel, stroke])
     return np.asarray(reading[travel][0] / reading[stroke][0, 0])
@@ -80,5 +79,7 @@ def _at(gas: Gas, place: int, shares: Reals) -> Stretch:
             return stretch
     raise StructureError(
         f"indicator: no part of the diagram stands over {share:.3f} of the stroke {way}: "
-        "let its parts go from 0 to 1 and back"
+        "let its parts go from 0 to 1 and back",
+        "indicator.cover_strokes",
+        "indicator.shaft_strokes",
     )

@@ -2,8 +2,73 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from graphic_tmm.bounds import Bound
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
+from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.tables import Several, Table
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
+
+
+def _pressures(value: object, names: Names) -> tuple[float, ...]:
+    if not isinstance(value, list) or not value:
+        raise ValueError(
+            f'{kind_of(value)} stands here; write the pressure in each position, ["300 kPa", "240 kPa"]'
+        )
+    return tuple(quantities.parse(item, "pressure") for item in value)
+
+
+def _traced(value: object, names: Names) -> tuple[tuple[float, float], ...]:
+    if not isinstance(value, list) or len(value) < 2:
+        raise ValueError(
+            f'{kind_of(value)} stands here; write points of the stroke, [[0, "300 kPa"], [1, "60 kPa"]]'
+        )
+    found = []
+    for item in value:
+        if not isinstance(item, list) or len(item) != 2:
+            raise ValueError(
+                f'{kind_of(item)} in the list; a point is a share of the stroke and a pressure, [0.4, "2 bar"]'
+            )
+        found.append((v.within(item[0]), quantities.parse(item[1], "pressure")))
+    return tuple(found)
+
+
+_PRESSURES = Kind(_pressures, v.ROW, unit="pressure")
+_PRESSURE = Kind(lambda value, names: quantities.parse(value, "pressure"), v.SCALE, unit="pressure")
+_TRACED = Kind(_traced, v.PAIRS)
+_WAY = v.choice("out", "back", туда="out", обратно="back")
+
+
+@dataclass(frozen=True)
+class Traced:
+    """An indicator diagram by points: shares of the stroke from the cover, and pressures."""
+
+    out: tuple[tuple[float, float], ...] = key(
+        _TRACED, "points of the stroke from the cover", [[0, "300 kPa"], [1, "60 kPa"]]
+    )
+    back: tuple[tuple[float, float], ...] = key(
+        _TRACED, "points of the stroke back", [[1, "30 kPa"], [0, "150 kPa"]]
+    )
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """A polytropic part of an indicator diagram; it begins where the part before it ended."""
+
+    stroke: str = key(_WAY, "out, from the cover, or back", "out")
+    to: float = key(v.WITHIN, "the share of the stroke at which it ends", 0.3)
+    p: float = key(_PRESSURE, "the pressure at which it begins", "600 kPa")
+    n: float = key(
+        v.number(Bound(0, 3)), "exponent of p·V^n = const; 0 for a constant pressure", 1.2
+    )
 
 
 @dataclass(frozen=True)
@@ -38,21 +103,75 @@ class Gas:
     clearance: float = 0.0
 
 
+def _gas(side: str) -> Callable[[Said], Gas | None]:
+    """Return what makes the gas of one side of the piston; None if nothing is said of it."""
+
+    def make(said: Said) -> Gas | None:
+        pressures, traced = getattr(said, side), getattr(said, f"{side}_points")
+        rod = (said.rod or 0.0) if side == "shaft" else 0.0
+        if pressures is not None:
+            return Gas(pressures, said.bore, rod)
+        found = _polytropic(getattr(said, f"{side}_strokes"))
+        found = _straight(traced) if traced is not None else found
+        return Gas((), said.bore, rod, found, said.clearance) if found else None
+
+    return make
+
+
+def _straight(traced: Traced) -> tuple[Stretch, ...]:
+    return tuple(
+        Stretch(way, a, b, p, None, q)
+        for way, points in (("out", traced.out), ("back", traced.back))
+        for (a, p), (b, q) in pairwise(points)
+    )
+
+
+def _polytropic(strokes: tuple[Stroke, ...]) -> tuple[Stretch, ...]:
+    reached = {"out": 0.0, "back": 1.0}
+    found = []
+    for part in strokes:
+        found.append(Stretch(part.stroke, reached[part.stroke], part.to, part.p, part.n))
+        reached[part.stroke] = part.to
+    return tuple(found)
+
+
+_POINTS = "the same by points of both strokes"
+_STROKES = "the same by polytropic strokes, in order"
+
+
 @dataclass(frozen=True)
 class IndicatorOrder:
-    """The indicator diagram of a cylinder whose piston's point slides on the frame.
+    """The indicator diagram of a cylinder: pressures in the positions of the row.
 
-    ``cover``: the side away from the crank; ``shaft``: the side towards it, None for a single-acting piston.
-    ``base`` is the drawn length of the stroke; ``height`` that of the highest pressure, mm, unless ``mu``
-    (Pa/mm) says.
+    The piston's ``point`` slides on the frame. ``cover``: the side away from the crank; ``shaft``: the side
+    towards it, None for a single-acting piston. ``base`` is the drawn length of the stroke; ``height`` that of
+    the highest pressure, mm, unless ``mu`` (Pa/mm) says.
     """
 
-    point: str
-    cover: Gas
-    shaft: Gas | None = None
-    base: float = 100.0
-    height: float = 100.0
-    mu: float | None = None
+    point: str = key(v.TEXT, "the letter of the piston's point", "B")
+    cover: Gas = made(
+        _gas("cover"),
+        bore=key(v.POSITIVE_LENGTH, "diameter of the cylinder", "120 mm"),
+        cover=key(
+            _PRESSURES, "pressures on the side away from the crank", ["300 kPa", "240 kPa"], None
+        ),
+        cover_points=key(Table(Traced), _POINTS, default=None),
+        cover_strokes=key(Several(Table(Stroke)), _STROKES, default=()),
+    )
+    shaft: Gas | None = made(
+        _gas("shaft"),
+        None,
+        shaft=key(_PRESSURES, "pressures on the side towards the crank", default=None),
+        shaft_points=key(Table(Traced), _POINTS, default=None),
+        shaft_strokes=key(Several(Table(Stroke)), _STROKES, default=()),
+        clearance=key(v.WITHIN, "clearance as a share of the stroke", 0.08, 0.0),
+        rod=key(v.POSITIVE_LENGTH, "diameter of the rod on that side", "30 mm", None),
+    )
+    base: float = key(v.DRAWN, "drawn length of the stroke", "100 mm", 100.0, fixes="size")
+    height: float = key(v.DRAWN, "room for the highest pressure", "100 mm", 100.0, fixes="size")
+    mu: float | None = key(
+        v.mu("scale of pressures"), "Pa/mm", "1500 Pa/mm", None, written="mu_p", fixes="size"
+    )
 
 
 class Wish(NamedTuple):
@@ -61,3 +180,75 @@ class Wish(NamedTuple):
     rank: int
     by: str
     order: IndicatorOrder
+
+
+def check(said: Said, parts: Parts) -> Iterator[Found]:
+    """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
+    yield from parts.moves(("indicator", "point"), said.point)
+    count = parts.drive.positions if parts.drive is not None else None
+    for side in ("cover", "shaft"):
+        told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(said, k)]
+        for other in told[1:]:
+            says = f"{told[0]} gives the pressures of that side already; leave one of them out"
+            yield Found(("indicator", other), says)
+        if side == "cover" and not told:
+            says = 'it is missing; write the pressures, ["300 kPa", ...], or cover_points, or cover_strokes'
+            yield Found(("indicator", "cover"), says)
+        yield from _turns(said, side)
+        yield from _strokes(said, side)
+        given = getattr(said, side)
+        if given is not None and count is not None and len(given) != count:
+            says = f"{len(given)} pressures for {count} positions; give one for each, from the first on"
+            yield Found(("indicator", side), says)
+    others = said.shaft or said.shaft_points or said.shaft_strokes
+    if said.rod is not None and not others:
+        says = "it matters on the side of the shaft only; write shaft as well"
+        yield Found(("indicator", "rod"), says)
+    if said.rod is not None and said.rod >= said.bore:
+        yield Found(("indicator", "rod"), "the rod is as thick as the cylinder; make it thinner")
+
+
+def _turns(said: Said, side: str) -> Iterator[Found]:
+    """Points that do not go from the cover to the far end and back."""
+    traced = getattr(said, f"{side}_points")
+    for way, ends in (("out", (0.0, 1.0)), ("back", (1.0, 0.0))) if traced is not None else ():
+        shares = [share for share, _ in getattr(traced, way)]
+        turned = any((b - a) * (ends[1] - ends[0]) <= 0 for a, b in pairwise(shares))
+        if (shares[0], shares[-1]) != ends or turned:
+            says = f"the shares of the stroke {way} go from {ends[0]:g} to {ends[1]:g}, one after the other"
+            yield Found(("indicator", f"{side}_points", way), f"{says}; put them in order")
+
+
+def _strokes(said: Said, side: str) -> Iterator[Found]:
+    """Polytropic parts that do not go from the cover to the far end and back."""
+    reached = {"out": 0.0, "back": 1.0}
+    strokes = getattr(said, f"{side}_strokes")
+    for i, part in enumerate(strokes):
+        if (part.to - reached[part.stroke]) * (1 if part.stroke == "out" else -1) <= 0:
+            says = f"the stroke {part.stroke} has come to {reached[part.stroke]:g} already; go on from there"
+            yield Found(("indicator", f"{side}_strokes", i, "to"), says)
+        reached[part.stroke] = part.to
+    if strokes and reached != {"out": 1.0, "back": 0.0}:
+        says = "the parts of the stroke out have to end at 1, those of the stroke back at 0"
+        yield Found(("indicator", f"{side}_strokes"), f"{says}; add the last part")
+    if any(part.n > 0 for part in strokes) and not said.clearance > 0:
+        says = "gas that is expanded or compressed needs the clearance"
+        yield Found(("indicator", "clearance"), f"{says}; write clearance = 0.08")
+
+
+def _idle(said: Said, parts: Parts) -> Iterator[str]:
+    effects, doc = parts.said["effects"], parts.doc
+    gas = effects is not None and effects.gas and "forces" in doc
+    if not (gas or "flywheel" in doc or "engine" in doc):
+        yield (
+            "indicator: nothing asks for the gas; add [flywheel] or [engine], or gas = true in [effects] with "
+            "[forces], or take [indicator] out"
+        )
+
+
+SECTIONS = (
+    Section(
+        "indicator", IndicatorOrder, "the indicator diagram of a cylinder",
+        alone=True, gives=True, check=check, idle=_idle,
+    ),
+)  # fmt: skip

@@ -6,6 +6,7 @@ from the plan of positions, so that a vector of zero length needs no direction o
 
 from __future__ import annotations
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import (
     coriolis,
@@ -37,10 +38,10 @@ def draw_accelerations(
     velocities: Motion,
 ) -> Motion:
     """Draw the plan of accelerations of the whole mechanism."""
-    draft.board.open(VIEW)
-    pole = draft.take(Point, "π", 0j)
-    mu = draft.board.take(Number, "μ_a", "(m/s²)/mm")
-    draft.board.lay_out(pole, mu)
+    draft.open(VIEW)
+    pole = draft.take(Point, "π", 0j, role=roles.ACCELERATION)
+    mu = draft.scale("μ_a", "(m/s²)/mm")
+    draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     _crank(draft, mechanism, structure, positions, velocities, plan)
@@ -58,29 +59,29 @@ def _crank(
     velocities: Motion,
     plan: Motion,
 ) -> None:
-    board, pole = draft.board, plan.images.pole
+    pole = plan.images.pole
     number, pivot, pin = structure.driver, structure.pivot, structure.pin
     body, letter = positions.bodies[number], image_letter(structure.pin)
     epsilon = mechanism.drive.acceleration
     arm = crank_arm(draft, positions, structure)
     name = f"{pivot}{pin}".lower()
-    board.say(f"a_{pin} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
+    draft.say(f"a_{pin} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
     normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
     omega = velocities.speed
     assert omega is not None
-    value = board.draw(product_of_squares, normal_of, omega, arm, unit="m/s²")
-    length = board.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value, plan.mu)
-    inward = board.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1)
+    value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²")
+    length = draft.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value)
+    inward = draft.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1)
     if epsilon:
-        end = board.draw(lay_off, f"n{number}", inward, length)
-        board.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
+        end = draft.draw(lay_off, f"n{number}", inward, length)
+        draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
         plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
-        value = board.draw(product, f"a_{{{pin}}}^{{t}}", plan.rates[number], arm, unit="m/s²")
-        length = board.draw(to_board, f"t_{{{name}}}", value, plan.mu)
-        line = board.draw(square, f"(t_{{{name}}})", end, body.axis, sense=1)
-        image = board.draw(lay_off, letter, line, length)
+        value = draft.draw(product, f"a_{{{pin}}}^{{t}}", plan.rates[number], arm, unit="m/s²")
+        length = draft.draw(to_board, f"t_{{{name}}}", value)
+        line = draft.draw(square, f"(t_{{{name}}})", end, body.axis, sense=1)
+        image = draft.draw(lay_off, letter, line, length)
     else:
-        image = board.draw(lay_off, letter, inward, length)
+        image = draft.draw(lay_off, letter, inward, length)
         plan.measured.add(image)
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
     plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
@@ -90,27 +91,24 @@ def _crank(
 def _group(
     draft: Draft, positions: Positions, velocities: Motion, plan: Motion, closing: Closing
 ) -> None:
-    draft.board.say(f"II({closing.group.name})")
+    draft.say(f"II({closing.group.name})")
     lines = [
         _tangential_line(draft, velocities, plan, closing, leg)
         if isinstance(leg, PinLeg)
         else _relative_line(draft, velocities, plan, closing, leg)
         for leg in closing.legs
     ]
-    letter = draft.board.free(closing.image_letter)
-    point = draft.board.draw(meet, letter, lines[1], lines[0])
+    point = draft.draw(meet, closing.image_letter, lines[1], lines[0], free=True)
     for leg, line in zip(closing.legs, lines, strict=True):
         if isinstance(leg, PinLeg):
             _read_tangential(draft, plan, closing, leg, point, line)
-        elif draft.board.uses(line)[0] == plan.images.pole:
+        elif draft.uses(line)[0] == plan.images.pole:
             name = f"π{point.letter}"
-            plan.readings[leg.link] = draft.board.draw(
-                measure_along, name, plan.images.pole, point, line
-            )
+            plan.readings[leg.link] = draft.draw(measure_along, name, plan.images.pole, point, line)
             plan.measured.add(point)
         else:
             name = f"r_{{{known_image(plan, closing, leg).letter}{closing.image_letter}}}"
-            draft.board.draw(measure_along, name, draft.board.uses(line)[0], point, line)
+            draft.draw(measure_along, name, draft.uses(line)[0], point, line)
     hang_group(positions, plan, closing, point)
 
 
@@ -118,42 +116,36 @@ def _tangential_line(
     draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: PinLeg
 ) -> Mark:
     """Lay off the normal segment from the pivot's image; draw the line of the tangential one."""
-    assert draft.mu_l is not None
-    board, name = draft.board, _leg_name(closing, leg)
+    name = _leg_name(closing, leg)
     start = known_image(plan, closing, leg)
     reading = velocities.readings[leg.link]
-    length = board.draw(
-        normal, f"n_{{{name}}}", reading, velocities.mu, leg.length, draft.mu_l, plan.mu
-    )
-    inward = board.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1)
-    end = board.draw(lay_off, board.free(f"n{leg.link}"), inward, length)
-    return board.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1)
+    length = draft.draw(normal, f"n_{{{name}}}", reading, leg.length)
+    inward = draft.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1, role=roles.NORMAL)
+    end = draft.draw(lay_off, f"n{leg.link}", inward, length, free=True)
+    return draft.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1)
 
 
 def _relative_line(
     draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: GuideLeg
 ) -> Mark:
     """Lay off the Coriolis segment if what is slid on turns; draw the line of the relative acceleration."""
-    board, letter = draft.board, closing.image_letter
+    letter = closing.image_letter
     start = known_image(plan, closing, leg)
     turning = velocities.rates.get(closing.legs[1].link if leg.inner else leg.body)
     if turning is not None:
         name, slid = f"{start.letter}{letter}", velocities.readings[leg.link]
-        length = board.draw(coriolis, f"k_{{{name}}}", turning, slid, velocities.mu, plan.mu)
-        across = board.draw(square, f"(k_{{{name}}})", start, leg.line, sense=1)
-        start = board.draw(lay_off, board.free(f"k{leg.link}"), across, length)
-    return board.draw(parallel, board.free(f"({start.letter}{letter})"), start, leg.line, sense=1)
+        length = draft.draw(coriolis, f"k_{{{name}}}", turning, slid)
+        across = draft.draw(square, f"(k_{{{name}}})", start, leg.line, sense=1)
+        start = draft.draw(lay_off, f"k{leg.link}", across, length, free=True)
+    return draft.draw(parallel, f"({start.letter}{letter})", start, leg.line, sense=1)
 
 
 def _read_tangential(
     draft: Draft, plan: Motion, closing: Closing, leg: PinLeg, point: Mark, line: Mark
 ) -> None:
-    assert draft.mu_l is not None
-    start, board = draft.board.uses(line)[0], draft.board
-    segment = board.draw(measure_along, f"t_{{{_leg_name(closing, leg)}}}", start, point, line)
-    plan.rates[leg.link] = board.draw(
-        rate, f"ε_{leg.link}", segment, plan.mu, leg.length, draft.mu_l, unit="1/s²"
-    )
+    start = draft.uses(line)[0]
+    segment = draft.draw(measure_along, f"t_{{{_leg_name(closing, leg)}}}", start, point, line)
+    plan.rates[leg.link] = draft.draw(rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²")
 
 
 def _leg_name(closing: Closing, leg: PinLeg) -> str:

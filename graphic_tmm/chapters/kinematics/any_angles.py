@@ -131,16 +131,8 @@ def _plain(scene: Scene) -> Scene:
     if not row.accelerations:
         numbers = range(row.first, row.first + row.count)
         row = replace(row, accelerations=tuple(map(str, numbers)))
-    return replace(
-        scene,
-        row=row,
-        sheets=(SheetOrder(form, PLANS),),
-        trajectories=(),
-        diagrams=None,
-        flywheel=None,
-        forces=None,
-        engine=None,
-    )
+    sheets = (SheetOrder(form, PLANS),)
+    return replace(scene, row=row, sheets=sheets, trajectories=(), tasks={})
 
 
 def _drawn(scene: Scene, row: Reals, mu: Sequence[float]) -> _Drawn:
@@ -149,11 +141,10 @@ def _drawn(scene: Scene, row: Reals, mu: Sequence[float]) -> _Drawn:
     structure = dissect(mechanism)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
-    phi = draft.board.take(Angle, "φ", "°")
+    phi = draft.ask(Angle, "φ", "°")
     positions = draw_positions(draft, mechanism, structure, frame, phi)
     speeds = draw_velocities(draft, mechanism, structure, positions, turned=False)
     gains = draw_accelerations(draft, mechanism, structure, positions, speeds)
-    assert draft.mu_l is not None
     given: dict[Mark, Any] = {**draft.given, phi: row[None, :]}
     given |= dict(zip((draft.mu_l, speeds.mu, gains.mu), mu, strict=True))
     for group in structure.groups:

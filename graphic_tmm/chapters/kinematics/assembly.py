@@ -131,7 +131,8 @@ def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) 
     words = closure.gap.en.format(**{name: mark.letter for name, mark in letters.items()})
     raise StructureError(
         f"group {closure.group.name} never assembles: {words} "
-        f"(short by {_mm(least)} at the best crank angle, {at:.4g}°): change {_lengths(closure)}"
+        f"(short by {_mm(least)} at the best crank angle, {at:.4g}°): change {_lengths(closure)}",
+        *(f"link {number}" for number in closure.group.links),
     )
 
 
@@ -157,11 +158,15 @@ def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
     side = side_record(survey.mechanism, group)
     assert side is not None
     places = ", ".join(f'"{angle:.6g} deg"' for angle in touched)
+    keys = [
+        f"link {number}, {key}" for number in group.links for key in ("flips_at", "side", "slides")
+    ]
     if side.flips_at is None and touched:
         raise StructureError(
             f"group {group.name}: its side cannot hold through the change point at crank angle "
             f"{', '.join(f'{angle:.6g}°' for angle in touched)}, where both assemblies meet: "
-            f"say beside it where it flips, flips_at = [{places}], or flips_at = [] if it does not"
+            f"say beside it where it flips, flips_at = [{places}], or flips_at = [] if it does not",
+            *keys,
         )
     flips = side.flips_at or ()
     for angle in flips:
@@ -169,14 +174,18 @@ def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
             raise StructureError(
                 f"group {group.name}: flips_at names {angle:.6g}°, but the two assemblies do not meet there "
                 + (f"(they meet at {places})" if touched else "(they meet nowhere)")
-                + ": leave it out"
+                + ": leave it out",
+                *keys,
             )
     if len(_apart(list(flips))) < len(flips):
-        raise StructureError(f"group {group.name}: flips_at names the same crank angle twice")
+        raise StructureError(
+            f"group {group.name}: flips_at names the same crank angle twice", *keys
+        )
     if len(flips) % 2 and len(flips) < len(touched):
         raise StructureError(
             f"group {group.name}: flips_at names {len(flips)} of the {len(touched)} change points, so after a "
-            f"whole turn the group would stand on its other side: name an even number of {places}, or all"
+            f"whole turn the group would stand on its other side: name an even number of {places}, or all",
+            *keys,
         )
 
 

@@ -38,6 +38,10 @@ class Body:
     own: dict[str, complex] = field(default_factory=dict)
     _axis: Mark | None = None
 
+    def letter_of(self, point: Mark) -> str:
+        """The letter under which the scene names one of its points."""
+        return next(letter for letter, mark in self.marks.items() if mark == point)
+
     @property
     def drawn(self) -> bool:
         """Whether the axis has been drawn."""
@@ -122,20 +126,20 @@ def stand(body: Body, letter: str, mark: Mark, own: complex) -> None:
 def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: float) -> Mark:
     """Draw the point at x along and y to the left of an axis (m)."""
     if y == 0.0:
-        return draft.board.draw(lay_off, letter, axis, draft.length(f"{anchor}{letter}", x))
+        return draft.draw(lay_off, letter, axis, draft.length(f"{anchor}{letter}", x))
     along, left = draft.length(f"x_{{{letter}}}", x), draft.length(f"y_{{{letter}}}", y)
-    return draft.board.draw(place, letter, axis, along, left)
+    return draft.draw(place, letter, axis, along, left)
 
 
 def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float) -> Mark:
     """Draw a line through a point at an angle to another line: parallel, square or by the protractor."""
     rest = degrees % 360.0
-    name = draft.board.free(f"({name})")
+    name = f"({name})"
     if rest in (0.0, 180.0):
-        return draft.board.draw(parallel, name, through, to, sense=1 if rest == 0.0 else -1)
+        return draft.draw(parallel, name, through, to, sense=1 if rest == 0.0 else -1)
     if rest in (90.0, 270.0):
-        return draft.board.draw(square, name, through, to, sense=1 if rest == 90.0 else -1)
-    return draft.board.draw(incline, name, through, to, draft.direction(degrees))
+        return draft.draw(square, name, through, to, sense=1 if rest == 90.0 else -1)
+    return draft.draw(incline, name, through, to, draft.direction(degrees))
 
 
 def nearest(body: Body, pair: Pair, levelled: float) -> str:
@@ -160,5 +164,4 @@ def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str)
     if abs(by) <= ROUNDING * size:
         return incline_by(draft, name, body.marks[letter], body.axis, bend)
     inclined = incline_by(draft, f"{name}′", body.marks[letter], body.axis, bend)
-    free = draft.board.free(f"({name})")
-    return draft.board.draw(shift, free, inclined, draft.length(f"h_{{{name}}}", by))
+    return draft.draw(shift, f"({name})", inclined, draft.length(f"h_{{{name}}}", by))

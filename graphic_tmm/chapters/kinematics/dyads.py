@@ -60,12 +60,12 @@ class Site(NamedTuple):
         outer = leg.pair.name
         opening = self.draft.length(f"{outer}{pin}", abs(link.points[pin] - link.points[outer]))
         name = f"({outer}; {outer}{pin})"
-        return self.draft.board.draw(strike, name, self.pivot(leg), opening), opening
+        return self.draft.draw(strike, name, self.pivot(leg), opening), opening
 
     def pinned(self, link: Link, leg: Leg, pin: str, mark: Mark, opening: Mark) -> PinLeg:
         """Enter a link that turns about an outer pivot and whose inner pin stands at ``mark``."""
         outer, pivot = leg.pair.name, self.pivot(leg)
-        line = self.draft.board.draw(join, f"({outer}{pin})", pivot, mark)
+        line = self.draft.draw(join, f"({outer}{pin})", pivot, mark)
         arm = link.points[pin] - link.points[outer]
         body = Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: line)
         stand(body, outer, pivot, link.points[outer])
@@ -91,8 +91,8 @@ class Site(NamedTuple):
 
         def axis() -> Mark:
             if side is not None:
-                return self.draft.board.draw(directed, f"({link.number})", mark, line, side)
-            return self.draft.board.draw(parallel, f"({link.number})", mark, line)
+                return self.draft.draw(directed, f"({link.number})", mark, line, side)
+            return self.draft.draw(parallel, f"({link.number})", mark, line)
 
         body = Body(link, own, direction(pair, link.number), axis)
         stand(body, letter, mark, own)
@@ -103,7 +103,7 @@ def _rrr(site: Site) -> Closing:
     assert site.side is not None
     group, pin = site.group, site.group.inner.name
     struck = [site.swung(link, leg, pin) for link, leg in zip(site.links, group.legs, strict=True)]
-    mark = site.draft.board.draw(cross, pin, *(arc for arc, _ in struck), site.side)
+    mark = site.draft.draw(cross, pin, *(arc for arc, _ in struck), site.side)
     first, second = (
         site.pinned(link, leg, pin, mark, opening)
         for link, leg, (_, opening) in zip(site.links, group.legs, struck, strict=True)
@@ -117,7 +117,7 @@ def _rrp(site: Site) -> Closing:
     rod, slider = site.links
     arc, opening = site.swung(rod, turning, pin)
     guide = site.path(sliding, slider.points[pin], sliding.pair.name)
-    mark = site.draft.board.draw(cut, pin, guide, arc, site.side)
+    mark = site.draft.draw(cut, pin, guide, arc, site.side)
     pinned = site.pinned(rod, turning, pin, mark, opening)
     site.sliding(slider, sliding.pair, (pin, slider.points[pin], mark), guide)
     held = GuideLeg(slider.number, sliding.body, guide, False, sliding.body)
@@ -139,19 +139,19 @@ def rocker_offset(group: Group, stone: Link, rocker: Link) -> float:
 
 def _rpr(site: Site) -> Closing:
     assert site.side is not None
-    board, (stone_leg, rocker_leg) = site.draft.board, site.group.legs
+    draft, (stone_leg, rocker_leg) = site.draft, site.group.legs
     stone, rocker = site.links
     pin, centre, inner = stone_leg.pair.name, rocker_leg.pair.name, site.group.inner
     a, c = site.pivot(stone_leg), site.pivot(rocker_leg)
     offset = rocker_offset(site.group, stone, rocker)
     if offset == 0.0:
-        guide = line = board.draw(rocker_line, f"({centre}{pin})", c, a)
+        guide = line = draft.draw(rocker_line, f"({centre}{pin})", c, a)
         side: Mark | None = site.side
     else:
         height = site.draft.length(f"h_{{{pin}}}", offset)
-        guide = board.draw(tangent, f"({pin})", a, c, height, site.side)
-        line, side = board.draw(join, f"({centre}{pin})", c, a), None
-    distance = board.draw(measure, f"{centre}{pin}", c, a)
+        guide = draft.draw(tangent, f"({pin})", a, c, height, site.side)
+        line, side = draft.draw(join, f"({centre}{pin})", c, a), None
+    distance = draft.draw(measure, f"{centre}{pin}", c, a)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide, side)
     site.sliding(rocker, inner, (centre, rocker.points[centre], c), guide, side)
     slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)
@@ -165,7 +165,7 @@ def _prp(site: Site) -> Closing:
         site.path(leg, link.points[pin], leg.pair.name)
         for link, leg in zip(site.links, group.legs, strict=True)
     ]
-    mark = site.draft.board.draw(meet, pin, *guides)
+    mark = site.draft.draw(meet, pin, *guides)
     held = []
     for link, leg, guide in zip(site.links, group.legs, guides, strict=True):
         site.sliding(link, leg.pair, (pin, link.points[pin], mark), guide)
@@ -182,7 +182,7 @@ def _rpp(site: Site) -> Closing:
     path = site.path(yoke_leg, own, yoke_leg.pair.name)
     bend = direction(inner, yoke.number) - direction(yoke_leg.pair, yoke.number)
     guide = incline_by(site.draft, inner.name, a, path, bend)
-    mark = site.draft.board.draw(meet, site.draft.board.free(letter), path, guide)
+    mark = site.draft.draw(meet, letter, path, guide, free=True)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide)
     site.sliding(yoke, yoke_leg.pair, (letter, own, mark), path)
     slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)

@@ -56,9 +56,9 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
         If the point is not a moving point of the mechanism, or has no extreme position that way.
     """
     tried = _try(survey, extreme)
-    draft.board.open(VIEW)
+    draft.open(VIEW)
     if draft.board.construction().view(VIEW) is None:
-        draft.board.lay_out(frame.marks[survey.structure.pivot], draft.mu_l)
+        draft.lay_out(frame.marks[survey.structure.pivot], draft.mu_l)
     group = survey.structure.groups[0]
     draw = _CONSTRUCTIONS.get(group.kind)
     if draw is not None and _on_crank_and_frame(survey, group):
@@ -66,7 +66,7 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
             probe = Draft()
             angle = _probe(probe, survey, frame, choice)
             if abs((angle - tried.angle + 180.0) % 360.0 - 180.0) < SAME:
-                draft.board.say(f"{extreme.point}: {extreme.at}")
+                draft.say(f"{extreme.point}: {extreme.at}")
                 return draw(draft, survey, frame, choice, tag)
     return _refined(draft, survey, extreme, tried, tag)
 
@@ -77,7 +77,8 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     if axis is None:
         raise StructureError(
             f"zero: {extreme.point} is not a moving point of the mechanism (moving: "
-            f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})"
+            f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})",
+            "drive.zero",
         )
     mark = survey.positions.point(extreme.point)
     closed = [
@@ -88,11 +89,14 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     for root in closed:
         place = np.where(undefined(reading[root])[0], np.nan, place)
     if not np.isfinite(place).any():
-        raise StructureError(f"zero: {extreme.point} cannot be drawn at any crank angle")
+        raise StructureError(
+            f"zero: {extreme.point} cannot be drawn at any crank angle", "drive.zero"
+        )
     if np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
         ways = "left nor right" if name == "x" else "up nor down"
         raise StructureError(
-            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle"
+            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle",
+            "drive.zero",
         )
     best = int(np.nanargmax(way * place))
     low, high = _bracket(survey, axis, float(angles[0, best]))
@@ -101,12 +105,15 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
             f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does "
-            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle there"
+            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle "
+            "there",
+            "drive.zero",
         )
     if not np.isfinite(angle):
         raise StructureError(
             f"zero: {extreme.point} has no extreme position at {extreme.at} "
-            f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle"
+            f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle",
+            "drive.zero",
         )
     return _Tried(float(low), float(high), angle)
 
@@ -142,7 +149,7 @@ def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag:
         f"{extreme.point} проходит через полюс; это {{it}}.",
     )
     low, high = draft.direction(tried.low), draft.direction(tried.high)
-    return draft.board.draw(step, f"φ_{{{tag}}}", low, high, unit="°")
+    return draft.draw(step, f"φ_{{{tag}}}", low, high, unit="°")
 
 
 def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
@@ -170,7 +177,6 @@ def _probe(probe: Draft, survey: Survey, frame: Body, choice: int) -> float:
     probe.board.open(VIEW)
     group = survey.structure.groups[0]
     mark = _CONSTRUCTIONS[group.kind](probe, survey, own, choice, "0")
-    assert probe.mu_l is not None
     log = probe.board.construction()
     return float(execute(log, probe.given | {probe.mu_l: 1.0}, [mark])[mark][0, 0])
 
@@ -178,7 +184,7 @@ def _probe(probe: Draft, survey: Survey, frame: Body, choice: int) -> float:
 def _side(draft: Draft, survey: Survey, group: Group, tag: str, flip: int = 1) -> Mark:
     side = side_record(survey.mechanism, group)
     assert side is not None
-    return draft.take(Side, draft.board.free(f"±{group.name}"), float(side.sign * flip))
+    return draft.take(Side, f"±{group.name}", float(side.sign * flip))
 
 
 def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mark, str, str, bool]:
@@ -192,9 +198,7 @@ def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mar
     oa = draft.length(f"{structure.pivot}{pin}", arm)
     ab = draft.length(f"{pin}{inner}", reach)
     op, sign = (total, "+") if choice > 0 else (difference, "−")
-    opening = draft.board.draw(
-        op, draft.board.free(f"{structure.pivot}{pin}{sign}{pin}{inner}"), oa, ab
-    )
+    opening = draft.draw(op, f"{structure.pivot}{pin}{sign}{pin}{inner}", oa, ab)
     return opening, pin, inner, reach >= arm
 
 
@@ -204,24 +208,22 @@ def _in_line(
     """Find the crank's angle from the inner pin's extreme place: towards it, or away from it."""
     pivot = frame.marks[survey.structure.pivot]
     ends = (pivot, found) if choice > 0 or not longer else (found, pivot)
-    return draft.board.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°")
+    return draft.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°")
 
 
 def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
     group = survey.structure.groups[0]
     opening, _, inner, longer = _reach(draft, survey, group, choice)
-    arc = draft.board.draw(
+    arc = draft.draw(
         strike,
-        draft.board.free(f"({opening.letter})"),
+        f"({opening.letter})",
         frame.marks[survey.structure.pivot],
         opening,
     )
     leg = group.legs[1]
     own = survey.mechanism.by_number[leg.link].points[inner]
     guide = draw_guide(draft, frame, leg.pair, level(leg.pair, leg.link, own), leg.pair.name)
-    found = draft.board.draw(
-        cut, f"{inner}_{{{tag}}}", guide, arc, _side(draft, survey, group, tag)
-    )
+    found = draft.draw(cut, f"{inner}_{{{tag}}}", guide, arc, _side(draft, survey, group, tag))
     return _in_line(draft, survey, found, frame, choice, longer, tag)
 
 
@@ -229,18 +231,16 @@ def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
     group = survey.structure.groups[0]
     opening, _, inner, longer = _reach(draft, survey, group, choice)
     pivot = frame.marks[survey.structure.pivot]
-    arc = draft.board.draw(strike, draft.board.free(f"({opening.letter})"), pivot, opening)
+    arc = draft.draw(strike, f"({opening.letter})", pivot, opening)
     first, second = group.legs
     leg = second if second.body == frame.link.number else first
     rocker = survey.mechanism.by_number[leg.link]
     outer = leg.pair.name
     length = draft.length(f"{outer}{inner}", abs(rocker.points[inner] - rocker.points[outer]))
-    swing = draft.board.draw(
-        strike, draft.board.free(f"({outer}; {length.letter})"), frame.marks[outer], length
-    )
+    swing = draft.draw(strike, f"({outer}; {length.letter})", frame.marks[outer], length)
     flip = 1 if leg is second else -1
     side = _side(draft, survey, group, tag, flip)
-    found = draft.board.draw(cross, f"{inner}_{{{tag}}}", arc, swing, side)
+    found = draft.draw(cross, f"{inner}_{{{tag}}}", arc, swing, side)
     return _in_line(draft, survey, found, frame, choice, longer, tag)
 
 
@@ -249,13 +249,11 @@ def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> 
     crank = survey.mechanism.by_number[structure.driver]
     pivot, pin = structure.pivot, structure.pin
     length = draft.length(f"{pivot}{pin}", abs(crank.points[pin] - crank.points[pivot]))
-    arc = draft.board.draw(
-        strike, draft.board.free(f"({pivot}; {length.letter})"), frame.marks[pivot], length
-    )
-    which = draft.take(Side, draft.board.free("±"), float(choice))
+    arc = draft.draw(strike, f"({pivot}; {length.letter})", frame.marks[pivot], length)
+    which = draft.take(Side, "±", float(choice))
     rocker = frame.marks[group.legs[1].pair.name]
-    found = draft.board.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which)
-    return draft.board.draw(bearing, f"φ_{{{tag}}}", frame.marks[pivot], found, unit="°")
+    found = draft.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which)
+    return draft.draw(bearing, f"φ_{{{tag}}}", frame.marks[pivot], found, unit="°")
 
 
 _CONSTRUCTIONS = {1: _rocker, 2: _slider, 3: _stone}

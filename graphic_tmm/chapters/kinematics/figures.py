@@ -24,9 +24,9 @@ def tell_link(draft: Draft, mechanism: Mechanism, body: Body) -> None:
     centre = None
     if link.centre is not None and link.centre not in joined:
         centre = own.pop(link.centre, None)
-    draft.board.figure("link", str(link.number), *own.values())
+    draft.figure("link", str(link.number), *own.values())
     if centre is not None:
-        draft.board.figure("centre", str(link.number), centre)
+        draft.figure("centre", str(link.number), centre)
 
 
 def tell_group(
@@ -49,9 +49,9 @@ def tell_group(
         slider, owner = _pair(closing, leg).links
         at = _stone(bodies, closing, leg, slider)
         kind = "slider" if owner == mechanism.frame.number else "stone"
-        draft.board.figure(kind, str(slider), at, leg.line)
+        draft.figure(kind, str(slider), at, leg.line)
         turning = () if side is None or not leg.inner else (side,)
-        draft.board.figure("guide", str(owner), at, leg.line, *turning)
+        draft.figure("guide", str(owner), at, leg.line, *turning)
 
 
 def _pair(closing: Closing, leg: GuideLeg) -> Pair:

@@ -53,24 +53,31 @@ class Images:
         """Whether a link turns (otherwise its images coincide)."""
         return self.hanging[number].base is not None
 
-    def of(self, number: int, point: Mark, letter: str) -> Mark:
-        """Return the image of a point as a point of the link; draw it if it is not there yet."""
+    def at(self, body: Body, point: Mark) -> Mark:
+        """Return the image of a point of a body that is drawn already."""
+        return self.by_letter[body.link.number][body.letter_of(point)]
+
+    def of(self, number: int, point: Mark, letter: str, shown: str) -> Mark:
+        """Return the image of a point as a point of the link; draw it if it is not there yet.
+
+        ``letter``: that of the point in the scene; ``shown``: that of the image.
+        """
         known = self.by_letter[number]
-        if point.letter in known:
-            return known[point.letter]
+        if letter in known:
+            return known[letter]
         anchor, image, base = self.hanging[number]
         if point == anchor or (base is None and image == self.pole):
             drawn = image
         elif base is None:
-            drawn = self.draft.board.draw(coincide, self.draft.board.free(letter), image)
+            drawn = self.draft.draw(coincide, shown, image, free=True)
         elif anchor == base.A and image == base.a:
-            drawn = self.draft.board.draw(
-                similar, self.draft.board.free(letter), base.a, base.b, base.A, base.B, point
+            drawn = self.draft.draw(
+                similar, shown, base.a, base.b, base.A, base.B, point, free=True
             )
         else:
-            drawn = self.draft.board.draw(
+            drawn = self.draft.draw(
                 homologous,
-                self.draft.board.free(letter),
+                shown,
                 image,
                 base.a,
                 base.b,
@@ -78,14 +85,15 @@ class Images:
                 base.B,
                 anchor,
                 point,
+                free=True,
             )
-        known[point.letter] = drawn
+        known[letter] = drawn
         return drawn
 
     def complete(self, body: Body) -> None:
         """Draw the images of all letters of the link."""
         for letter in body.link.points:
-            self.of(body.link.number, body.marks[letter], letter.lower())
+            self.of(body.link.number, body.marks[letter], letter, image_letter(letter))
 
 
 def image_letter(letter: str, link: int | None = None) -> str:

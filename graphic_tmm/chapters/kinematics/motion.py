@@ -35,8 +35,9 @@ class Motion:
 def known_image(plan: Motion, closing: Closing, leg: PinLeg | GuideLeg) -> Mark:
     """Return the image that a leg starts from: of its pivot, or of the point of the body under Q."""
     if isinstance(leg, PinLeg):
-        return plan.images.of(leg.body, leg.pivot, image_letter(leg.letter))
-    return plan.images.of(leg.body, closing.point, image_letter(closing.letter, leg.body))
+        return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
+    shown = image_letter(closing.letter, leg.body)
+    return plan.images.of(leg.body, closing.point, closing.letter, shown)
 
 
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:
@@ -88,7 +89,7 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
         if image == pole or image in plan.measured:
             continue
         plan.measured.add(image)
-        draft.board.draw(measure, f"{pole.letter}{image.letter}", pole, image)
+        draft.draw(measure, f"{pole.letter}{image.letter}", pole, image)
 
 
 def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:
@@ -102,7 +103,7 @@ def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:
     for step in draft.board.construction().steps:
         if step.op.reads and step.it.kind is Length and step.uses[:2] == (pole, image):
             return step.it
-    return draft.board.uses(image)[1]
+    return draft.uses(image)[1]
 
 
 def is_signed(draft: Draft, reading: Mark) -> bool:

@@ -108,7 +108,8 @@ def record(bench: Bench) -> KinematicPlans:
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
-            "number of times in it: leave trajectories out"
+            "number of times in it: leave trajectories out",
+            "plans.trajectories",
         )
     _draw_trajectories(draft, positions, scene.trajectories, row.count)
     velocities = accelerations = None
@@ -125,7 +126,6 @@ def record(bench: Bench) -> KinematicPlans:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
             draft.given[positions.sides[group.name]] = _sides(side, angles, mechanism.drive)
-    assert draft.mu_l is not None
     return KinematicPlans(
         mechanism,
         structure,
@@ -160,7 +160,8 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     missing = [name for name in wanted if name not in names]
     if missing:
         raise StructureError(
-            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}"
+            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}",
+            "drive.accelerations" if section == "accelerations" else f"{section}.positions",
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
@@ -201,6 +202,7 @@ def _draw_trajectories(
 ) -> None:
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
-            raise StructureError(f"trajectories: there is no point {letter} on the plan")
-        name = draft.board.free(f"({letter}–{letter})")
-        draft.board.draw(french_curve, name, positions.point(letter), row=count)
+            raise StructureError(
+                f"trajectories: there is no point {letter} on the plan", "plans.trajectories"
+            )
+        draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)

@@ -14,7 +14,7 @@ import numpy as np
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point, Side
+from graphic_tmm.board.values import Point, Side
 from graphic_tmm.chapters.kinematics.bodies import Body, Closing, draw_points, stand
 from graphic_tmm.chapters.kinematics.dyads import DYADS, Site
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
@@ -40,19 +40,19 @@ class Positions:
 
 def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure) -> Body:
     """Open the plan, take μ_l, and draw the fixed pivots from the crank's pivot on."""
-    draft.board.open(VIEW)
-    draft.mu_l = draft.board.take(Number, "μ_l", "m/mm")
+    draft.open(VIEW)
+    draft.mu_l = draft.scale("μ_l", "m/mm")
     frame, pivot = mechanism.frame, structure.pivot
     origin = draft.take(Point, pivot, 0j)
-    draft.board.lay_out(origin, draft.mu_l)
+    draft.lay_out(origin)
 
     def axis() -> Mark:
-        return draft.board.draw(ray, "(x)", origin, draft.direction(0.0))
+        return draft.draw(ray, "(x)", origin, draft.direction(0.0))
 
     body = Body(frame, frame.points[pivot], 0.0, axis)
     stand(body, pivot, origin, frame.points[pivot])
     draw_points(draft, body, pivot)
-    draft.board.figure("frame", str(frame.number), *body.marks.values())
+    draft.figure("frame", str(frame.number), *body.marks.values())
     return body
 
 
@@ -60,14 +60,14 @@ def draw_positions(
     draft: Draft, mechanism: records.Mechanism, structure: Structure, frame: Body, phi: Mark
 ) -> Positions:
     """Draw the crank at the angle ``phi`` and the groups one after another."""
-    draft.board.open(VIEW)
+    draft.open(VIEW)
     bodies = {frame.link.number: frame}
     bodies[structure.driver] = _crank(draft, mechanism, structure, frame, phi)
     letters = frozenset(letter for link in mechanism.by_number.values() for letter in link.points)
     sides: dict[str, Mark] = {}
     closings = []
     for group in structure.groups:
-        draft.board.say(f"II({group.name})")
+        draft.say(f"II({group.name})")
         sides |= _take_side(draft, mechanism, group)
         first, second = (mechanism.by_number[leg.link] for leg in group.legs)
         site = Site(draft, bodies, group, (first, second), sides.get(group.name), letters)
@@ -89,11 +89,11 @@ def _crank(
 ) -> Body:
     link, pivot, pin = mechanism.by_number[structure.driver], structure.pivot, structure.pin
     arm = link.points[pin] - link.points[pivot]
-    line = draft.board.draw(ray, f"({pivot}{pin})", frame.marks[pivot], phi)
+    line = draft.draw(ray, f"({pivot}{pin})", frame.marks[pivot], phi)
     body = Body(link, link.points[pivot], math.degrees(cmath.phase(arm)), lambda: line)
     stand(body, pivot, frame.marks[pivot], link.points[pivot])
     length = draft.length(f"{pivot}{pin}", abs(arm))
-    stand(body, pin, draft.board.draw(lay_off, pin, line, length), link.points[pin])
+    stand(body, pin, draft.draw(lay_off, pin, line, length), link.points[pin])
     draw_points(draft, body, pivot)
     tell_link(draft, mechanism, body)
     return body

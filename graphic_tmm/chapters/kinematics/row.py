@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.formulas import advance
@@ -36,7 +37,7 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     """Record where the crank stands in every position: the row first, the extras behind it."""
     sense = 1.0 if survey.mechanism.drive.speed > 0 else -1.0
     _refuse_repeated(row)
-    draft.board.open(VIEW)
+    draft.open(VIEW)
     zero = (
         draw_extreme(draft, survey, frame, row.zero, "0")
         if isinstance(row.zero, Extreme)
@@ -46,14 +47,14 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     size = row.count + len(extras)
     turned = np.zeros((1, size))
     turned[0, : row.count] = sense * 360.0 * np.arange(row.count) / row.count
-    draft.board.open(VIEW)
-    phi = draft.board.draw(advance, "φ_{n}", zero, draft.take(Angle, "Δφ", turned, "°"), unit="°")
+    draft.open(VIEW)
+    by = draft.take(Angle, "Δφ", turned, "°", roles.CRANK_ANGLE)
+    phi = draft.draw(advance, "φ_{n}", zero, by, unit="°")
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
         there[0, row.count + place] = 1.0
-        at = draft.take(Number, draft.board.free(""), there)
-        phi = draft.board.draw(stand, draft.board.free("φ"), phi, mark, at, unit="°")
-    assert draft.mu_l is not None
+        at = draft.take(Number, "", there)
+        phi = draft.draw(stand, "φ", phi, mark, at, unit="°")
     values = execute(
         draft.board.construction(), draft.given | {draft.mu_l: 1.0}, [phi, zero, *extras]
     )
@@ -68,7 +69,9 @@ def _refuse_repeated(row: Row) -> None:
     for place, extra in enumerate(row.extra):
         if extra in row.extra[:place]:
             said = f'"{extra}"' if isinstance(extra, str) else f"{extra:.10g}°"
-            raise StructureError(f"extra: {said} is named twice: leave one of the two out")
+            raise StructureError(
+                f"extra: {said} is named twice: leave one of the two out", "drive.extra"
+            )
 
 
 def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | str) -> Mark:
@@ -77,12 +80,15 @@ def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | s
     if not isinstance(row.zero, Extreme):
         raise StructureError(
             'extra: "other extreme" needs a zero position that is an extreme itself: '
-            'give zero = { point = "D", at = "left" }, or the crank angle in degrees'
+            'give zero = { point = "D", at = "left" }, or the crank angle in degrees',
+            "drive.extra",
+            "drive.zero",
         )
     if survey.returning_late:
         raise StructureError(
             f'extra: "other extreme" may lie in the second turn (group {survey.returning_late[0]} flips an odd '
-            "number of times in a turn): give the crank angle in degrees"
+            "number of times in a turn): give the crank angle in degrees",
+            "drive.extra",
         )
     other = Extreme(row.zero.point, OPPOSITE[row.zero.at])
     return draw_extreme(draft, survey, frame, other, "*")

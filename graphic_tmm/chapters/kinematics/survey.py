@@ -80,12 +80,12 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
     _refuse_strange_sides(mechanism, structure)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
-    phi = draft.board.take(Angle, "φ", "°")
+    phi = draft.ask(Angle, "φ", "°")
     positions = draw_positions(draft, mechanism, structure, frame, phi)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     pole = velocities.images.pole
-    x = draft.board.draw(ray, "(px)", pole, draft.direction(0.0))
-    y = draft.board.draw(ray, "(py)", pole, draft.direction(90.0))
+    x = draft.draw(ray, "(px)", pole, draft.direction(0.0))
+    y = draft.draw(ray, "(py)", pole, draft.direction(90.0))
     axes = {}
     for number, body in positions.bodies.items():
         for letter in body.link.points:
@@ -93,9 +93,8 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
             if image == pole or (letter, "x") in axes:
                 continue
             for name, axis in (("x", x), ("y", y)):
-                free = draft.board.free(f"{image.letter}{name}")
-                axes[letter, name] = draft.board.draw(measure_along, free, pole, image, axis)
-    assert draft.mu_l is not None
+                along = f"{image.letter}{name}"
+                axes[letter, name] = draft.draw(measure_along, along, pole, image, axis)
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     return Survey(
         mechanism, structure, draft.board.construction(), given, positions, velocities, axes
@@ -110,10 +109,12 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
             a, c = (leg.pair.name for leg in group.legs)
             links = "{} or {}".format(*group.links)
             remedy = f'give link {links} side = "left of {a}{c}" or "right of {a}{c}"'
+            key = f"link {group.links[0]}"
         else:
             pair = group.legs[1].pair if group.kind == 2 else group.inner
             remedy = f'give slides of link {pair.links[0]} side = "+" or "-"'
-        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}")
+            key = f"link {pair.links[0]}, slides"
+        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}", key)
 
 
 def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
@@ -129,11 +130,13 @@ def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
             if side.left_of not in ((a, c), (c, a)):
                 raise StructureError(
                     f"link {number}: its side speaks of {''.join(side.left_of or ())}, but group {group.name} "
-                    f'has its outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of {a}{c}"'
+                    f'has its outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of {a}{c}"',
+                    f"link {number}, side",
                 )
             told.append((side.sign if side.left_of == (a, c) else -side.sign, side.flips_at))
         if len(set(told)) > 1:
             raise StructureError(
                 f"links {group.links[0]} and {group.links[1]} give group {group.name} different sides: "
-                "leave the side of one of them out"
+                "leave the side of one of them out",
+                *(f"link {number}, side" for number in group.links),
             )

@@ -6,6 +6,7 @@ along OA. Relative segments are measured along their lines, with a sign: the sen
 
 from __future__ import annotations
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import product, rate, to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
@@ -30,24 +31,24 @@ class _Turn:
     def across(self, name: str, through: Mark, to: Mark) -> Mark:
         """Draw the line of a velocity square to a link (in the turned plan: along it)."""
         if self.turned:
-            return self.draft.board.draw(parallel, name, through, to, sense=self.sense)
-        return self.draft.board.draw(square, name, through, to, sense=1)
+            return self.draft.draw(parallel, name, through, to, sense=self.sense)
+        return self.draft.draw(square, name, through, to, sense=1)
 
     def along(self, name: str, through: Mark, to: Mark) -> Mark:
         """Draw the line of a velocity along a guide (in the turned plan: square to it)."""
         if self.turned:
-            return self.draft.board.draw(square, name, through, to, sense=-self.sense)
-        return self.draft.board.draw(parallel, name, through, to, sense=1)
+            return self.draft.draw(square, name, through, to, sense=-self.sense)
+        return self.draft.draw(parallel, name, through, to, sense=1)
 
 
 def draw_velocities(
     draft: Draft, mechanism: Mechanism, structure: Structure, positions: Positions, *, turned: bool
 ) -> Motion:
     """Draw the plan of velocities of the whole mechanism."""
-    draft.board.open(VIEW)
-    pole = draft.take(Point, "p", 0j)
-    mu = draft.board.take(Number, "μ_v", "(m/s)/mm")
-    draft.board.lay_out(pole, mu)
+    draft.open(VIEW)
+    pole = draft.take(Point, "p", 0j, role=roles.VELOCITY)
+    mu = draft.scale("μ_v", "(m/s)/mm")
+    draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     turn = _Turn(draft, turned, 1 if mechanism.drive.speed > 0 else -1)
@@ -66,21 +67,21 @@ def _crank(
     plan: Motion,
     turn: _Turn,
 ) -> None:
-    board, pole = draft.board, plan.images.pole
+    pole = plan.images.pole
     number, pivot, pin = structure.driver, structure.pivot, structure.pin
     body = positions.bodies[number]
     speed = mechanism.drive.speed
-    board.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
+    draft.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
     omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
     plan.speed = omega
     arm = crank_arm(draft, positions, structure)
-    velocity = board.draw(product, f"v_{pin}", omega, arm, unit="m/s")
-    length = board.draw(to_board, f"p{image_letter(pin)}", velocity, plan.mu)
+    velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s")
+    length = draft.draw(to_board, f"p{image_letter(pin)}", velocity)
     if turn.turned:
-        line = board.draw(parallel, f"(p{image_letter(pin)})", pole, body.axis, sense=1)
+        line = draft.draw(parallel, f"(p{image_letter(pin)})", pole, body.axis, sense=1)
     else:
-        line = board.draw(square, f"(p{image_letter(pin)})", pole, body.axis, sense=turn.sense)
-    image = board.draw(lay_off, image_letter(pin), line, length)
+        line = draft.draw(square, f"(p{image_letter(pin)})", pole, body.axis, sense=turn.sense)
+    image = draft.draw(lay_off, image_letter(pin), line, length)
     plan.measured.add(image)
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
     plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
@@ -91,20 +92,20 @@ def _crank(
 def crank_arm(draft: Draft, positions: Positions, structure: Structure) -> Mark:
     """Return the mark of the crank's real length l_OA, m."""
     drawn = positions.bodies[structure.driver].marks[structure.pin]
-    length = draft.board.uses(drawn)[1]
-    return draft.board.uses(length)[0]
+    length = draft.uses(drawn)[1]
+    return draft.uses(length)[0]
 
 
 def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closing: Closing) -> None:
-    board, letter = draft.board, closing.image_letter
-    board.say(f"II({closing.group.name})")
+    letter = closing.image_letter
+    draft.say(f"II({closing.group.name})")
     starts, lines = [], []
     for leg in closing.legs:
         start = known_image(plan, closing, leg)
         draw = turn.across if isinstance(leg, PinLeg) else turn.along
         starts.append(start)
-        lines.append(draw(board.free(f"({start.letter}{letter})"), start, leg.line))
-    point = board.draw(meet, board.free(letter), lines[1], lines[0])
+        lines.append(draw(f"({start.letter}{letter})", start, leg.line))
+    point = draft.draw(meet, letter, lines[1], lines[0], free=True)
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
         _read(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)
@@ -113,13 +114,9 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
 def _read(
     draft: Draft, plan: Motion, leg: PinLeg | GuideLeg, start: Mark, point: Mark, line: Mark
 ) -> None:
-    assert draft.mu_l is not None
-    name = draft.board.free(f"{start.letter}{point.letter}")
-    segment = draft.board.draw(measure_along, name, start, point, line)
+    segment = draft.draw(measure_along, f"{start.letter}{point.letter}", start, point, line)
     plan.readings[leg.link] = segment
     if start == plan.images.pole:
         plan.measured.add(point)
     if isinstance(leg, PinLeg):
-        plan.rates[leg.link] = draft.board.draw(
-            rate, f"ω_{leg.link}", segment, plan.mu, leg.length, draft.mu_l, unit="1/s"
-        )
+        plan.rates[leg.link] = draft.draw(rate, f"ω_{leg.link}", segment, leg.length, unit="1/s")

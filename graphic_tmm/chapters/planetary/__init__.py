@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
-from graphic_tmm.chapters.planetary.task import ASKED
+from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
 from graphic_tmm.chapters.planetary.views import planetary_views
 from graphic_tmm.drawn import results_of, view_scales
 from graphic_tmm.readers.measured import measured_columns
@@ -36,10 +36,10 @@ CHAPTER = Chapter(
     places=(Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),),
     sizes=(Size(_NAME, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
+    sections=SECTIONS,
     record=record,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
-    size_keys=("planetary.mu_l",),
     plans=(_NAME,),
     columns=measured_columns,
     results=lambda drawn: results_of(drawn, PLANETARY_TRAIN.on(drawn).results),

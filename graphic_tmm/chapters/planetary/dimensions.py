@@ -45,7 +45,7 @@ class Dimensions:
 
 def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimensions:
     """Calculate radii, distances of axes, the ratio and every condition."""
-    board, scheme = draft.board, train.scheme
+    scheme = train.scheme
     first = draft.take(Number, "m" if scheme.rows == 1 else "m_I", order.module, "m")
     second = first
     if scheme.rows == 2:
@@ -56,7 +56,7 @@ def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimens
     }
     k = draft.take(Number, "k", float(train.satellites))
     radii = {
-        wheel: board.draw(
+        wheel: draft.draw(
             pitch_radius, f"r_{wheel}", first if wheel in "12" else second, z[wheel], unit="m"
         )
         for wheel in scheme.wheels
@@ -68,7 +68,7 @@ def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimens
     ratio = _ratio(draft, order, scheme, z)
     ha = draft.take(Number, "h_a", order.ha)
     tips = {
-        wheel: board.draw(t.tip_diameter, f"d_{{a{wheel}}}", module, z[wheel], ha, unit="m")
+        wheel: draft.draw(t.tip_diameter, f"d_{{a{wheel}}}", module, z[wheel], ha, unit="m")
         for wheel, module in dict((("2", first), (rim, second))).items()
     }
     conditions = (
@@ -84,25 +84,25 @@ def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimens
 
 def _axes(draft: Draft, letter: str, sense: int, module: Mark, centre: Mark, rim: Mark) -> Mark:
     op = t.axes_outside if sense > 0 else t.axes_inside
-    return draft.board.draw(op, letter, module, centre, rim, unit="m")
+    return draft.draw(op, letter, module, centre, rim, unit="m")
 
 
 def _ratio(draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
     """Calculate driving over driven by the formula of Willis."""
-    board, letter = draft.board, "U_{1H}"
+    letter = "U_{1H}"
     if scheme.rows == 1:
-        found = board.draw(t.ratio_of_row, letter, z["1"], z["3"])
+        found = draft.draw(t.ratio_of_row, letter, z["1"], z["3"])
     else:
         op = t.ratio_opposed if scheme.opposed else t.ratio_alike
-        found = board.draw(op, letter, *z.values())
-    return found if order.driving == "1" else board.draw(t.inverse_ratio, "U_{H1}", found)
+        found = draft.draw(op, letter, *z.values())
+    return found if order.driving == "1" else draft.draw(t.inverse_ratio, "U_{H1}", found)
 
 
 def _wanted(draft: Draft, order: PlanetaryOrder, ratio: Mark) -> tuple[Condition, ...]:
     if order.ratio is None:
         return ()
     due = draft.take(Number, "U", order.ratio)
-    miss = draft.board.draw(t.miss_of_ratio, "ΔU", ratio, due, unit="%")
+    miss = draft.draw(t.miss_of_ratio, "ΔU", ratio, due, unit="%")
     allowed = draft.take(Number, "ΔU_{max}", 100.0 * order.tolerance, "%")
     return (Condition("ratio", miss, "≤", allowed),)
 
@@ -113,17 +113,16 @@ def _neighbours(
     """Calculate from axis to axis of neighbours; a single satellite has none."""
     if train.satellites == 1:
         return ()
-    between = draft.board.draw(t.neighbouring_axes, "e", axes, k, unit="m")
+    between = draft.draw(t.neighbouring_axes, "e", axes, k, unit="m")
     return tuple(Condition("neighbours", between, ">", tip) for tip in tips.values())
 
 
 def _assembly(draft: Draft, scheme: Scheme, z: Mapping[str, Mark], k: Mark) -> Mark:
-    board = draft.board
     if scheme.rows == 1:
-        return board.draw(t.assembly_of_row, "N", z["1"], z["3"], k)
-    divisor = board.draw(t.common_divisor, "D", z["2"], z["3"])
+        return draft.draw(t.assembly_of_row, "N", z["1"], z["3"], k)
+    divisor = draft.draw(t.common_divisor, "D", z["2"], z["3"])
     op = t.assembly_opposed if scheme.opposed else t.assembly_alike
-    return board.draw(op, "N", *z.values(), k, divisor)
+    return draft.draw(op, "N", *z.values(), k, divisor)
 
 
 def _undercut(
@@ -140,9 +139,8 @@ def _interference(
     least = draft.take(Number, "Δz_{min}", float(order.limits.difference))
     alpha, made = draft.angle("α", order.alpha), []
     for ring, rim in rings_of(scheme):
-        board = draft.board
-        between = board.draw(t.tooth_difference, f"Δz_{{{ring}{rim}}}", z[ring], z[rim])
-        clear = board.draw(t.least_ring, f"z_{{{ring}min}}", z[rim], alpha, ha)
+        between = draft.draw(t.tooth_difference, f"Δz_{{{ring}{rim}}}", z[ring], z[rim])
+        clear = draft.draw(t.least_ring, f"z_{{{ring}min}}", z[rim], alpha, ha)
         made += [
             Condition("interference", between, "≥", least),
             Condition("interference", z[ring], "≥", clear),

@@ -82,67 +82,67 @@ class AxialView:
     arm: tuple[Mark, Mark]
 
 
-def draw_end_view(draft: Draft, train: Train, sizes: Dimensions, mu: Mark) -> EndView:
-    """Draw the pitch circles to the scale ``mu``."""
-    board, fixed = draft.board, train.scheme.wheels[-1]
+def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
+    """Draw the pitch circles."""
+    fixed = train.scheme.wheels[-1]
     names = {"1": "OA", "2": "BA", "3": "BC", fixed: "OC"}
     lengths = {
-        wheel: board.draw(to_board, names[wheel], radius, mu)
-        for wheel, radius in sizes.radii.items()
+        wheel: draft.draw(to_board, names[wheel], radius) for wheel, radius in sizes.radii.items()
     }
-    lengths["H"] = board.draw(to_board, "OB", sizes.axes, mu)
+    lengths["H"] = draft.draw(to_board, "OB", sizes.axes)
     origin = draft.take(Point, "O", 0j)
-    axis = board.draw(ray, "(Ox)", origin, draft.direction(0.0))
-    up = board.draw(square, "(Oy)", origin, axis, sense=1)
+    axis = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
+    up = draft.draw(square, "(Oy)", origin, axis, sense=1)
     points = tuple(
-        board.draw(lay_off, letter, up, lengths[wheel])
+        draft.draw(lay_off, letter, up, lengths[wheel])
         for letter, wheel in (("A", "1"), ("B", "H"), ("C", fixed))
     )
     turns = 90.0 + 360.0 * np.arange(train.satellites) / train.satellites
     places = draft.take(Angle, "φ", turns[None, :], "°")
-    ways = board.draw(ray, "(OO_2)", origin, places)
-    satellites = board.draw(lay_off, "O_2", ways, lengths["H"])
+    ways = draft.draw(ray, "(OO_2)", origin, places)
+    satellites = draft.draw(lay_off, "O_2", ways, lengths["H"])
     circles = {
-        wheel: board.draw(
+        wheel: draft.draw(
             strike, f"({wheel})", origin if wheel in ("1", fixed) else satellites, lengths[wheel]
         )
         for wheel in train.scheme.wheels
     }
     between = None
     if train.satellites > 1:
-        after = board.draw(next_satellite, "O′_2", satellites, row=train.satellites)
-        between = board.draw(measure, "O_2O′_2", satellites, after)
+        after = draft.draw(next_satellite, "O′_2", satellites, row=train.satellites)
+        between = draft.draw(measure, "O_2O′_2", satellites, after)
     a, b, c = points
-    levels = Levels(*(board.draw(parallel, f"({p.letter})", p, axis, sense=1) for p in points))
+    levels = Levels(*(draft.draw(parallel, f"({p.letter})", p, axis, sense=1) for p in points))
     return EndView(origin, axis, up, lengths, circles, satellites, levels, (a, b, c), between)
 
 
 def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
     """Draw the scheme along the axis; the values of its stations are chosen with the scales."""
-    board, scheme = draft.board, train.scheme
+    scheme = train.scheme
     names = ("I", "H") if scheme.rows == 1 else ("I", "II", "H")
-    stations = {name: board.take(Length, f"x_{{{name}}}", "mm") for name in names}
-    feet = {name: board.draw(lay_off, f"O_{{{name}}}", end.axis, stations[name]) for name in names}
-    lines = {name: board.draw(square, f"({name})", feet[name], end.axis, sense=1) for name in names}
+    stations = {name: draft.ask(Length, f"x_{{{name}}}", "mm") for name in names}
+    feet = {name: draft.draw(lay_off, f"O_{{{name}}}", end.axis, stations[name]) for name in names}
+    lines = {name: draft.draw(square, f"({name})", feet[name], end.axis, sense=1) for name in names}
     downs = {
-        name: board.draw(square, f"(−{name})", feet[name], end.axis, sense=-1)
+        name: draft.draw(square, f"(−{name})", feet[name], end.axis, sense=-1)
         for name in names[:-1]
     }
     last = names[-2]
     fixed, rim = scheme.wheels[-1], "2" if scheme.rows == 1 else "3"
     discs = {}
-    for wheel, row, level in (("1", "I", end.levels.A), (fixed, last, end.levels.C)):
-        near = board.draw(meet, f"{level.letter[1]}_{{{row}}}", lines[row], level)
-        far = board.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel])
+    for wheel, row, k in (("1", "I", 0), (fixed, last, 2)):
+        letter = f"{end.points[k].letter}_{{{row}}}"
+        near = draft.draw(meet, letter, lines[row], end.levels[k])
+        far = draft.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel])
         discs[wheel] = Disc(near, far, feet[row])
-    axes = {name: board.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B) for name in names}
+    axes = {name: draft.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B) for name in names}
     for wheel, row, sense, near in (
         ("2", "I", scheme.first, discs["1"].near),
         (rim, last, scheme.second, discs[fixed].near),
     ):
         if wheel in discs:
             continue
-        away = board.draw(square, f"(B_{{{row}}})", axes[row], end.axis, sense=sense)
-        far = board.draw(lay_off, f"D_{{{row}}}", away, end.lengths[wheel])
+        away = draft.draw(square, f"(B_{{{row}}})", axes[row], end.axis, sense=sense)
+        far = draft.draw(lay_off, f"D_{{{row}}}", away, end.lengths[wheel])
         discs[wheel] = Disc(near, far, axes[row])
     return AxialView(stations, discs, (axes["H"], feet["H"]))

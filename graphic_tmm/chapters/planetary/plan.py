@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.bounds import PLANETARY
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
 from graphic_tmm.chapters.planetary.formulas import overall_ratio
@@ -24,6 +23,7 @@ from graphic_tmm.chapters.planetary.scales import Drawn, choose_scales
 from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryOrder, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.declare import bound_of
 
 
 @dataclass(frozen=True)
@@ -51,14 +51,14 @@ PLANETARY_TRAIN: Made[Planetary] = Made("planetary")
 
 def record(bench: Bench) -> Planetary | None:
     """Draw the train that the scene asks for, with the pair of wheels behind it."""
-    order, behind = ASKED.of(bench.scene), bench.scene.behind
+    order = ASKED.of(bench.scene)
     if order is None:
         return None
     share = bench.sizes.get(PLANETARY_TRAIN.chapter, 1.0)
     made = draw_planetary(bench.draft, order, share)
-    if len(behind) != 2:
+    if not order.behind:
         return made
-    overall = draw_overall(bench.draft, made, *behind)
+    overall = draw_overall(bench.draft, made, *order.behind)
     return replace(made, overall=overall, results={**made.results, "overall_ratio": overall})
 
 
@@ -75,13 +75,11 @@ def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Pl
         If the order is not sound, no train fulfils it, or the one given breaks a condition.
     """
     train = choose(order)
-    board = draft.board
-    board.open(VIEW)
-    mu = board.take(Number, "μ_l", "m/mm")
-    draft.mu_l = mu
-    board.lay_out(None, mu)
+    draft.open(VIEW)
+    mu = draft.mu_l = draft.scale("μ_l", "m/mm")
+    draft.lay_out()
     sizes = calculate_train(draft, order, train)
-    end = draw_end_view(draft, train, sizes, mu)
+    end = draw_end_view(draft, train, sizes)
     axial = draw_axial_view(draft, train, end)
     picture = draw_picture(draft, order, end, sizes)
     rates = draw_rates(draft, order, train, end, sizes, picture)
@@ -104,9 +102,9 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
     StructureError
         If a tooth number is none.
     """
-    board, letters = draft.board, []
-    board.open(VIEW)
+    letters = []
+    draft.open(VIEW)
     for letter, z in (("z_a", driving), ("z_b", driven)):
-        PLANETARY["behind"].refuse("planetary", "behind", z)
+        bound_of(PlanetaryOrder, "behind").refuse("planetary", "behind", z)
         letters.append(draft.take(Number, letter, float(z)))
-    return board.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])
+    return draft.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

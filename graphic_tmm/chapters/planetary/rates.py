@@ -72,32 +72,32 @@ class Rates:
 
 def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimensions) -> Picture:
     """Draw the picture from the velocity of the driving shaft: of A if wheel 1 drives, of B if the carrier."""
-    board = draft.board
-    board.open(VELOCITIES)
-    mu = board.take(Number, "μ_v", "(m/s)/mm")
-    board.lay_out(None, mu)
-    place = board.take(Length, "x_v", "mm")
-    origin = board.draw(lay_off, "O", end.axis, place)
-    zero = board.draw(square, "(0)", origin, end.axis, sense=1)
-    a, b, c = (board.draw(meet, level.letter[1], zero, level) for level in end.levels)
+    draft.open(VELOCITIES)
+    mu = draft.scale("μ_v", "(m/s)/mm")
+    draft.lay_out()
+    place = draft.ask(Length, "x_v", "mm")
+    origin = draft.draw(lay_off, "O", end.axis, place)
+    zero = draft.draw(square, "(0)", origin, end.axis, sense=1)
+    pairs = zip(end.points, end.levels, strict=True)
+    a, b, c = (draft.draw(meet, point.letter, zero, level) for point, level in pairs)
     feet, levels = {"A": a, "B": b}, {"A": end.levels.A, "B": end.levels.B}
     known, sought = ("A", "B") if order.driving == "1" else ("B", "A")
     tip, other = known.lower(), sought.lower()
     omega = draft.take(Number, f"ω_{order.driving}", order.speed, "1/s")
     arm = sizes.radii["1"] if known == "A" else sizes.axes
-    speed = board.draw(product, f"v_{known}", omega, arm, unit="m/s")
-    length = board.draw(to_board, f"{known}{tip}", speed, mu)
-    along = board.draw(parallel, f"({known}{tip})", feet[known], levels[known], sense=1)
-    tips = {known: board.draw(lay_off, tip, along, length)}
-    satellite = board.draw(join, f"(C{tip})", c, tips[known])
-    tips[sought] = board.draw(meet, other, satellite, levels[sought])
+    speed = draft.draw(product, f"v_{known}", omega, arm, unit="m/s")
+    length = draft.draw(to_board, f"{known}{tip}", speed)
+    along = draft.draw(parallel, f"({known}{tip})", feet[known], levels[known], sense=1)
+    tips = {known: draft.draw(lay_off, tip, along, length)}
+    satellite = draft.draw(join, f"(C{tip})", c, tips[known])
+    tips[sought] = draft.draw(meet, other, satellite, levels[sought])
     lines = {
-        "1": board.draw(join, "(Oa)", origin, tips["A"]),
+        "1": draft.draw(join, "(Oa)", origin, tips["A"]),
         "2": satellite,
-        "H": board.draw(join, "(Ob)", origin, tips["B"]),
+        "H": draft.draw(join, "(Ob)", origin, tips["B"]),
     }
-    read = board.draw(measure_along, f"{sought}{other}", feet[sought], tips[sought], end.axis)
-    found = board.draw(in_si, f"v_{sought}", read, mu, unit="m/s")
+    read = draft.draw(measure_along, f"{sought}{other}", feet[sought], tips[sought], end.axis)
+    found = draft.draw(in_si, f"v_{sought}", read, unit="m/s")
     readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
     ends = (tips["A"], tips["B"])
     return Picture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
@@ -112,28 +112,26 @@ def draw_rates(
     picture: Picture,
 ) -> Rates:
     """Draw the plan of angular velocities below the picture; measure the ratio and compare it."""
-    board = draft.board
-    board.open(RATES)
-    assert draft.mu_l is not None
-    distance = board.take(Length, "H_ω", "mm")
-    depth = board.take(Length, "y_ω", "mm")
-    mu = board.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
+    draft.open(RATES)
+    distance = draft.ask(Length, "H_ω", "mm")
+    depth = draft.ask(Length, "y_ω", "mm")
+    mu = draft.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
     fixed = train.scheme.wheels[-1]
-    down = board.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1)
-    foot = board.draw(lay_off, fixed, down, depth)
-    line = board.draw(parallel, "(ω)", foot, end.axis, sense=1)
-    below = board.draw(square, f"({fixed}P)", foot, line, sense=-1)
-    pole = board.draw(lay_off, "P", below, distance)
-    board.lay_out(pole, mu)
+    down = draft.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1)
+    foot = draft.draw(lay_off, fixed, down, depth)
+    line = draft.draw(parallel, "(ω)", foot, end.axis, sense=1)
+    below = draft.draw(square, f"({fixed}P)", foot, line, sense=-1)
+    pole = draft.draw(lay_off, "P", below, distance)
+    draft.lay_out(pole, mu)
     ends, segments, values = {}, {}, {}
     for body, drawn in picture.lines.items():
-        way = board.draw(parallel, f"(P{body})", pole, drawn, sense=1)
-        ends[body] = board.draw(meet, body, line, way)
-        segments[body] = board.draw(measure_along, f"s_{body}", foot, ends[body], line)
-        values[body] = board.draw(in_si, f"ω_{body}", segments[body], mu, unit="1/s")
+        way = draft.draw(parallel, f"(P{body})", pole, drawn, sense=1)
+        ends[body] = draft.draw(meet, body, line, way)
+        segments[body] = draft.draw(measure_along, f"s_{body}", foot, ends[body], line)
+        values[body] = draft.draw(in_si, f"ω_{body}", segments[body], unit="1/s")
     driving, driven = ("1", "H") if order.driving == "1" else ("H", "1")
-    ratio = board.draw(
+    ratio = draft.draw(
         ratio_of_segments, f"U′_{{{driving}{driven}}}", segments[driving], segments[driven]
     )
-    difference = board.draw(miss_of_ratio, "ΔU", ratio, sizes.ratio, unit="%")
+    difference = draft.draw(miss_of_ratio, "ΔU", ratio, sizes.ratio, unit="%")
     return Rates(mu, depth, distance, pole, foot, ends, segments, values, ratio, difference)

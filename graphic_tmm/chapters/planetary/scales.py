@@ -47,7 +47,6 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
 
     The order's own scale factors and pole distance are kept.
     """
-    assert draft.mu_l is not None
     order, picture, rates, size = drawn.order, drawn.picture, drawn.rates, drawn.size
     mu_v, distance, stations = picture.mu, rates.distance, drawn.axial.stations
     draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}

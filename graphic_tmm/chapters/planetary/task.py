@@ -8,13 +8,20 @@ fixed ring is wheel 3.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
-from graphic_tmm.bounds import PLANETARY, POSITIVE, Bound, OrderError
+from graphic_tmm.bounds import Bound, OrderError
 from graphic_tmm.chapter import Asked
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, bound_of, key, made
+from graphic_tmm.scene.quantities import kind_of
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
 
 
 @dataclass(frozen=True)
@@ -69,54 +76,128 @@ class Limits:
     difference: int = 8
 
 
+_TEETH = Bound(1, 1000, whole=True)
+_SATELLITES = Bound(1, 49, whole=True)
+_RATIO = Bound(-10_000, 10_000)
+
+
+def _ratio(value: object, names: Names) -> float:
+    if not _RATIO.holds(value) or value == 0:
+        raise ValueError(
+            f"{kind_of(value)} stands here; a ratio is a number, 4.55, negative if it reverses"
+        )
+    return float(value)  # type: ignore[arg-type]
+
+
+def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
+    """Return tooth numbers; None for one that is to be found, written "?"."""
+
+    def fine(z: object) -> bool:
+        return z == "?" or (isinstance(z, int) and _TEETH.holds(z))
+
+    if not isinstance(value, list) or not all(fine(z) for z in value):
+        raise ValueError(
+            f"{kind_of(value)} stands here; a list of tooth numbers is wanted, "
+            '[25, "?", "?"], "?" for one to be found'
+        )
+    return tuple(None if z == "?" else z for z in value)
+
+
+def _pair(value: object, names: Names) -> tuple[int, ...]:
+    found = _teeth(value, names)
+    if None in found:
+        raise ValueError("tooth numbers of a pair that stands already are wanted, [15, 25]")
+    return tuple(z for z in found if z is not None)
+
+
+def _satellites(value: object, names: Names) -> tuple[int, ...]:
+    listed = value if isinstance(value, list) else [value]
+    if not listed or not all(isinstance(k, int) and _SATELLITES.holds(k) for k in listed):
+        raise ValueError(
+            f"{kind_of(value)} stands here; write a number of satellites, 3, or [3, 4]"
+        )
+    return tuple(listed)
+
+
+_COUNT = v.number(_TEETH)
+_ASKED = Kind(
+    _teeth,
+    {
+        "type": "array",
+        "items": {"anyOf": [dict(_TEETH.schema), {"type": "string", "const": "?"}]},
+    },
+    _TEETH,
+)
+_SHAFTS = Kind(
+    _satellites,
+    {
+        "anyOf": [
+            dict(_SATELLITES.schema),
+            {"type": "array", "items": dict(_SATELLITES.schema), "minItems": 1},
+        ]
+    },
+    _SATELLITES,
+)
+
+
 @dataclass(frozen=True)
 class PlanetaryOrder:
-    """A planetary train that is wanted, or that is given to be checked and drawn.
+    """A planetary train 2K–H: tooth numbers wanted, or checked.
 
-    Parameters
-    ----------
-    scheme : str
-        "ring", "external-internal", "external-external" or "internal-internal".
-    module : float
-        Module of the first row, m.
-    speed : float
-        Angular velocity of the driving shaft, rad/s, with its sign.
-    driving : str
-        "1" or "H": the shaft that drives; the other one is driven.
-    ratio : float, optional
-        The ratio wanted: driving over driven angular velocity, U_1H or U_H1, with its sign.
-    tolerance : float
-        By what share of itself the ratio may be missed.
-    teeth : tuple of (int or None)
-        A tooth number for every wheel of the scheme, None for one that is to be found; () for all of them.
-    satellites : tuple of int
-        Numbers of satellites that are allowed.
-    module_2 : float, optional
-        Module of the second row, m; that of the first if left out.
-    alpha, ha, c : float
-        Pressure angle (degrees), factors of the addendum and of the clearance.
-    mu_l, mu_v : float, optional
-        Scale factors, m/mm and (m/s)/mm; standard ones are chosen if left out.
-    pole : float, optional
-        Pole distance of the plan of angular velocities, mm; a round one is chosen if left out.
+    ``scheme``: "ring", "external-internal", "external-external" or "internal-internal". ``module``: of the
+    first row, m; ``module_2`` of the second, that of the first if None. ``speed``: angular velocity of the
+    driving shaft, rad/s, with its sign. ``driving``: "1" or "H", the shaft that drives; the other is driven.
+    ``ratio``: the ratio wanted, driving over driven angular velocity, U_1H or U_H1, with its sign;
+    ``tolerance``: by what share of itself it may be missed. ``teeth``: a tooth number for every wheel of the
+    scheme, None for one that is to be found; () for all of them. ``satellites``: the numbers of satellites
+    that are allowed. ``alpha`` (degrees), ``ha``, ``c``: pressure angle, factors of the addendum and of the
+    clearance. ``behind``: the teeth of the pair of gears behind the train. ``mu_l`` (m/mm), ``mu_v``
+    ((m/s)/mm) and ``pole``, the pole distance of the plan of angular velocities (mm): standard and round ones
+    are chosen where they are None.
     """
 
-    scheme: str
-    module: float
-    speed: float
-    driving: str = "1"
-    ratio: float | None = None
-    tolerance: float = 0.01
-    teeth: tuple[int | None, ...] = ()
-    satellites: tuple[int, ...] = (3,)
-    module_2: float | None = None
-    alpha: float = 20.0
-    ha: float = 1.0
-    c: float = 0.25
-    limits: Limits = Limits()
-    mu_l: float | None = None
-    mu_v: float | None = None
-    pole: float | None = None
+    scheme: str = made(
+        lambda said: said.scheme,
+        scheme=key(v.choice(*SCHEMES), "which wheels mesh", "ring", "ring"),
+    )
+    module: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
+    speed: float = key(v.SPEED, "angular velocity of the driving shaft", "2888 rpm")
+    driving: str = key(v.choice("1", "H"), "which drives, wheel 1 or the carrier H", "1", "1")
+    ratio: float | None = key(
+        Kind(_ratio, v.bounded(_RATIO), _RATIO), "wanted ratio, driving over driven", 4.55, None
+    )
+    tolerance: float = key(v.number(Bound(0, 0.5), "ratio"), "how far it may be off", "1 %", 0.01)
+    teeth: tuple[int | None, ...] = key(
+        _ASKED, 'tooth numbers, "?" for one to be found', [25, "?", "?"], ()
+    )
+    satellites: tuple[int, ...] = key(
+        _SHAFTS, "number of satellites, or several to choose from", 3, (3,)
+    )
+    module_2: float | None = key(v.POSITIVE_LENGTH, "the module of the second row", "6 mm", None)
+    alpha: float = key(v.RACK, "pressure angle", "20 deg", 20.0)
+    ha: float = key(v.ADDENDUM, "addendum coefficient", 1, 1.0)
+    c: float = key(v.CLEARANCE, "clearance coefficient", 0.25, 0.25)
+    limits: Limits = made(
+        lambda said: Limits(said.least, said.most, said.ring_most),
+        Limits(),
+        least=key(_COUNT, "fewest teeth", 17, 17),
+        most=key(_COUNT, "most teeth of a wheel", 150, 150),
+        ring_most=key(_COUNT, "most teeth of a ring", 300, 300),
+    )
+    mu_l: float | None = key(v.MU_L, 'm/mm, or "1:5"', "1:5", None, fixes="size")
+    mu_v: float | None = key(v.mu("scale of velocities"), "(m/s)/mm", "0.5 (m/s)/mm", None)
+    pole: float | None = key(
+        v.DRAWN, "pole distance of the plan of angular velocities", "40 mm", None
+    )
+    behind: tuple[int, ...] = key(
+        Kind(_pair, {"type": "array", "items": dict(_TEETH.schema)}, _TEETH),
+        "teeth of the pair of gears behind the train",
+        [15, 25],
+        (),
+    )
+
+
+ASKED: Asked[PlanetaryOrder] = Asked("planetary")
 
 
 @dataclass(frozen=True)
@@ -158,9 +239,9 @@ def _refuse(key: str, message: str) -> OrderError:
     return OrderError("planetary", key, message)
 
 
-def _bounded(key: str, value: object, bound: Bound | None = None) -> None:
-    """Refuse a value outside the bounds of a key, or outside others."""
-    (PLANETARY[key] if bound is None else bound).refuse("planetary", key, value)
+def _bounded(key: str, value: object) -> None:
+    """Refuse a value outside the bounds of a key."""
+    bound_of(PlanetaryOrder, key).refuse("planetary", key, value)
 
 
 def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
@@ -172,7 +253,7 @@ def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
         ("pole", order.pole),
     ):
         if value is not None:
-            _bounded(name, value, POSITIVE)
+            _bounded(name, value)
     for name in ("alpha", "ha", "c"):
         _bounded(name, getattr(order, name))
     if not (math.isfinite(order.speed) and order.speed != 0.0):
@@ -210,8 +291,9 @@ def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
     for k in order.satellites:
         _bounded("satellites", k)
     limits = order.limits
-    for name in ("least", "most", "ring_most", "difference"):
-        _bounded(name, getattr(limits, name), PLANETARY["least"])
+    for name in ("least", "most", "ring_most"):
+        _bounded(name, getattr(limits, name))
+    _TEETH.refuse("planetary", "difference", limits.difference)
     if limits.least > limits.most:
         raise _refuse("least", f"from {limits.least} to {limits.most} there is no tooth number")
 
@@ -229,4 +311,20 @@ def _refuse_ratio(order: PlanetaryOrder) -> None:
     _bounded("tolerance", order.tolerance)
 
 
-ASKED: Asked[PlanetaryOrder] = Asked("planetary")
+def check(said: Said, parts: Parts) -> Iterator[Found]:
+    """What the section does not say, or says of a pair that is none."""
+    if len(said.behind) not in (0, 2):
+        says = "the pair behind the train has two wheels; write [15, 25]"
+        yield Found(("planetary", "behind"), says)
+    if said.ratio is None and not said.teeth:
+        says = "neither a ratio nor tooth numbers are given; write ratio = 4.55"
+        yield Found(("planetary", "ratio"), says)
+
+
+SECTIONS = (
+    Section(
+        "planetary", PlanetaryOrder, "a planetary train", alone=True,
+        begin='ratio = 4.55, module = "8 mm"', check=check,
+        refuse=scheme_of,
+    ),
+)  # fmt: skip

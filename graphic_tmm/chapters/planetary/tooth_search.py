@@ -91,7 +91,9 @@ def choose(order: PlanetaryOrder) -> Train:
     at = [count for _, count in left].index(0)
     name, before = left[at][0], left[at - 1][1]
     raise StructureError(
-        f'planetary: no train of scheme "{scheme.name}" {_wanted(order)}: {_emptied(name, before)}'
+        f'planetary: no train of scheme "{scheme.name}" {_wanted(order)}: {_emptied(name, before)}',
+        "planetary.ratio",
+        "planetary.teeth",
     )
 
 
@@ -124,14 +126,19 @@ def _checked(order: PlanetaryOrder, scheme: Scheme) -> Train:
         if not wrong:
             return train
         broken.append(f"with {k} satellite{'s' if k > 1 else ''}: {'; '.join(wrong)}")
-    raise StructureError(f"planetary: {', '.join(map(str, teeth))} {'. '.join(broken)}")
+    raise StructureError(
+        f"planetary: {', '.join(map(str, teeth))} {'. '.join(broken)}", "planetary.teeth"
+    )
 
 
 def _search(order: PlanetaryOrder) -> tuple[Solutions, list[Left]]:
     """Return the solutions, and how many trains each condition left."""
     scheme, q = scheme_of(order), module_ratio(order)
     if order.ratio is None:
-        raise StructureError("planetary: tooth numbers are sought, but no ratio is wanted: give it")
+        raise StructureError(
+            "planetary: tooth numbers are sought, but no ratio is wanted: give it",
+            "planetary.ratio",
+        )
     z = _candidates(order, scheme, q)
     z = z.at(c.within(order, scheme, z) & _within_limits(order, scheme, z))
     left = [("ratio", z.z1.size)]

@@ -50,7 +50,7 @@ def _overall(drawn: Drawn) -> list[str]:
         return []
     language = drawn.scene.language
     ratio = float(drawn.reading[mark].ravel()[0])
-    first, last = drawn.scene.behind
+    first, last = made.order.behind
     rpm = abs(made.order.speed) * 30.0 / math.pi
     speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
     ratios = results_of(drawn, made.results)

@@ -30,7 +30,7 @@ def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
         if mark.view in plans and mark.kind is Length:
             found.setdefault((mark.view, segment_name(mark.letter)), step)
         if mark.view in plans and mark.kind is Point:
-            found.setdefault((mark.view, mark.letter), step)
+            found.setdefault(mark.key, step)
     for chapter in work.project.chapters:
         for key, mark in chapter.named_marks(work.project).items():
             if mark in steps and mark.kind is Number:

@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Side
+from graphic_tmm.board.values import Line, Side
 from graphic_tmm.checking.cells import Cell, Key, cells_and_points, position_names
 from graphic_tmm.drawn import DrawnScene
 
@@ -58,7 +59,7 @@ def wrong_end(made: DrawnScene) -> Iterator[Figures]:
     """A normal component points from its centre."""
 
     def change(step: Step) -> Step:
-        if step.op.name == "parallel" and step.it.letter.startswith("(n_"):
+        if step.it.role == roles.NORMAL:
             return step._replace(choice={"sense": -step.choice["sense"]})
         return step
 
@@ -99,7 +100,7 @@ def not_reversed(made: DrawnScene) -> Iterator[Figures]:
     """Inertia forces point along the accelerations."""
 
     def change(step: Step) -> Step:
-        if step.op.name == "action" and step.it.letter.startswith("(P_{i"):
+        if step.it.role == roles.INERTIA and step.it.kind is Line:
             return step._replace(uses=(step.uses[0], step.uses[2], step.uses[1]))
         return step
 
@@ -238,7 +239,7 @@ def half_way(made: DrawnScene) -> Iterator[Figures]:
     if made.mechanism is None:
         return
     given = made.mechanism.given
-    counted = [mark for mark in given if mark.kind is Angle and mark.letter == "Δφ"]
+    counted = [mark for mark in given if mark.role == roles.CRANK_ANGLE]
     found = altered(
         made, lambda step: step, {mark: np.asarray(given[mark]) + 180.0 for mark in counted}
     )

@@ -35,14 +35,26 @@ FACTOR = (
     "все величины{of} в {factor} раза больше: взят другой масштаб или другое полюсное расстояние",
 )
 LEAST_OFF = 3
-"""So many readings off tell a factor."""
+"""So many readings off tell a factor: two may have one by chance. With 2 what is named changes in
+two of the 36 drawings, with 4 in one."""
 FARTHEST, ALIKE = 50.0, 0.05
+"""A factor is no scale's or pole distance's beyond so many times, nor so near to 1 that a hand's slips make
+it: neighbouring scales are at least 1.25 apart; a decimal point has an entry of its own. Could be at least
+20 to 100, and 0.02 to 0.2.
+"""
 BEHIND = 0.5
+"""Less than one reading: of mistakes that explain as many, one of the catalogue goes before a factor, which
+can be chosen at will. Could be at least 0.1 to 1.5."""
 NEAR, CHANCE = 0.5, 0.55
+"""Another segment's figure is near within this share of where the hand's readings become wrong. Some
+segment or other is near by chance, so what it explains counts for little more than half. Could be at least
+0.25 to 0.7 (with 1 what is named changes in two), and 0.3 to 0.9."""
 LEAST = 0.6
-"""A mistake has to explain this share of the wrong readings of its plans."""
+"""A mistake has to explain this share of three wrong readings, or of all if there are fewer: two of three,
+both of two. Could be at least 0.45 to 0.9."""
 MOST_LEFT = 0.25
-"""A mistake that leaves more than this share of the deviations (of their squares) is not named."""
+"""A mistake that leaves more than this share of the deviations (of their squares) is not named: half of
+each deviation. Could be at least 0.1 to 0.35; with 0.5 what is named changes in two."""
 
 
 def likely(

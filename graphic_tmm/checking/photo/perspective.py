@@ -2,6 +2,13 @@
 
 Points are complex: on the sheet mm, y upward; in the photograph pixels, y downward, and the centre of
 the first pixel is 0.
+
+Written here rather than taken from a library. Pillow's PERSPECTIVE transform samples the same places four
+times as fast (0.25 s for an A1 at 4 dots to the mm, of 1.0 s), but cuts greys down to the next whole one
+(points of the sheet come back up to 0.0012 mm worse), shows beyond the horizon a mirrored sheet, and reads
+no lines, so that `bilinear` would be needed all the same; in floating point it has these figures and takes
+1.2 s. Bicubic it loses up to 0.013 mm to noise. OpenCV is a wheel of 61 MB, scikit-image
+needs SciPy with 113 MB: for the fifteen lines of `homography`.
 """
 
 from __future__ import annotations
@@ -17,7 +24,8 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.ruled import Box
 
 SHORTEST = 20.0
-"""No side of a frame in a photograph is shorter, nor any corner nearer to the diagonal, pixels."""
+"""No side of a frame in a photograph is shorter, nor any corner nearer to the diagonal, pixels: with
+less, a click 2 px off turns a side by 6° and more."""
 
 Corners = Sequence[tuple[float, float]] | Reals
 """Four points (x, y) in pixels."""

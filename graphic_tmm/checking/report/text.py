@@ -1,8 +1,7 @@
-"""A report for people who read text: tables of rich for a terminal, and Markdown."""
+"""A report on a terminal: tables of rich."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -12,12 +11,6 @@ from graphic_tmm.checking.report.words import WORDS
 
 STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}
 """How a row looks on a terminal."""
-ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "&#124;"})
-ACTIVE = re.compile(r"[\\`*\[\]{}#~$]|:(?=\S)|(?<![^\W_])_|_(?![^\W_])|(?<=www)\.", re.IGNORECASE)
-"""Signs that Markdown acts upon inside a line; not an underline between letters."""
-OPENING = re.compile(r"^(\d*)([-+.)])(?=[\s-]|$)")
-"""Signs that Markdown acts upon where a line begins."""
-
 
 LISTED = 500
 """So many rows of a table are printed on a terminal."""
@@ -46,36 +39,6 @@ def text_report(report: Report) -> list[Any]:
         made.append(Text(""))
     made += [Text(words["legend"], style="dim")] if report.readings else []
     return [*made, *(Text(f"• {note}") for note in notes(report))]
-
-
-def markdown_report(report: Report) -> str:
-    """Return the report as Markdown: headings, pipe tables, a list of notes; all text of others is escaped."""
-    words = WORDS[report.language]
-    blocks = [f"# {marked(title(report))}", opened(summary(report)), opened(who(report))]
-    for grid in grids(report):
-        blocks += [f"## {marked(grid.title)}", _pipes(grid, words)]
-    blocks += [marked(words["legend"])] if report.readings else []
-    if told := notes(report):
-        blocks += [f"## {words['notes']}", "\n".join(f"- {opened(note)}" for note in told)]
-    return "\n\n".join(blocks) + "\n"
-
-
-def marked(text: str) -> str:
-    r"""Return text as Markdown shows it unchanged, inside a line or a cell.
-
-    >>> marked("a|b <i> *c* J_fly _d_")
-    'a&#124;b &lt;i&gt; \\*c\\* J_fly \\_d\\_'
-    """
-    return ACTIVE.sub(r"\\\g<0>", text).translate(ENTITIES)
-
-
-def opened(text: str) -> str:
-    r"""Return text as Markdown shows it unchanged where a line begins.
-
-    >>> opened("1. a"), opened("- b"), opened("-1.5")
-    ('1\\. a', '\\- b', '-1.5')
-    """
-    return OPENING.sub(r"\1\\\2", marked(text))
 
 
 def _worst(grid: Grid) -> Grid:
@@ -131,10 +94,3 @@ def _whole(grid: Grid, words: dict[str, str], room: int) -> set[str]:
         cells = [row[column] for row in grid.rows] if key in whole else []
         room -= 1 + max(map(len, [*words[key].split(), *cells]))
     return whole if room >= -1 else set()
-
-
-def _pipes(grid: Grid, words: dict[str, str]) -> str:
-    rules = ["---:" if key in FIGURES else "---" for key in grid.columns]
-    heads = [marked(words[key]) for key in grid.columns]
-    rows = [heads, rules, *(map(marked, row) for row in grid.rows)]
-    return "\n".join(f"| {' | '.join(row)} |" for row in rows)

@@ -66,7 +66,7 @@ def centre(of: Made, lettered: bool = True) -> Drawing:
     if isinstance(of.cam.centre, Convexity):
         return draw_convexity_ink(of.reading, of.cam, names, "X", lettered=lettered)
     draw = draw_rocker_ink if isinstance(of.cam.path, Lever) else draw_centre_ink
-    return draw(of.log, of.reading, of.cam, names, "X", lettered=lettered)
+    return draw(of.reading, of.cam, names, "X", lettered=lettered)
 
 
 def profile(of: Made, lettered: bool = True) -> Drawing:

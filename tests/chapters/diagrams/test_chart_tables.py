@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work
 from support import gallery
 from support.gallery import SHEETS
 
@@ -17,7 +18,6 @@ from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import fitted, table, table_columns
-from graphic_tmm.work import Work
 
 ORDER = KinematicOrder("B", start="displacement")
 
@@ -26,7 +26,7 @@ def engine(order: KinematicOrder) -> Scene:
     """The engine with diagrams instead of its flywheel."""
     place = ("positions", "velocities", "accelerations", "diagrams")
     sheets = (SheetOrder("A1", place),)
-    return replace(read(SHEETS / "engine"), diagrams=order, flywheel=None, sheets=sheets)
+    return replace(read(SHEETS / "engine"), sheets=sheets).asking(diagrams=order, flywheel=None)
 
 
 @cache
@@ -111,7 +111,7 @@ def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
 
 def test_without_an_order_there_is_no_column_and_no_step() -> None:
     work = gallery.drawn("shaper")
-    if work.scene.diagrams is None:
+    if "diagrams" not in work.scene.tasks:
         assert not found(work)
         assert not any(
             step.it.view.startswith("diagram") for step in work.project.construction.steps

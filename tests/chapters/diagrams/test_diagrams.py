@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.each import each
 from support.gallery import SHEETS
 
@@ -16,7 +17,6 @@ from graphic_tmm.chapters.diagrams.task import KinematicOrder
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.work import Work, work
 
 POINTS = {
     "windrower": "D",
@@ -39,7 +39,7 @@ def drawn(name: str, count: int = 0, **order: object) -> Work:
     wanted = KinematicOrder(POINTS[name], **order)  # type: ignore[arg-type]
     sheets = (SheetOrder("A1", ("positions", "velocities", "accelerations", "diagrams")),)
     return work(
-        replace(scene, row=row, diagrams=wanted, sheets=sheets, flywheel=None, forces=None),
+        replace(scene, row=row, sheets=sheets).asking(diagrams=wanted, flywheel=None, forces=None),
         exact=True,
     )
 
@@ -148,10 +148,10 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
 
 
 def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
-    scene = replace(read(SHEETS / "windrower"), diagrams=KinematicOrder("C"))
-    with pytest.raises(StructureError, match=r"diagrams: point C does not slide.*are D"):
+    scene = read(SHEETS / "windrower").asking(diagrams=KinematicOrder("C"))
+    with pytest.raises(StructureError, match=r"diagrams.point: point C does not slide.*are D"):
         work(scene)
-    none = replace(read(SHEETS / "crank-rocker"), diagrams=KinematicOrder("B"))
+    none = read(SHEETS / "crank-rocker").asking(diagrams=KinematicOrder("B"))
     none = replace(none, sheets=(SheetOrder("A1", ("positions", "diagrams")),))
     with pytest.raises(StructureError, match="this mechanism has none"):
         work(none)
@@ -161,7 +161,7 @@ def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
 def test_a_pole_distance_that_is_none_is_refused(pole: float) -> None:
     order = KinematicOrder("D", V=ScaleOrder(pole=pole))
     with pytest.raises(StructureError, match=r"H_V = .* is not greater than 0"):
-        work(replace(read(SHEETS / "windrower"), diagrams=order))
+        work(read(SHEETS / "windrower").asking(diagrams=order))
 
 
 def test_positions_that_are_missing_leave_the_rest_and_are_told() -> None:

@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.engine.formulas import KGF
@@ -16,7 +17,6 @@ from graphic_tmm.chapters.engine.task import EngineOrder
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.work import Work, work
 
 SCENE = read(SHEETS / "locomobile")
 R, LAMBDA, OMEGA, M = 0.115, 0.182, 10 * math.pi, 2.18
@@ -33,12 +33,12 @@ def column(made: Work, segment: str) -> np.ndarray:
 
 
 def order(**changes: object) -> EngineOrder:
-    assert SCENE.engine is not None
-    return replace(SCENE.engine, **changes)  # type: ignore[arg-type]
+    assert SCENE.tasks.get("engine") is not None
+    return replace(SCENE.tasks["engine"], **changes)  # type: ignore[arg-type]
 
 
 def with_engine(**changes: object) -> Scene:
-    return replace(SCENE, engine=order(**changes))
+    return SCENE.asking(engine=order(**changes))
 
 
 @pytest.mark.parametrize(
@@ -151,6 +151,6 @@ def test_the_series_can_stand_for_the_plan() -> None:
 
 def test_a_mechanism_without_a_rod_is_refused() -> None:
     yoke = read(SHEETS / "scotch-yoke")
-    scene = replace(yoke, engine=SCENE.engine, sheets=SCENE.sheets)
+    scene = replace(yoke, sheets=SCENE.sheets).asking(engine=SCENE.tasks["engine"])
     with pytest.raises(StructureError):
         work(scene)

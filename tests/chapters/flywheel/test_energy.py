@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.energy import Energies
@@ -13,7 +14,6 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.work import Work, work
 
 
 def scene(**links: dict[str, object]) -> Scene:

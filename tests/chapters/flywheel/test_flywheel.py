@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from hypothesis import given
 from hypothesis import strategies as st
 from support.flywheels import along, graphs, slopes
@@ -22,7 +23,6 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import warnings
-from graphic_tmm.work import Work, work
 
 R, L, S2, W, DELTA = 0.3, 0.64, 0.22, 50.0, 0.23
 BORE = 0.12
@@ -36,11 +36,11 @@ PUBLISHED = {
 
 def scene(**changes: object) -> Scene:
     made = read(SHEETS / "engine")
-    assert made.flywheel is not None
-    order = replace(made.flywheel, **changes)  # type: ignore[arg-type]
+    assert made.tasks.get("flywheel") is not None
+    order = replace(made.tasks["flywheel"], **changes)  # type: ignore[arg-type]
     return replace(
-        made, flywheel=order, sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),)
-    )
+        made, sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),)
+    ).asking(flywheel=order)
 
 
 @cache
@@ -186,11 +186,13 @@ def test_at_many_positions_it_agrees_with_a_fine_integration_of_the_same_curve()
     near = (np.abs(v) < 1e-9) & (np.abs(moment) > 1e-6)
     assert not near.any()
     made = scene()
-    assert made.flywheel is not None
+    assert made.tasks.get("flywheel") is not None
     gas = Gas(tuple(float(x) for x in pressures), BORE)
-    order = replace(made.flywheel, indicator=replace(made.flywheel.indicator, cover=gas))
+    order = replace(
+        made.tasks["flywheel"], indicator=replace(made.tasks["flywheel"].indicator, cover=gas)
+    )
     row = replace(made.row, count=360, accelerations=())
-    many = work(replace(made, flywheel=order, row=row), exact=True)
+    many = work(replace(made, row=row).asking(flywheel=order), exact=True)
     found = inertia(many)
     assert second(many) == pytest.approx(1.628, abs=0.002)  # tangents to the smooth curve
     works = np.concatenate([[0.0], np.cumsum((moment + np.roll(moment, -1)) / 2) * np.pi / 180])
@@ -220,7 +222,7 @@ def test_the_rim_is_that_of_the_document() -> None:
 
 @pytest.mark.parametrize(("outer", "drum"), [(0.2, True), (0.42, False)])
 def test_a_rim_that_is_a_drum_is_told_with_what_to_choose(outer: float, drum: bool) -> None:
-    order = scene().flywheel
+    order = scene().tasks["flywheel"]
     assert order is not None
     assert order.rim is not None
     made = drawn(rim=replace(order.rim, outer=outer))
@@ -290,12 +292,12 @@ def test_what_cannot_be_built_is_refused(changes: dict[str, object], says: str) 
 
 def test_pressures_points_masses_and_rims_that_do_not_fit_are_refused() -> None:
     made = scene()
-    order = made.flywheel
+    order = made.tasks["flywheel"]
     assert order is not None
     assert order.rim is not None
 
     def with_order(**changes: object) -> Scene:
-        return replace(made, flywheel=replace(order, **changes))  # type: ignore[arg-type]
+        return made.asking(flywheel=replace(order, **changes))  # type: ignore[arg-type]
 
     few = replace(order.indicator, cover=Gas((1e5,) * 5, BORE))
     with pytest.raises(StructureError, match="5 pressures for 12 positions"):
@@ -314,10 +316,10 @@ def test_pressures_points_masses_and_rims_that_do_not_fit_are_refused() -> None:
 def test_a_flywheel_that_is_not_needed_is_a_finding_and_no_number() -> None:
     """A machine whose links are heavy and whose gas is weak, by the energy–mass curve at a large δ."""
     made = scene(delta=1.5)
-    order = made.flywheel
+    order = made.tasks["flywheel"]
     assert order is not None
     weak = replace(order.indicator, cover=Gas(tuple(p / 1000 for p in P), BORE))
-    found = work(replace(made, flywheel=replace(order, indicator=weak)), exact=True)
+    found = work(made.asking(flywheel=replace(order, indicator=weak)), exact=True)
     assert np.isnan(second(found))
     told = [f for f in found.findings() if f.kind == "undrawn"]
     assert [f.step.it.letter for f in told] == ["J_F"]
@@ -331,13 +333,13 @@ def test_an_order_without_a_part_records_no_step_of_it() -> None:
     views = {step.it.view for step in lean.project.construction.steps}
     assert "energy-mass" not in views
     assert not any(step.it.letter == "D_{max}" for step in lean.project.construction.steps)
-    without = work(replace(scene(), flywheel=None))
+    without = work(scene().asking(flywheel=None))
     assert without.project.flywheel is None
     assert not {"indicator", "moment"} & {s.it.view for s in without.project.construction.steps}
 
 
 def test_orders_are_frozen() -> None:
-    order = scene().flywheel
+    order = scene().tasks["flywheel"]
     assert isinstance(order, FlywheelOrder)
     with pytest.raises(AttributeError):
         order.delta = 0.1  # type: ignore[misc]

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
 from graphic_tmm.board.charts import HEIGHT
@@ -19,7 +20,6 @@ from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import fitted, sheets
-from graphic_tmm.work import Work, work
 
 U = np.linspace(0.0, 1.0, 65)
 RULER = 'ruler = "exact"'

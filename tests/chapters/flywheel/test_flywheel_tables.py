@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from graphic_tmm.work import work
 from support.gallery import SHEETS, drawn
 
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import table, warnings
-from graphic_tmm.work import work
 
 
 def test_columns_are_what_the_ruler_reads_times_their_scale() -> None:
@@ -74,8 +74,8 @@ def test_a_machine_that_locks_part_of_the_turn_has_no_flywheel_and_says_so() -> 
 
 def test_a_scene_without_a_flywheel_has_no_column_of_it() -> None:
     made = drawn("offset-slider")
-    assert made.scene.flywheel is None
+    assert "flywheel" not in made.scene.tasks
     document = json.loads(table(made, "json"))
     assert not [c for c in document["columns"] if c["plan"] == "flywheel"]
     assert set(document["results"]) == {"W", "formula"}
-    assert isinstance(drawn("engine", exact=True).scene.flywheel, FlywheelOrder)
+    assert isinstance(drawn("engine", exact=True).scene.tasks["flywheel"], FlywheelOrder)

@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, record, work
 from support.dynamics import Loaded
 from support.gallery import SHEETS
 from support.loaded import errors, order_of, solve, weighed
@@ -23,7 +24,6 @@ from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import sheets
-from graphic_tmm.work import Work, record, work
 
 WINDROWER = read(SHEETS / "windrower")
 
@@ -121,11 +121,16 @@ def log_of(scene: Scene) -> Construction:
 
 
 def forced(**options: object) -> Scene:
-    assert WINDROWER.forces is not None
+    assert WINDROWER.tasks.get("forces") is not None
     bare = replace(
-        WINDROWER.forces, loads=(), gravity=False, inertia=False, single=(), positions=("8",)
+        WINDROWER.tasks["forces"],
+        loads=(),
+        gravity=False,
+        inertia=False,
+        single=(),
+        positions=("8",),
     )
-    return replace(WINDROWER, forces=replace(bare, **options), flywheel=None)  # type: ignore[arg-type]
+    return WINDROWER.asking(forces=replace(bare, **options), flywheel=None)  # type: ignore[arg-type]
 
 
 LOAD = (Load(5, "D", 190.0),)
@@ -159,11 +164,11 @@ def test_an_effect_that_is_not_called_for_records_no_step(effect: str) -> None:
 
 @pytest.mark.slow
 def test_a_scene_without_effects_has_the_bytes_of_one_that_never_heard_of_them() -> None:
-    plain = replace(WINDROWER, forces=None, flywheel=None)
+    plain = WINDROWER.asking(forces=None, flywheel=None)
     places = [sheet for sheet in plain.sheets if "forces" not in sheet.place]
     kept = tuple(replace(s, place=tuple(p for p in s.place if p != "flywheel")) for s in places)
     never = replace(plain, sheets=kept)
-    heard = replace(never, forces=ForcesOrder(("8",)))
+    heard = never.asking(forces=ForcesOrder(("8",)))
     shown = record(heard, heard.shown).construction
     assert len(log_of(never).steps) == len(shown.steps) < len(log_of(heard).steps)
     assert [svg(s) for s in sheets(never)[1]] == [svg(s) for s in sheets(heard)[1]]
@@ -209,10 +214,10 @@ def test_with_the_documents_lengths_it_takes_1786() -> None:
             replace(link, points=points, mass=like.mass, inertia=like.inertia, centre=like.centre)
         )
     mechanism = replace(published.mechanism, links=tuple(links))  # type: ignore[type-var]
-    scene = replace(
-        published, mechanism=mechanism, forces=WINDROWER.forces, sheets=WINDROWER.sheets
+    scene = replace(published, mechanism=mechanism, sheets=WINDROWER.sheets).asking(
+        forces=WINDROWER.tasks["forces"]
     )
-    assert balance(replace(scene, flywheel=None)) == pytest.approx(1786.0, rel=1e-3)
+    assert balance(scene.asking(flywheel=None)) == pytest.approx(1786.0, rel=1e-3)
 
 
 def test_with_a_ruler_of_half_a_millimetre_both_methods_agree_within_five_percent() -> None:
@@ -223,15 +228,15 @@ def test_with_a_ruler_of_half_a_millimetre_both_methods_agree_within_five_percen
 
 
 def test_one_force_for_force_and_couple_changes_no_answer() -> None:
-    assert WINDROWER.forces is not None
-    apart = replace(WINDROWER, forces=replace(WINDROWER.forces, single=()))
+    assert WINDROWER.tasks.get("forces") is not None
+    apart = WINDROWER.asking(forces=replace(WINDROWER.tasks["forces"], single=()))
     assert balance(apart) == pytest.approx(balance(WINDROWER), rel=1e-12)
 
 
 def test_couples_as_pairs_of_forces_change_no_answer() -> None:
     scene = read(SHEETS / "lever")
-    assert scene.forces is not None
-    pairs = replace(scene, forces=replace(scene.forces, couples="pair"))
+    assert scene.tasks.get("forces") is not None
+    pairs = scene.asking(forces=replace(scene.tasks["forces"], couples="pair"))
     found = []
     for one in (scene, pairs):
         made = work(one, exact=True)
@@ -266,7 +271,7 @@ def test_parallel_unknown_forces_are_a_finding() -> None:
     scene = read(SHEETS / "toggle-press")
     order = ForcesOrder(("all",), (Load(scene.mechanism.links[-1].number, _last(scene), 100.0),))  # type: ignore[union-attr]
     places = replace(scene.sheets[0], place=(*scene.sheets[0].place, "forces"))
-    made = work(replace(scene, forces=order, sheets=(places,)), exact=True)
+    made = work(replace(scene, sheets=(places,)).asking(forces=order), exact=True)
     assert made.project.forces is not None
     values = made.reading[made.project.forces.balance]
     for k in range(values.shape[1]):

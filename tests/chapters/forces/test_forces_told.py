@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from graphic_tmm.work import work
 from support.command import invoke
 from support.scenes import written
 
 from graphic_tmm.scene.read import read
-from graphic_tmm.work import work
 
 SLIDER = """
 title = "slider-crank"

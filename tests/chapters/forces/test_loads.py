@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.forces.task import ForcesOrder, Load, Travel
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.work import Work, work
 
 ENGINE = read(SHEETS / "engine")
 WINDROWER = read(SHEETS / "windrower")
@@ -22,7 +22,7 @@ SHEET = (SheetOrder("A1", ("positions", "velocities", "forces")),)
 def loaded(*loads: Load, scene: Scene = ENGINE, **options: object) -> Work:
     order = ForcesOrder(("all",), tuple(loads), **options)  # type: ignore[arg-type]
     flywheel = None
-    return work(replace(scene, forces=order, flywheel=flywheel, sheets=SHEET), exact=True)
+    return work(replace(scene, sheets=SHEET).asking(forces=order, flywheel=flywheel), exact=True)
 
 
 def force(made: Work, letter: str) -> np.ndarray:
@@ -102,11 +102,11 @@ def test_travel_begins_where_the_stroke_does() -> None:
 
 
 def test_the_gas_pushes_the_piston() -> None:
-    assert ENGINE.flywheel is not None
-    made = loaded(gas=ENGINE.flywheel.indicator)
+    assert ENGINE.tasks.get("flywheel") is not None
+    made = loaded(gas=ENGINE.tasks["flywheel"].indicator)
     area = np.pi * 0.12**2 / 4
-    assert ENGINE.flywheel.indicator is not None
-    pressures = np.array(ENGINE.flywheel.indicator.cover.pressures)
+    assert ENGINE.tasks["flywheel"].indicator is not None
+    pressures = np.array(ENGINE.tasks["flywheel"].indicator.cover.pressures)
     np.testing.assert_allclose(force(made, "P"), -pressures * area, rtol=1e-9)
     # the reduced moment of the flywheel's first step, reversed: P_b·OA
     speed = made.reading[made.project.velocities.readings[3]][0]  # type: ignore[union-attr]
@@ -118,7 +118,7 @@ def test_the_gas_pushes_the_piston() -> None:
 def test_the_gas_balances_what_the_flywheel_is_driven_by() -> None:
     """The reduced moment of A2 is minus the balancing moment of the gas alone."""
     engine = work(ENGINE, exact=True)
-    made = loaded(gas=ENGINE.flywheel.indicator, balance="moment")  # type: ignore[union-attr]
+    made = loaded(gas=ENGINE.tasks["flywheel"].indicator, balance="moment")  # type: ignore[union-attr]
     chart = next(c for c in engine.project.flywheel.charts if c.view == "moment")  # type: ignore[union-attr]
     moment = engine.reading[chart.ordinates[0]] * engine.reading[chart.mu]
     np.testing.assert_allclose(balance(made), -moment[0], atol=1e-8)

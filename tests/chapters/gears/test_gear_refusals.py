@@ -35,7 +35,7 @@ NAN = float("nan")
         ({"steps": 2}, "steps = 2: a whole number 4 to 60"),
         ({"steps": 7.5}, "steps = 7.5: a whole number"),
         ({"stations": (-3.0,)}, "stations = -3: a number greater than 0"),
-        ({"mu": -0.001}, "mu_l = -0.001: a number greater than 0"),
+        ({"mu": -0.001}, "mu_l = -0.001: a number 1e-09 to 1000000000"),
         ({"ha": 2.5}, r"comes to a point above the depth ha \+ c = 2.75: take a smaller ha or c"),
         ({"x1": -1.0, "x2": -1.0}, r"no working angle .* must be greater than -0.819"),
         ({"z1": 5, "x1": -1.4, "x2": 1.5}, "wheel 1 has no body.* raise x1 or z1"),

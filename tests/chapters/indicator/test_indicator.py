@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.board.operations.curve import bezier
@@ -17,7 +18,6 @@ from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.placing import flat
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.work import Work, work
 
 R, L, BORE, ROD = 0.3, 0.64, 0.12, 0.04
 COVER = (300e3, 300e3, 240e3, 159e3, 121.5e3, 87e3, 30e3, 34.5e3, 42e3, 64.5e3, 100.5e3, 144e3)
@@ -27,17 +27,14 @@ SHAFT = (20e3, 30e3, 45e3, 70e3, 110e3, 160e3, 320e3, 310e3, 250e3, 170e3, 120e3
 @cache
 def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Work:
     scene = read(SHEETS / "engine")
-    assert scene.flywheel is not None
+    assert scene.tasks.get("flywheel") is not None
     shaft = Gas(SHAFT, BORE, ROD) if double else None
     order = IndicatorOrder("B", Gas(COVER, BORE), shaft, base=80.0, mu=2000.0)
     row = replace(scene.row, extra=extra)
     return work(
         replace(
-            scene,
-            row=row,
-            flywheel=replace(scene.flywheel, indicator=order),
-            sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),),
-        ),
+            scene, row=row, sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),)
+        ).asking(flywheel=replace(scene.tasks["flywheel"], indicator=order)),
         exact=True,
     )
 
@@ -110,8 +107,10 @@ def test_positions_outside_the_row_have_no_pressure_and_disturb_none() -> None:
 
 def test_a_scale_that_is_not_given_is_standard_and_has_room() -> None:
     scene = drawn().scene
-    assert scene.flywheel is not None
-    order = replace(scene.flywheel.indicator, mu=None, height=120.0)
-    free = work(replace(scene, flywheel=replace(scene.flywheel, indicator=order)), exact=True)
+    assert scene.tasks.get("flywheel") is not None
+    order = replace(scene.tasks["flywheel"].indicator, mu=None, height=120.0)
+    free = work(
+        scene.asking(flywheel=replace(scene.tasks["flywheel"], indicator=order)), exact=True
+    )
     assert free.scales["indicator"].value == 2500.0
     assert Row().count == 12

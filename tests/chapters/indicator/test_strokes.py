@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from graphic_tmm.work import Work, work
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder, Stretch
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.work import Work, work
 
 BORE, C = 0.12, 0.08
 STEAM = (
@@ -31,12 +31,12 @@ TRACED = (
 
 def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -> Work:
     scene = read(SHEETS / "engine")
-    assert scene.flywheel is not None
+    assert scene.tasks.get("flywheel") is not None
     gas = Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.flywheel, indicator=IndicatorOrder("B", gas, mu=2000.0))
+    order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
     row = replace(scene.row, count=count, extra=extra, accelerations=())
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
-    return work(replace(scene, flywheel=order, row=row, sheets=sheets), exact=True)
+    return work(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
 
 
 def pressures(made: Work) -> np.ndarray:
@@ -91,12 +91,12 @@ def test_a_gap_in_the_diagram_is_told() -> None:
 
 def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
     scene = read(SHEETS / "engine")
-    assert scene.flywheel is not None
+    assert scene.tasks.get("flywheel") is not None
     gas = Gas((1e5,) * 12, BORE) if not stretches else Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.flywheel, indicator=IndicatorOrder("B", gas, mu=2000.0))
+    order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
     row = replace(scene.row, zero=zero, accelerations=())
-    work(replace(scene, flywheel=order, row=row, sheets=sheets), exact=True)
+    work(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
 
 
 @pytest.mark.slow

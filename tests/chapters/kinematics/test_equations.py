@@ -9,9 +9,15 @@ import pytest
 from support.each import each
 from support.gallery import PLANS, drawn
 
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.readers.columns import segment_name
 from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
+
+
+def _lettered(log: Construction, plan: str, letter: str) -> Mark | None:
+    """Return the mark that readers find under a letter of a plan."""
+    marks = (*log.given, *(step.it for step in log.steps))
+    return next((mark for mark in marks if mark.key == (plan, letter)), None)
 
 
 def found(name: str, plan: str) -> list[Equation]:
@@ -78,14 +84,16 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
         if mark.kind.__name__ == "Length":
             lengths.setdefault(quantity(mark.name), mark)
     for equation in found(name, plan):
-        point = log.mark(plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower())
+        point = _lettered(
+            log, plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower()
+        )
         assert point is not None
         for side in equation.sides:
             known = [term for term in side if term.known]
             unknown = side[-1]
             assert not unknown.known
             assert all(term.known for term in side[:-1])
-            start = log.mark(plan, known[0].symbol[2:].strip("_{}").lower())
+            start = _lettered(log, plan, known[0].symbol[2:].strip("_{}").lower())
             total = np.abs(reading[point] - (reading[start] if start is not None else 0.0)) ** 2
             parts = [lengths[t.symbol] for t in side if t.direction]
             squares = sum(np.abs(reading[mark]) ** 2 for mark in parts)

@@ -24,7 +24,7 @@ from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Report, Taken
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
-from graphic_tmm.checking.report.text import markdown_report
+from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import Made, make

@@ -18,18 +18,18 @@ from support.reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed,
 
 from graphic_tmm.checking.records import WRONG
 from graphic_tmm.checking.report import (
-    rows as report_rows,
+    markdown as report_markdown,
 )
 from graphic_tmm.checking.report import (
-    text as report_text,
+    rows as report_rows,
 )
 from graphic_tmm.checking.report import (
     words as report_words,
 )
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.checking.report.rows import grids
-from graphic_tmm.checking.report.text import markdown_report
 from graphic_tmm.checking.report.words import WORDS, shown
 
 FORMS = [markdown_report, html_report, json_report, lambda made: printed(made, 100)]
@@ -108,6 +108,6 @@ def test_bytes_do_not_depend_on_the_run() -> None:
     assert len(runs[0]) > 10_000
 
 
-@pytest.mark.parametrize("module", [report_rows, report_text, report_words])
+@pytest.mark.parametrize("module", [report_markdown, report_rows, report_words])
 def test_the_examples_of_the_docstrings_hold(module: Any) -> None:
     assert doctest.testmod(module).failed == 0

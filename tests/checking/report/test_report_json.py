@@ -24,7 +24,7 @@ from support.reports import (
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Taken
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
-from graphic_tmm.checking.report.text import markdown_report
+from graphic_tmm.checking.report.markdown import markdown_report
 
 KEYS = ["plan", "position", "segment", "mm", "due_mm", "deviation_mm"]
 KEYS += ["percent_of_plan", "verdict", "step"]

@@ -11,8 +11,8 @@ from support.reports import LANGUAGES, explaining, judged, printed, report
 
 from graphic_tmm.checking.records import DOUBTFUL, WRONG, Likely
 from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.checking.report.rows import runs, summary
-from graphic_tmm.checking.report.text import markdown_report
 from graphic_tmm.checking.report.words import WORDS
 
 

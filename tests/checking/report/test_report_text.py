@@ -24,8 +24,9 @@ from support.reports import (
 from graphic_tmm.checking.records import WRONG
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.checking.report.rows import grids, notes, summary, title, who
-from graphic_tmm.checking.report.text import LISTED, markdown_report
+from graphic_tmm.checking.report.text import LISTED
 from graphic_tmm.checking.report.words import WORDS
 
 READER = MarkdownIt("commonmark", {"html": True}).enable(["table", "strikethrough"])

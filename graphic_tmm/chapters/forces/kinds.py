@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated
 
-from graphic_tmm import bounds
-from graphic_tmm.chapters.forces.task import AGAINST
+from graphic_tmm.bounds import Bound
 from graphic_tmm.scene import quantities
-from graphic_tmm.scene.order_values import within
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Kind, Names
 from graphic_tmm.scene.quantities import Dimension, kind_of
-from graphic_tmm.scene.values import SCALE, Names, Rule, bounded, choice, mu, number
 
+AGAINST = "against"
+"""The direction of a load that resists: against the velocity of its point, or the rotation of its link."""
+_SHARE = Bound(0, 100, above=True)
 _RESISTING = (
     "against velocity",
     "against rotation",
@@ -19,12 +20,6 @@ _RESISTING = (
     "против скорости",
     "против вращения",
 )
-_ROW = {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}}
-_POINTS = {
-    "type": "array",
-    "items": {"type": "array", "minItems": 2, "maxItems": 2},
-    "minItems": 2,
-}
 
 
 def _switch(value: object, names: Names) -> bool:
@@ -75,7 +70,7 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
     for item in value:
         if not isinstance(item, list) or len(item) != 2:
             raise ValueError(f"{kind_of(item)} in the list; a point is a list of two, {example}")
-        at = quantities.parse(item[0], "angle") if angle else within(item[0])
+        at = quantities.parse(item[0], "angle") if angle else v.within(item[0])
         found.append((at, _size(item[1], names)))
     if any(a >= b for (a, _), (b, _) in pairwise(found)):
         raise ValueError(
@@ -88,7 +83,7 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
 
 def _limit(value: object, names: Names) -> float:
     found = quantities.parse(value, "ratio") * 100 if isinstance(value, str) else value
-    if not bounds.LIMIT.holds(found):
+    if not _SHARE.holds(found):
         raise ValueError(f'{kind_of(value)} stands here; write a share, "5 %"')
     return float(found)  # type: ignore[arg-type]
 
@@ -102,29 +97,20 @@ def _links(value: object, names: Names) -> tuple[int, ...]:
     return tuple(value)
 
 
-Switch = Annotated[bool, Rule(_switch, {"type": "boolean"})]
-Force = Annotated[float, Rule(lambda value, names: quantities.parse(value, "force"), SCALE)]
-Moment = Annotated[
-    float,
-    Rule(lambda value, names: quantities.parse(value, "moment"), {"type": ["number", "string"]}),
-]
-Direction = Annotated[float | str, Rule(_direction, {"type": ["number", "string"]})]
-Sizes = Annotated[tuple[float, ...], Rule(_sizes, _ROW)]
-ByAngle = Annotated[
-    tuple[tuple[float, float], ...],
-    Rule(lambda value, names: _pairs(value, names, angle=True), _POINTS),
-]
-ByTravel = Annotated[
-    tuple[tuple[float, float], ...],
-    Rule(lambda value, names: _pairs(value, names, angle=False), _POINTS),
-]
-Coefficient = Annotated[float, number(bounds.FRICTION)]
-Limit = Annotated[float, Rule(_limit, bounded(bounds.LIMIT, "ratio"))]
-Links = Annotated[tuple[int, ...], Rule(_links, {"type": "array", "items": {"type": "integer"}})]
-Balance = Annotated[str, choice("force", "moment", сила="force", момент="moment")]
-Couples = Annotated[str, choice("moment", "pair", момент="moment", пара="pair")]
-Passes = Annotated[int, number(bounds.PASSES)]
-MuForce = Annotated[float, mu("scale of forces")]
-Share = Annotated[float, Rule(lambda value, names: within(value), bounded(bounds.WITHIN, "ratio"))]
-Series = Annotated[str, choice("plan", "series", план="plan", ряд="series")]
-ForceUnit = Annotated[str, choice("N", "kgf", Н="N", кгс="kgf")]
+SWITCH = Kind(_switch, {"type": "boolean"})
+FORCE = Kind(lambda value, names: quantities.parse(value, "force"), v.SCALE, unit="force")
+MOMENT = Kind(
+    lambda value, names: quantities.parse(value, "moment"),
+    {"type": ["number", "string"]},
+    unit="moment",
+)
+DIRECTION = Kind(_direction, {"type": ["number", "string"]}, unit="angle")
+SIZES = Kind(_sizes, v.ROW, unit="force")
+BY_ANGLE = Kind(lambda value, names: _pairs(value, names, angle=True), v.PAIRS)
+BY_TRAVEL = Kind(lambda value, names: _pairs(value, names, angle=False), v.PAIRS)
+COEFFICIENT = v.number(Bound(0, 2))
+LIMIT = Kind(_limit, v.bounded(_SHARE, "ratio"), _SHARE, "ratio")
+LINKS = Kind(_links, {"type": "array", "items": {"type": "integer"}})
+BALANCE = v.choice("force", "moment", сила="force", момент="moment")
+COUPLES = v.choice("moment", "pair", момент="moment", пара="pair")
+PASSES = v.number(Bound(2, 50, whole=True))

@@ -3,58 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from graphic_tmm.bounds import INTERVALS
+from graphic_tmm.chapters.forces import task
+from graphic_tmm.chapters.forces.task import GRAVITY
 from graphic_tmm.scene import letters
-from graphic_tmm.scene.faults import Found
-from graphic_tmm.scene.force_tables import LoadTable
-from graphic_tmm.scene.lines import Path
-from graphic_tmm.scene.records import ENGINE_PLACES, FORCE_PLACES
-from graphic_tmm.scene.references import Outline, no_link, outline
-from graphic_tmm.scene.sections import Document, Parts, pairing, table
+from graphic_tmm.scene.declare import Found, Path, Said, Section
+from graphic_tmm.scene.quantities import KGF, in_kgf
+from graphic_tmm.scene.references import Outline, no_link
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
 
 TOLD = ("force", "moment", "by_position", "by_angle", "of")
 
 
-def check(doc: Document, parts: Parts) -> Iterator[Found]:
-    """Every contradiction of the sections that ask for forces."""
-    names = outline(doc)
-    count = parts.drive.positions if parts.drive is not None else None
-    for path, load in pairing(parts.loads, "load"):
-        yield from _load(path, load, names, count)
-    if parts.effects is not None and parts.effects.gas and "indicator" not in doc:
+def _effects(said: Said, parts: Parts) -> Iterator[Found]:
+    if said.gas and "indicator" not in parts.doc:
         says = "no pressures are given; write a section [indicator], or leave gas out"
         yield Found(("effects", "gas"), says)
-    if parts.effects is not None and parts.effects.friction and "friction" not in doc:
+    if said.friction and "friction" not in parts.doc:
         says = "no coefficients are given; write a section [friction] with f = 0.1"
         yield Found(("effects", "friction"), says)
-    yield from _friction(parts, names)
-    if parts.forces is not None:
-        for number in parts.forces.single:
-            if number not in names.bodies:
-                yield from no_link(("forces", "single"), number, names)
-    yield from _engine(doc, parts, names)
-    yield from _placed(doc)
 
 
-def _engine(doc: Document, parts: Parts, names: Outline) -> Iterator[Found]:
-    if parts.engine is None:
-        return
-    if parts.engine.point not in names.moving:
-        hint = letters.unknown(parts.engine.point, names.moving, "moving points")
-        says = f'"{parts.engine.point[:20]}" is no moving point{hint}'
-        yield Found(("engine", "point"), says)
-    if "indicator" not in doc:
-        says = "no pressures are given; write a section [indicator]"
-        yield Found(("engine",), says)
-    if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
-        says = (
-            f"diagrams need {INTERVALS.least} positions at least; write positions = 12 in [drive]"
-        )
-        yield Found(("engine",), says)
+def _forces(said: Said, parts: Parts) -> Iterator[Found]:
+    for number in said.single:
+        if number not in parts.names.bodies:
+            yield from no_link(("forces", "single"), number, parts.names)
 
 
-def _load(path: Path, load: LoadTable, names: Outline, count: int | None) -> Iterator[Found]:
+def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Found]:
+    count = parts.drive.positions if parts.drive is not None else None
+    for path, load in loads:
+        yield from _load(path, load, parts.names, count)
+
+
+def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator[Found]:
     if load.link not in names.bodies:
         yield from no_link((*path, "link"), load.link, names)
         return
@@ -70,7 +55,7 @@ def _load(path: Path, load: LoadTable, names: Outline, count: int | None) -> Ite
     yield from _size(path, load, count)
 
 
-def _size(path: Path, load: LoadTable, count: int | None) -> Iterator[Found]:
+def _size(path: Path, load: Said, count: int | None) -> Iterator[Found]:
     told = [key for key in TOLD if getattr(load, key) is not None]
     if not told:
         says = (
@@ -96,10 +81,8 @@ def _size(path: Path, load: LoadTable, count: int | None) -> Iterator[Found]:
         yield Found((*path, "of"), says)
 
 
-def _friction(parts: Parts, names: Outline) -> Iterator[Found]:
-    made = parts.friction
-    if made is None:
-        return
+def _friction(made: Said, parts: Parts) -> Iterator[Found]:
+    names = parts.names
     bodies = names.bodies.values()
     pins = [x for x in names.letters if sum(x in body.letters for body in bodies) > 1]
     guides = [slide.along for link in parts.links if link is not None for slide in link.pairs]
@@ -117,14 +100,52 @@ def _friction(parts: Parts, names: Outline) -> Iterator[Found]:
         yield Found(("friction", "radius"), says)
 
 
-def _placed(doc: Document) -> Iterator[Found]:
-    """A sheet that places forces which the scene does not ask for."""
-    sheets = doc.get("sheet")
-    for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
-        places = table(sheet).get("place")
-        for place in (*FORCE_PLACES, *ENGINE_PLACES):
-            section = "engine" if place in ENGINE_PLACES else "forces"
-            what = 'point = "B"' if place in ENGINE_PLACES else "positions = [2]"
-            if isinstance(places, list) and place in places and section not in doc:
-                says = f"nothing says what it is; write a section [{section}] with {what}"
-                yield Found(("sheet", i, "place"), f'"{place}": {says}')
+def _idle(name: str, written: str) -> Iterator[str]:
+    yield f"{name}: nothing is computed of {written} without a section [forces]; add it, or take {written} out"
+
+
+def _idle_loads(loads: object, parts: Parts) -> Iterator[str]:
+    if "forces" not in parts.doc:
+        yield from _idle("load", "[[load]]")
+
+
+def _idle_effects(said: Said, parts: Parts) -> Iterator[str]:
+    if parts.doc.get("effects") and "forces" not in parts.doc:
+        yield from _idle("effects", "[effects]")
+
+
+def _idle_friction(said: Said, parts: Parts) -> Iterator[str]:
+    effects = parts.said["effects"]
+    if parts.doc["friction"] and "forces" not in parts.doc:
+        yield from _idle("friction", "[friction]")
+    if "forces" in parts.doc and not (effects is not None and effects.friction):
+        yield "friction: it does not act; write friction = true in [effects], or take [friction] out"
+
+
+def _defaults(said: Said, parts: Parts) -> Iterator[str]:
+    effects = parts.said["effects"]
+    if effects is not None and effects.gravity and effects.g is None and in_kgf(parts.doc):
+        yield (
+            f"effects.g: it is left out, so weights are taken with {GRAVITY} m/s², while a kgf is {KGF} N; "
+            f'write g = "{KGF} m/s^2", or the one that is meant'
+        )
+
+
+SECTIONS = (
+    Section(
+        "effects", task.Effects, always=True, alone=True, gives=True,
+        check=_effects, idle=_idle_effects,
+    ),
+    Section(
+        "load", task.Load, "forces and moments on links", several=True, gives=True,
+        check=_loads, idle=_idle_loads,
+    ),
+    Section(
+        "forces", task.ForcesOrder, "kinetostatics and the lever",
+        begin="positions = [2]", weighs=True, check=_forces, joined=task.joined, defaults=_defaults,
+    ),
+    Section(
+        "friction", task.Rubbed, "friction of the pairs", gives=True,
+        check=_friction, idle=_idle_friction,
+    ),
+)  # fmt: skip

@@ -1,0 +1,209 @@
+"""The text of a formula as a tree: what is printed is what is computed.
+
+A text is written as in a textbook: ``{mass}·({segment}·{mu})²/2``, ``2π/{base}``, ``arccos({r_b}/{r_a})``,
+``|{first} − {second}|``, ``sin² {alpha}``, ``360°·{x}/{base}``. A product or quotient is worked from left to
+right, a function takes the bracket or the one thing behind it. ``value ± other`` is the value, known to within
+the other. What stands for a part of the formula may follow it: ``{a}·q, q = {b}/{c}``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Container
+from typing import NamedTuple
+
+
+class Node(NamedTuple):
+    """A part of a formula: what is done (``head``), to which parts; of a leaf, its figure or its name.
+
+    Heads: "figure", "°" (a figure in degrees), "π", "name"; "+", "−", "±", "·", "/", "^", "neg"; a sign of
+    comparison, "and"; or the name of a function, also where it has a sign of its own (`BRACKETS`, √).
+    """
+
+    head: str
+    parts: tuple[Node, ...] = ()
+    word: str = ""
+
+
+_TOKEN = re.compile(
+    r"\s*(?:(?P<figure>\d+(?:\.\d+)?)|\{(?P<mark>\w+)\}|(?P<word>[^\W\d_²³⁴⁵⁶⁷⁸⁹π]+)"
+    r"|(?P<power>[²³⁴⁵⁶⁷⁸⁹])|(?P<sign>[-+−±·/^()|⌈⌉⌊⌋√π°%,=≠<>≤≥]))"
+)
+_POWERS = dict(zip("²³⁴⁵⁶⁷⁸⁹", "23456789", strict=True))
+_CLAUSE = re.compile(r",\s+(?=\w+ = )")
+BRACKETS = {"(": (")", ""), "|": ("|", "abs"), "⌈": ("⌉", "ceil"), "⌊": ("⌋", "floor")}
+"""What opens a bracket: what closes it, and the function it is ("" for none)."""
+ORDERS = "=≠<>≤≥"
+"""Signs of comparison."""
+
+
+def tree_of(text: str, functions: Container[str]) -> Node:
+    """Return what the text of a formula says.
+
+    Raises
+    ------
+    ValueError
+        If it is not such a text; says where.
+    """
+    main, *rest = _CLAUSE.split(text)
+    reader = _Reader(main, functions)
+    found = reader.whole(reader.sum)
+    for clause in rest:
+        name, _, meaning = clause.partition("=")
+        other = _Reader(meaning, functions)
+        found = _put(found, name.strip(), other.whole(other.sum))
+    return found
+
+
+def condition_of(text: str, functions: Container[str]) -> Node:
+    """Return what a condition says: comparisons, with commas between those that must all hold.
+
+    Raises
+    ------
+    ValueError
+        If it is not such a text; says where.
+    """
+    reader = _Reader(text, functions)
+    return reader.whole(reader.comparisons)
+
+
+def names_of(node: Node) -> frozenset[str]:
+    """Return the names that stand in a tree."""
+    if node.head == "name":
+        return frozenset({node.word})
+    return frozenset().union(*(names_of(part) for part in node.parts))
+
+
+def _put(node: Node, name: str, meaning: Node) -> Node:
+    if node == Node("name", (), name):
+        return meaning
+    return node._replace(parts=tuple(_put(part, name, meaning) for part in node.parts))
+
+
+class _Reader:
+    """Reads a text once, from left to right."""
+
+    def __init__(self, text: str, functions: Container[str]) -> None:
+        self.text, self.functions = text, functions
+        self.tokens = self._tokens(text.rstrip())
+        self.place = 0
+
+    def _tokens(self, text: str) -> list[tuple[str, str]]:
+        found, at = [], 0
+        while at < len(text):
+            token = _TOKEN.match(text, at)
+            if token is None:
+                raise ValueError(f"cannot read '{text[at:]}' in '{self.text}'")
+            assert token.lastgroup is not None
+            found.append((token.lastgroup, token[token.lastgroup]))
+            at = token.end()
+        return [*found, ("end", "")]
+
+    def whole(self, read: Callable[[], Node]) -> Node:
+        """Read all of the text."""
+        found = read()
+        if self.tokens[self.place][0] != "end":
+            raise self._wrong()
+        return found
+
+    def comparisons(self) -> Node:
+        """Read comparisons, as far as they go."""
+        found = [self._comparison()]
+        while self._take(","):
+            found.append(self._comparison())
+        return found[0] if len(found) == 1 else Node("and", tuple(found))
+
+    def _comparison(self) -> Node:
+        left = self.sum()
+        order = self.tokens[self.place][1]
+        if not order or order not in ORDERS:
+            raise self._wrong()
+        self.place += 1
+        return Node(order, (left, self.sum()))
+
+    def sum(self) -> Node:
+        """Read terms, as far as they go."""
+        found = self._product()
+        while sign := self._take("+", "−", "±"):
+            found = Node(sign, (found, self._product()))
+        return found
+
+    def _product(self) -> Node:
+        # a sign turns the first factor alone: what follows is the same, to the last bit
+        found = Node("neg", (self._factor(),)) if self._take("−") else self._factor()
+        while True:
+            if sign := self._take("·", "/"):
+                found = Node(sign, (found, self._factor()))
+            elif found.head == "figure" and self.tokens[self.place][1] == "π":
+                found = Node("·", (found, self._factor()))
+            else:
+                return found
+
+    def _factor(self) -> Node:
+        found = self._raised(self._atom())
+        if self._take("^"):
+            found = Node("^", (found, self._atom()))
+        return found
+
+    def _raised(self, node: Node) -> Node:
+        if self.tokens[self.place][0] == "power":
+            node = Node("^", (node, self._power()))
+        return node
+
+    def _power(self) -> Node:
+        self.place += 1
+        return Node("figure", (), _POWERS[self.tokens[self.place - 1][1]])
+
+    def _atom(self) -> Node:
+        kind, word = self.tokens[self.place]
+        self.place += 1
+        if kind == "figure":
+            return Node("°" if self._take("°") else "figure", (), word)
+        if kind == "mark":
+            return Node("name", (), word)
+        if kind == "word":
+            return self._call(word) if word in self.functions else Node("name", (), word)
+        if word in BRACKETS:
+            return self._bracket(*BRACKETS[word])
+        if word == "√":
+            return Node("sqrt", (self._atom(),))
+        if word == "π":
+            return Node("π")
+        if kind == "sign" and word in "°%":
+            return Node("name", (), word)
+        self.place -= 1
+        raise self._wrong()
+
+    def _bracket(self, end: str, head: str) -> Node:
+        found = self.sum()
+        if not self._take(end):
+            raise self._wrong(f"'{end}' is missing")
+        return Node(head, (found,)) if head else found
+
+    def _call(self, head: str) -> Node:
+        power = self._power() if self.tokens[self.place][0] == "power" else None
+        if self._take("("):
+            parts = [self.sum()]
+            while self._take(","):
+                parts.append(self.sum())
+            if not self._take(")"):
+                raise self._wrong("')' is missing")
+        else:
+            parts = [self._atom()]
+            if self.tokens[self.place][0] == "power":
+                raise self._wrong("a bracket is missing before the power")
+        found = Node(head, tuple(parts))
+        return found if power is None else Node("^", (found, power))
+
+    def _take(self, *signs: str) -> str:
+        """Return the next sign if it is one of these, and go past it; else ""."""
+        kind, word = self.tokens[self.place]
+        if kind != "sign" or word not in signs:
+            return ""
+        self.place += 1
+        return word
+
+    def _wrong(self, says: str = "") -> ValueError:
+        kind, word = self.tokens[self.place]
+        says = says or (f"'{word}' is out of place" if kind != "end" else "something is missing")
+        return ValueError(f"{says} in '{self.text}'")

@@ -1,0 +1,56 @@
+"""A report as Markdown: headings, pipe tables, a list of notes; all text of others is escaped.
+
+Written without a template: what a line of Markdown escapes depends on where in the line it stands, and the
+whole is shorter than the template and its filters would be.
+"""
+
+from __future__ import annotations
+
+import re
+
+from graphic_tmm.checking.records import Report
+from graphic_tmm.checking.report.rows import FIGURES, Grid, grids, notes, summary, title, who
+from graphic_tmm.checking.report.words import WORDS
+
+ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "&#124;"})
+ACTIVE = re.compile(r"[\\`*\[\]{}#~$]|:(?=\S)|(?<![^\W_])_|_(?![^\W_])|(?<=www)\.", re.IGNORECASE)
+"""Signs that Markdown acts upon inside a line; not an underline between letters."""
+OPENING = re.compile(r"^(\d*)([-+.)])(?=[\s-]|$)")
+"""Signs that Markdown acts upon where a line begins."""
+
+
+def markdown_report(report: Report) -> str:
+    """Return the report as Markdown: headings, pipe tables, a list of notes; all text of others is escaped."""
+    words = WORDS[report.language]
+    blocks = [f"# {marked(title(report))}", opened(summary(report)), opened(who(report))]
+    for grid in grids(report):
+        blocks += [f"## {marked(grid.title)}", _pipes(grid, words)]
+    blocks += [marked(words["legend"])] if report.readings else []
+    if told := notes(report):
+        blocks += [f"## {words['notes']}", "\n".join(f"- {opened(note)}" for note in told)]
+    return "\n\n".join(blocks) + "\n"
+
+
+def marked(text: str) -> str:
+    r"""Return text as Markdown shows it unchanged, inside a line or a cell.
+
+    >>> marked("a|b <i> *c* J_fly _d_")
+    'a&#124;b &lt;i&gt; \\*c\\* J_fly \\_d\\_'
+    """
+    return ACTIVE.sub(r"\\\g<0>", text).translate(ENTITIES)
+
+
+def opened(text: str) -> str:
+    r"""Return text as Markdown shows it unchanged where a line begins.
+
+    >>> opened("1. a"), opened("- b"), opened("-1.5")
+    ('1\\. a', '\\- b', '-1.5')
+    """
+    return OPENING.sub(r"\1\\\2", marked(text))
+
+
+def _pipes(grid: Grid, words: dict[str, str]) -> str:
+    rules = ["---:" if key in FIGURES else "---" for key in grid.columns]
+    heads = [marked(words[key]) for key in grid.columns]
+    rows = [heads, rules, *(map(marked, row) for row in grid.rows)]
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)

@@ -1,0 +1,138 @@
+"""The sections of a scene that say how it is drawn: the plans, scales, the hand, the sheets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.bounds import Bound
+from graphic_tmm.scene import places
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Kind, Names, key, made
+from graphic_tmm.scene.quantities import kind_of
+
+
+@dataclass(frozen=True)
+class Plans:
+    """What is drawn, and how."""
+
+    velocities: str = key(
+        v.choice("direct", "turned", повёрнутый="turned", прямой="direct"),
+        "velocity plans as they are, or turned by 90°",
+        None,
+        "direct",
+    )
+    velocity_pole: str = key(
+        v.choice("own", "common", свой="own", общий="common"),
+        "a velocity plan for each position, or all of them from a common pole",
+        None,
+        "own",
+    )
+    trajectories: tuple[str, ...] = key(v.LETTERS, "points whose paths are drawn", ["C"], ())
+    main: str | None = key(v.POSITION, "the position drawn in heavy lines", 2, None)
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Scale factors that are fixed; the rest are chosen from the standard row.
+
+    ``mu_l`` in m/mm, ``mu_v`` in (m/s)/mm, ``mu_a`` in (m/s²)/mm; ``mu_v_is_mu_l_omega`` asks for
+    μ_v = μ_l·ω1 (so that pa = OA). ``OA``, ``pa``, ``pi_a`` fix the drawn length in mm of the
+    crank, of its pin's velocity and its acceleration instead. At most one of each family is set.
+    """
+
+    mu_l: float | None = key(v.MU_L, 'm/mm, or "1:5"', "0.005 m/mm", None)
+    mu_v: float | None = made(
+        lambda said: None if said.mu_v == v.MU_L_OMEGA else said.mu_v,
+        None,
+        mu_v=key(v.MU_V, f'(m/s)/mm, or "{v.MU_L_OMEGA}"', "0.25 (m/s)/mm", None),
+    )
+    mu_a: float | None = key(v.MU_A, "(m/s²)/mm", "12.5 (m/s^2)/mm", None)
+    mu_v_is_mu_l_omega: bool = made(lambda said: said.mu_v == v.MU_L_OMEGA, False)
+    OA: float | None = key(v.DRAWN, "drawn length of the crank, instead of mu_l", "60 mm", None)
+    pa: float | None = key(
+        v.DRAWN, "drawn velocity of the crank pin, instead of mu_v", "60 mm", None
+    )
+    pi_a: float | None = key(
+        v.DRAWN, "drawn acceleration of the crank pin, instead of mu_a", "60 mm", None
+    )
+
+
+@dataclass(frozen=True)
+class Hand:
+    """How well lengths are read."""
+
+    name: str = key(
+        v.choice("exact", "cad", "careful", "student", точная="exact", студент="student"),
+        "who draws: exact, cad, careful, student",
+        "student",
+        "exact",
+    )
+    seed: int = key(v.number(Bound(0, 2**31, whole=True)), "which of that hand's drawings", 7, 0)
+    ruler: float | str | None = key(
+        v.RULER,
+        'the division that lengths are read to, or "exact"; left out: the hand\'s own',
+        "0.1 mm",
+        None,
+    )
+
+
+def _listed(value: object, names: Names) -> tuple[str, ...]:
+    known = list(places.known())
+    if not isinstance(value, list) or not value:
+        raise ValueError(f'{kind_of(value)} stands here; a list of plans is wanted, ["positions"]')
+    for item in value:
+        if item not in known:
+            raise ValueError(v.no_choice(item, known, known))
+    if len(set(value)) < len(value):
+        raise ValueError("a plan is named twice; leave one of the two out")
+    return tuple(value)
+
+
+_PLACES = Kind(
+    _listed,
+    lambda: {"type": "array", "items": {"type": "string", "enum": list(places.known())}},
+)
+
+
+@dataclass(frozen=True)
+class SheetOrder:
+    """A sheet, and what is placed on it, in order."""
+
+    format: str = key(
+        v.choice("A1", "A1 portrait", "A4", А1="A1", А4="A4"), "the format of the sheet", "A1", "A1"
+    )
+    place: tuple[str, ...] = made(
+        lambda said: said.place or (),
+        ("positions", "velocities", "accelerations"),
+        place=key(
+            _PLACES,
+            "the plans on it; left out: all that the scene calls for",
+            ["positions", "velocities"],
+            None,
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class TitleBlock:
+    """What is written into the title block."""
+
+    designation: str = key(v.TEXT, "", default="")
+    name: str = key(v.TEXT, "", default="")
+    organisation: str = key(v.TEXT, "", default="")
+    drawn_by: str = key(v.TEXT, "", default="")
+    checked_by: str = key(v.TEXT, "", default="")
+    standards_by: str = key(v.TEXT, "", default="")
+    approved_by: str = key(v.TEXT, "", default="")
+    material: str = key(v.TEXT, "", default="")
+    letter: str = key(v.TEXT, "", default="")
+    mass: str = key(v.TEXT, "", default="")
+    scale: str = key(v.TEXT, "", default="")
+
+
+@dataclass(frozen=True)
+class Head:
+    """The keys before the first section."""
+
+    title: str = key(v.TITLE, "what the mechanism is", "Кривошипно-ползунный механизм")
+    language: str = key(v.choice("ru", "en"), "the language of the sheets", "en", "ru")

@@ -1,0 +1,179 @@
+"""The sections of a scene that give the mechanism: frame, links, drive, a task that finds lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graphic_tmm.bounds import Bound
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import FAULTY, Found, Names, Path, Schema, Sort, key, made
+from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.tables import ByShape, Named, Several, Table
+
+_EXTREME_WORDS = [v.OTHER_EXTREME]
+_SLIDES = "its sliding pairs: a table, or a list of tables"
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A straight guide of a link or of the frame."""
+
+    through: complex = key(v.POINT, "a point of the guide", [0, 0])
+    angle: float = key(v.ANGLE, "its direction from the x axis", "0 deg")
+
+
+class _Place:
+    """A point of the frame, by its letter; something else there may be a misspelt number."""
+
+    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+        """Return the place, or FAULTY."""
+        if isinstance(value, list):
+            return v.POINT.understood(value, at, names, found)
+        near = quantities.near(str(at[-1]), ["number"], 0.6)
+        meant = '; did you mean "number"?' if near else ""
+        says = (
+            f"{kind_of(value)} stands here{meant}; a key of the frame is number, "
+            'a point, O = [0, 0], or a guide, y = { through = [0, 0], angle = "0 deg" }'
+        )
+        found.append(Found(at, says))
+        return FAULTY
+
+    def schema(self, tables: dict[str, Schema]) -> Schema:
+        """Return that of a point."""
+        return v.POINT.schema(tables)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The fixed link: every key but number is a guide's name or a fixed point's letter (not P, p, Π, π)."""
+
+    OTHERS: ClassVar[Sort] = ByShape(dict, Table(Guide), _Place(), such_first=False)
+
+    number: int = key(v.LINK_NUMBER, "the number of the fixed link", 6, 0)
+    others: Mapping[str, complex | Guide] = made(lambda said: said.others, ())
+
+    @property
+    def points(self) -> dict[str, complex]:
+        """The fixed points, m."""
+        return {name: p for name, p in self.others.items() if not isinstance(p, Guide)}
+
+    @property
+    def guides(self) -> dict[str, Guide]:
+        """The fixed guides."""
+        return {name: g for name, g in self.others.items() if isinstance(g, Guide)}
+
+
+@dataclass(frozen=True)
+class Slide:
+    """A sliding pair: on which link, along which guide, and which way the pin lies along it."""
+
+    on: int | str = key(v.TARGET, 'the number of the link it slides on, or "frame"', 3)
+    along: str = key(
+        v.TEXT, "two letters of that link, from the first to the second, or a guide", "BC"
+    )
+    offset: float = key(
+        v.LENGTH, "how far the slider's own x axis lies to the left of the guide", None, 0.0
+    )
+    angle: float = key(
+        v.ANGLE, "by how much the slider's own x axis is turned from the guide", None, 0.0
+    )
+    side: str | None = key(v.SENSE, "which way the pin lies along the guide", "+", None)
+    flips_at: tuple[float, ...] | None = key(
+        v.ANGLES, "crank angles at which the side changes", ["90 deg"], None
+    )
+
+
+@dataclass(frozen=True)
+class Link:
+    """A moving link."""
+
+    number: int = key(v.LINK_NUMBER, "the number of the link", 1)
+    name: str = key(v.TEXT, "what the link is called", "crank", "")
+    points: Mapping[str, complex] = key(
+        Named(v.POINT),
+        "letters and their places in the link's own axes; P, p, Π, π are kept for poles",
+        default={},
+    )
+    guides: Mapping[str, Guide] = key(
+        Named(Table(Guide)), "guides that move with the link", default={}
+    )
+    slides: Slide | tuple[Slide, ...] = key(
+        ByShape(list, Several(Table(Slide)), Table(Slide), such_first=False), _SLIDES, default=()
+    )
+    side: tuple[int, tuple[str, str]] | None = key(
+        v.LINK_SIDE, "where the inner pin of a dyad of turning pairs lies", "left of AC", None
+    )
+    flips_at: tuple[float, ...] | None = key(
+        v.ANGLES, "crank angles at which the side changes", ["90 deg"], None
+    )
+    mass: float | None = key(v.MASS, "its mass", "25 kg", None)
+    J: float | None = key(
+        v.INERTIA, "its moment of inertia about the mass centre", "0.02 kg*m^2", None
+    )
+    centre: str | None = key(
+        v.TEXT,
+        "the letter of its mass centre; left out, its only point that is no turning pair",
+        "S2",
+        None,
+    )
+
+    @property
+    def pairs(self) -> tuple[Slide, ...]:
+        """The sliding pairs, one or several."""
+        return (self.slides,) if isinstance(self.slides, Slide) else self.slides
+
+
+@dataclass(frozen=True)
+class Task:
+    """A task that gives the lengths of a mechanism."""
+
+    kind: str = key(v.choice("rocker", кулиса="rocker"), "the kind of mechanism", "rocker")
+    K_v: float = key(v.RATIO, "ratio of the mean speeds of the two strokes", 1.45)
+    stroke: float = key(v.POSITIVE_LENGTH, "the stroke of the slider", "95 mm")
+    OB: float = key(v.POSITIVE_LENGTH, "the distance of the fixed pivots", "480 mm")
+
+    @property
+    def given(self) -> Mapping[str, float]:
+        """What is given (SI), by name."""
+        return {"K_v": self.K_v, "stroke": self.stroke, "OB": self.OB}
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The position in which a point is as far as it comes."""
+
+    point: str = key(v.TEXT, "the letter of the point", "D")
+    at: str = key(v.AT, "where it is then", "left")
+
+
+@dataclass(frozen=True)
+class Drive:
+    """The driving link, its motion, and the row of positions."""
+
+    link: int = key(v.LINK_NUMBER, "the number of the driving link", 1)
+    speed: float = key(v.SPEED, "its angular speed, positive", "380 rpm")
+    acceleration: float = key(
+        v.quantity("angular acceleration"),
+        "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows",
+        "20 rad/s^2",
+        0.0,
+    )
+    turns: str = key(v.TURNS, "which way it turns", "clockwise", v.COUNTERCLOCKWISE)
+    positions: int = key(
+        v.number(Bound(1, 100_000, whole=True)), "how many positions there are in a turn", 12, 12
+    )
+    first: int = key(v.number(Bound(0, 1, whole=True)), "the number of the zero position", 1, 0)
+    extra: tuple[float | str, ...] = key(
+        v.EXTRA, 'positions beside the row: "other extreme", or crank angles', _EXTREME_WORDS, ()
+    )
+    accelerations: tuple[str, ...] = key(
+        v.POSITIONS, "the positions with an acceleration plan", [2, 6], ()
+    )
+    zero: float | Extreme = key(
+        ByShape(dict, Table(Extreme), v.ANGLE, such_first=False),
+        "the zero position: a crank angle, or an extreme of a point",
+        default=0.0,
+    )

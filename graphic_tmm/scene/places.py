@@ -1,0 +1,44 @@
+"""What sheets can show, by the names that scenes write: the places of the chapters."""
+
+from __future__ import annotations
+
+from collections.abc import Set
+
+from graphic_tmm.chapter import MECHANISM, Chapter, chapters, places
+from graphic_tmm.scene.declare import Section
+
+
+def known() -> tuple[str, ...]:
+    """Return all places: first those of a sheet that does not say what it shows, in their order."""
+    ranks = {name: place.rank for name, (_, place) in places().items()}
+    first = sorted((name for name in ranks if ranks[name]), key=ranks.__getitem__)
+    return (*first, *(name for name in ranks if not ranks[name]))
+
+
+def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
+    """Return what stands on a sheet that does not say what does.
+
+    ``asked``: the sections that are there; a chapter without one shows something of every mechanism.
+    """
+
+    def called(one: Chapter) -> bool:
+        own = asking(one)
+        return mechanism and one.board == MECHANISM if own is None else own.name in asked
+
+    there = places()
+    return tuple(name for name in known() if there[name][1].rank and called(there[name][0]))
+
+
+def asking(one: Chapter) -> Section | None:
+    """Return the section that asks for what a chapter shows; None if it has none."""
+    return next((section for section in one.sections if not section.gives), None)
+
+
+def of_section(section: Section) -> tuple[str, ...]:
+    """Return what a sheet can show of what a section asks for."""
+    return tuple(place.name for one in chapters() if asking(one) == section for place in one.places)
+
+
+def without_mechanism() -> tuple[str, ...]:
+    """Return what a sheet can show where there is no mechanism."""
+    return tuple(name for name, (one, _) in places().items() if one.board != MECHANISM)
