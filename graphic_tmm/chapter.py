@@ -109,7 +109,8 @@ class Place:
     """What a sheet can show, by the name that scenes write.
 
     ``draw``: a drawn board, lettered? -> its views; ``plain``: a scene -> views that no board is needed for. ``rank``: where it stands on a sheet that does not say what
-    stands there; 0 where only a sheet that names it shows it. ``shows``: the plans of which it shows something;
+    stands there; 0 where only a sheet that names it shows it. ``shows``: the plans of which it shows something,
+    ``beside``: those of which it does so where they are drawn;
     ``follows``: the plans whose μ its room depends on. ``together``: it is these
     places, one after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends,
     in the order in which they give way.
@@ -120,6 +121,7 @@ class Place:
     draw: Callable[[Drawn, bool], list[Drawing]] = lambda drawn, lettered: []
     plain: Callable[[Scene], list[Drawing]] = lambda scene: []
     shows: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
     follows: tuple[str, ...] = ()
     together: tuple[str, ...] = ()
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()

@@ -92,7 +92,7 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
                 left.append((view, extent))
                 continue
             placed.append(view.moved(by)._replace(apart=None))
-            if view.name == "positions":
+            if view.leads:
                 edge = max(edge, extent[2] + by.real + GAP)
         if not placed:
             raise _too_large(left[0][0], room, format)
@@ -102,7 +102,7 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
 
 
 def _beside(free: Sequence[Box], edge: float) -> list[Box]:
-    """Return what of the free rectangles stands beside the plan of positions, not below it."""
+    """Return what of the free rectangles stands beside what leads, not below it."""
     return [(max(f[0], edge), *f[1:]) for f in free]
 
 
@@ -134,7 +134,7 @@ def _take(free: list[Box], view: Drawing, extent: Box, edge: float) -> complex |
         best = min(fits, key=lambda f: (round(f[1], 3), round(f[0], 3)))
         x, y = best[0], best[1]
     else:
-        order = (0, 3) if view.name == "positions" else (3, 0)
+        order = (0, 3) if view.leads else (3, 0)
         fits = fitting(_beside(free, edge)) or fits
         best = min(fits, key=lambda f: [round(f[k] if k == 0 else -f[k], 3) for k in order])
         x, y = best[0], best[3] - height

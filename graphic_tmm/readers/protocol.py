@@ -162,7 +162,7 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
         if at is None or place not in row:
             return
         index = row.index(place) if view in drawn.project.rows else place
-        turned = drawn.scene.turned and view == "velocities"
+        turned = drawn.scene.turned
         lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
         if not lines:
             return

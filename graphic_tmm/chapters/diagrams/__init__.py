@@ -20,7 +20,7 @@ from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, recor
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
 from graphic_tmm.chapters.diagrams.views import diagram_views
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.language.words import view_name
 from graphic_tmm.project import Project
 
@@ -46,6 +46,7 @@ CHAPTER = Chapter(
             DIAGRAMS.chapter,
             30,
             diagram_views,
+            beside=(ACCELERATIONS,),
             follows=(POSITIONS,),
             sizes=lambda scene, view: ("graphs",),
         ),
