@@ -16,11 +16,7 @@ Log = tuple[Construction, Mapping[Mark, object]]
 
 @cache
 def logs(name: str) -> tuple[Log, ...]:
-    made = gallery.exact(name)
-    found = [(part.construction, part.given) for part in made.parts]
-    if made.work is not None:
-        found.append((made.work.project.construction, made.work.given))
-    return tuple(found)
+    return tuple((one.construction, one.given) for one in gallery.exact(name).boards)
 
 
 def sizes(log: Construction, given: Mapping[Mark, object]) -> Iterator[tuple[Mark, int]]:
