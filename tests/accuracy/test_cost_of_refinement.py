@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 
 import numpy as np
 import pytest
+from support.boards import recorded
 from support.gallery import SHEETS
 from support.logs import FourBar
 
@@ -18,7 +18,6 @@ from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.mechanism.records import Extreme, Row
-from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 
 
@@ -67,12 +66,11 @@ def test_a_refinement_whose_construction_is_not_told_is_named() -> None:
 
 
 def test_the_refined_extreme_of_a_mechanism_is_counted() -> None:
-    task = read(SHEETS / "crank-rocker")
-    assert task.mechanism is not None
-    inner = task.mechanism.links[1]
+    mechanism = read(SHEETS / "crank-rocker").mechanism
+    assert mechanism is not None
+    inner = mechanism.links[1]
     letter = next(p for p in inner.points if p not in ("A", "B"))
-    changed = replace(task, row=Row(8, zero=Extreme(letter, "top")))
-    project = record(changed, wanted={"positions"})
+    project = recorded(mechanism, Row(8, zero=Extreme(letter, "top")), plans=("positions",))
     names = [step.op.name for step in project.construction.steps]
     work = count(project.construction, varying(project.given), positions=8)
     assert names.count("refine") == len(work.untold) == 1

@@ -58,9 +58,9 @@ def exact(name: str) -> DrawnScene:
 
 def drawn(name: str, *, exact: bool = False) -> Drawn:
     """Return the mechanism of a scene of the package, drawn."""
-    mechanism = made(name, exact=exact).mechanism
-    assert mechanism is not None
-    return mechanism
+    found = made(name, exact=exact).mechanism
+    assert found is not None
+    return found
 
 
 @cache
