@@ -105,7 +105,7 @@ def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     tried, plain = (
         work_of(d, v).operations["measure_along"] for d in (drawn, replace(drawn, tried={}))
     )
-    once = count(trial.log, [trial.angle], [trial.reading]).operations["measure_along"]
+    once = count(trial.construction, [trial.angle], [trial.reading]).operations["measure_along"]
     assert tried - plain == (17 + 15) * once > 0
     assert work_of(drawn, v).untold == ()
     assert not drawing("windrower").tried
@@ -115,7 +115,7 @@ def test_a_larger_drawing_is_the_same_for_an_exact_hand() -> None:
     own, larger = (draw(scene("windrower"), scales("windrower"), k)[0] for k in (1.0, 2.0))
     for name in ("v", "a", "V_diagram", "a_diagram", "P_bal", "J_fly", "J_fly_energy_mass"):
         one, two = (
-            quantity(d, name).read(execute(d.log, d.given, quantity(d, name).marks), 1)
+            quantity(d, name).read(execute(d.construction, d.given, quantity(d, name).marks), 1)
             for d in (own, larger)
         )
         assert np.abs(one - two).max() < 1e-9 * np.abs(one).max()
