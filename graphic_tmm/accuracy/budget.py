@@ -30,6 +30,7 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.measuring import Trial, needed
+from graphic_tmm.language.said import said
 from graphic_tmm.language.words import fixed, number
 from graphic_tmm.readers.quantity import Quantity
 from graphic_tmm.scene.records import Scene
@@ -102,7 +103,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
         if errors:
             tried.append((candidate, minutes, errors))
     if not tried:
-        says = "--budget: nothing on its sheets has an error that could be told"
+        says = said("--budget: nothing on its sheets has an error that could be told")
         raise SceneError(scene.source, (Fault("", 0, says),))
     candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
     errors = _measured(candidate, judge, float("inf"))

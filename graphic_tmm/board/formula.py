@@ -53,7 +53,7 @@ def formula(function: Callable[..., Any], /) -> Operation: ...
 
 @overload
 def formula(
-    *, holds: str = "", fails: str | tuple[str, str] | None = None
+    *, holds: str = "", fails: str | None = None
 ) -> Callable[[Callable[..., Any]], Operation]: ...
 
 
@@ -62,7 +62,7 @@ def formula(
     /,
     *,
     holds: str = "",
-    fails: str | tuple[str, str] | None = None,
+    fails: str | None = None,
 ) -> Any:
     """Turn an annotated function whose docstring is a formula into an `Operation`.
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import shapely
 
 from graphic_tmm.errors import SheetError, ViewError
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.placing import box, shape
 
@@ -45,7 +46,9 @@ def bounds(drawing: Drawing) -> Box:
         box(label) for label in drawing.labels
     ]
     if not shapes:
-        raise SheetError(f"nothing of the view '{drawing.title}' can be drawn: change its data")
+        raise SheetError(
+            said("nothing of the view '{title}' can be drawn: change its data", title=drawing.title)
+        )
     left, bottom, right, top = shapely.total_bounds(shapes)
     return float(left), float(bottom), float(right), float(top)
 
@@ -170,8 +173,14 @@ def _inside(f: Box, g: Box) -> bool:
 def _too_large(view: Drawing, room: Room, format: str) -> ViewError:
     left, bottom, right, top = bounds(view)
     wide, high, inner = right - left, top - bottom, room.inner
-    says = (
-        f"the view '{view.title or view.name}' is {wide:.0f}×{high:.0f} mm and does not fit on "
-        f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm)"
+    says = said(
+        "the view '{name}' is {wide:.0f}×{high:.0f} mm and does not fit on {format} (room "
+        "{inner:.0f}×{inner2:.0f} mm)",
+        name=view.title or view.name,
+        wide=wide,
+        high=high,
+        format=format,
+        inner=inner[2] - inner[0] - 2 * GAP,
+        inner2=inner[3] - inner[1] - 2 * GAP,
     )
     return ViewError(says, view.name, (wide, high))

@@ -20,9 +20,10 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.photo.perspective import bilinear, cross, homography, through, vertices
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box
 
-EDGES = ("lower", "right", "upper", "left")
+EDGES = said("lower"), said("right"), said("upper"), said("left")
 
 STATIONS = 400
 """Places along an edge where the line is sought, about 2 mm apart on an A1: more of them average more
