@@ -101,7 +101,9 @@ def test_a_reference_has_converged() -> None:
         one = drawing("engine", finer)
         mine = quantity(one, "J_fly")
         errors.append(
-            abs(mine.read(execute(one.construction, one.given, mine.marks), 1)[0, 0] / due[0, 0] - 1)
+            abs(
+                mine.read(execute(one.construction, one.given, mine.marks), 1)[0, 0] / due[0, 0] - 1
+            )
         )
     assert errors[1] < errors[0] / 8
     assert errors[1] < 1e-4
