@@ -15,6 +15,8 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
+from graphic_tmm.readers.varied import NOTHING, Accuracy
+
 if TYPE_CHECKING:
     import numpy as np
 
@@ -107,7 +109,8 @@ class Place:
     """What a sheet can show, by the name that scenes write.
 
     ``draw``: a drawn board, lettered? -> its views; ``plain``: a scene -> views that no board is needed for. ``rank``: where it stands on a sheet that does not say what
-    stands there; 0 where only a sheet that names it shows it. ``shows``: the plans of which it shows something;
+    stands there; 0 where only a sheet that names it shows it. ``shows``: the plans of which it shows something,
+    ``beside``: those of which it does so where they are drawn;
     ``follows``: the plans whose μ its room depends on. ``together``: it is these
     places, one after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends,
     in the order in which they give way.
@@ -118,6 +121,7 @@ class Place:
     draw: Callable[[Drawn, bool], list[Drawing]] = lambda drawn, lettered: []
     plain: Callable[[Scene], list[Drawing]] = lambda scene: []
     shows: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
     follows: tuple[str, ...] = ()
     together: tuple[str, ...] = ()
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
@@ -150,6 +154,7 @@ class Chapter:
     ``plans``: what protocols call its plans, ``plans_rank``: where these stand among the plans of all chapters if
     not in the order of the book (ten a chapter); ``views``: the views of the board that each is drawn in.
     ``equations``: a view -> lines that stand before its protocol. ``titles``: a view -> what it is called there.
+    ``accuracy``: what it tells of its accuracy.
     """
 
     name: str
@@ -191,7 +196,8 @@ class Chapter:
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
-    titles: Callable[[Drawn, str, str], str] = lambda drawn, view, language: ""
+    titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
+    accuracy: Accuracy = NOTHING
 
 
 _ADDED: list[Chapter] = []

@@ -14,8 +14,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
+
+from graphic_tmm.language.said import said
 
 LONGEST = 60
 """Of a key, and of a text of the scene that a message quotes, so many characters are shown."""
@@ -27,6 +29,10 @@ _QUOTED = re.compile(r'(?<!\w)"(.*?)"(?!\w)', re.DOTALL)
 
 class TmmError(Exception):
     """The root of the tree: the command line prints its text and exits with status 2."""
+
+    def told(self, speech: Callable[[str], str]) -> str:
+        """Return the message in a language."""
+        return speech(self.args[0])
 
 
 class Fault(NamedTuple):
@@ -42,7 +48,17 @@ def first_of(faults: Sequence[Fault], most: int, count: int = 0) -> tuple[Fault,
     more = max(count, len(faults)) - most
     told = tuple(faults[:most])
     if more > 0:
-        told += (Fault("", 0, f"and {more} more faults; put these right first"),)
+        told += (
+            Fault(
+                "",
+                0,
+                said(
+                    "and {n} more fault; put these right first",
+                    "and {n} more faults; put these right first",
+                    n=more,
+                ),
+            ),
+        )
     return told
 
 
@@ -52,11 +68,15 @@ class SceneError(TmmError):
     def __init__(self, path: str, faults: tuple[Fault, ...]) -> None:
         self.path = path
         self.faults = faults
-        super().__init__("\n".join(self._line(fault) for fault in faults))
+        super().__init__(self.told(str))
 
-    def _line(self, fault: Fault) -> str:
+    def told(self, speech: Callable[[str], str]) -> str:
+        """Return all faults in a language, each on a line of its own."""
+        return "\n".join(self._line(fault, speech) for fault in self.faults)
+
+    def _line(self, fault: Fault, speech: Callable[[str], str]) -> str:
         place = f"{self.path}:{fault.line}" if fault.line else self.path
-        message = _QUOTED.sub(_shortened, fault.message)
+        message = _QUOTED.sub(_shortened, speech(fault.message))
         key = fault.key if len(fault.key) <= LONGEST else f"{fault.key[: LONGEST - 3]}..."
         return printable(f"{place}: {key}: {message}" if key else f"{place}: {message}")
 
@@ -85,7 +105,7 @@ class StructureError(TmmError):
     def inside(self, item: str) -> StructureError:
         """Return the error as one of an item of a list, ``load 2``."""
         keys = tuple(key if "." in key else f"{item}, {key}" for key in self.keys)
-        return StructureError(str(self), *(keys or (item,)))
+        return StructureError(self.args[0], *(keys or (item,)))
 
 
 class ConstructionError(TmmError):
@@ -109,5 +129,8 @@ class BareError(TmmError):
 
     def __init__(self) -> None:
         super().__init__(
-            "python -OO throws away the texts of which the sentences are made; run it without -OO"
+            said(
+                "python -OO throws away the texts of which the sentences are made; run it without "
+                "-OO"
+            )
         )

@@ -18,6 +18,7 @@ from socket import gethostname
 from typing import BinaryIO, NamedTuple, NoReturn
 
 from graphic_tmm.errors import Fault, SceneError, SheetError, printable
+from graphic_tmm.language.said import said
 
 HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
 _PART = re.compile(r"\.graphic-tmm-([A-Za-z0-9-]+)-([0-9]+)-[0-9]+\.part")
@@ -60,17 +61,23 @@ def opened(file: Path, kind: Kind) -> BinaryIO:
     try:
         state = file.stat()
         if stat.S_ISDIR(state.st_mode):
-            _refuse(file, f"this is a folder; {kind.remedy}")
+            _refuse(file, said("this is a folder; {remedy}", remedy=kind.remedy))
         if not stat.S_ISREG(state.st_mode):
-            _refuse(file, f"this is a device or a pipe, no ordinary file; {kind.remedy}")
+            _refuse(
+                file,
+                said("this is a device or a pipe, no ordinary file; {remedy}", remedy=kind.remedy),
+            )
         if state.st_size > kind.largest:
             _refuse(file, _large(kind))
         stream = file.open("rb")
     except FileNotFoundError:
-        _refuse(file, f"there is no such file; {kind.remedy}")
+        _refuse(file, said("there is no such file; {remedy}", remedy=kind.remedy))
     except (OSError, ValueError) as error:
         reason = type(error).__name__
-        _refuse(file, f"the file cannot be read ({reason}); check its name and rights")
+        _refuse(
+            file,
+            said("the file cannot be read ({reason}); check its name and rights", reason=reason),
+        )
     if (inputs := _INPUTS.get()) is not None:
         inputs.append(file)
     return stream
@@ -83,7 +90,10 @@ def read(file: Path, kind: Kind) -> bytes:
             data = stream.read(kind.largest + 1)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        _refuse(file, f"the file cannot be read ({reason}); {kind.remedy}")
+        _refuse(
+            file,
+            said("the file cannot be read ({reason}); {remedy}", reason=reason, remedy=kind.remedy),
+        )
     if len(data) > kind.largest:  # it grew, or does not tell its size
         _refuse(file, _large(kind))
     return data
@@ -92,7 +102,12 @@ def read(file: Path, kind: Kind) -> bytes:
 def _large(kind: Kind) -> str:
     mega = kind.largest >= 1_000_000
     most = f"{kind.largest // 1_000_000} MB" if mega else f"{kind.largest // 1000} kB"
-    return f"the file is too large: {kind.noun} has at most {most}; {kind.remedy}"
+    return said(
+        "the file is too large: {noun} has at most {most}; {remedy}",
+        noun=kind.noun,
+        most=most,
+        remedy=kind.remedy,
+    )
 
 
 def _refuse(file: Path, message: str) -> NoReturn:
@@ -103,7 +118,7 @@ def _refuse(file: Path, message: str) -> NoReturn:
 
 
 def write(
-    folder: Path, texts: Mapping[str, str | bytes], *, remedy: str = "name another folder"
+    folder: Path, texts: Mapping[str, str | bytes], *, remedy: str = said("name another folder")
 ) -> tuple[Path, ...]:
     """Write texts or bytes (by file name) into a folder, made if it is not there; return the paths.
 
@@ -135,7 +150,12 @@ def write(
         _clear(waiting, made)
         reason = (error.strerror or str(error)).lower()
         raise SheetError(
-            f"cannot write into {printable(str(folder))}: {reason}; {remedy}"
+            said(
+                "cannot write into {folder}: {reason}; {remedy}",
+                folder=printable(str(folder)),
+                reason=reason,
+                remedy=remedy,
+            )
         ) from error
     except BaseException:
         _clear(waiting, made)
@@ -148,7 +168,11 @@ def _spare(place: Path, remedy: str) -> None:
     for file in _INPUTS.get() or ():
         if _same(file, place):
             raise SheetError(
-                f"{printable(str(place))}: this file was read; it is not written over: {remedy}"
+                said(
+                    "{place}: this file was read; it is not written over: {remedy}",
+                    place=printable(str(place)),
+                    remedy=remedy,
+                )
             )
 
 

@@ -14,6 +14,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapter import MECHANISM, Chapter, boards, chapters, in_order, places
 from graphic_tmm.errors import Fault, SceneError, StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
 
 if TYPE_CHECKING:
@@ -155,7 +156,7 @@ def record(
         If it cannot be drawn; the message names the scene.
     """
     if board == MECHANISM and scene.mechanism is None:
-        says = (
+        says = said(
             "this scene has no mechanism, only sheets to draw: write [frame], [[link]] and [drive]"
         )
         raise SceneError(scene.source, (Fault("", 0, says),))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene.quantities import near
 
 DEFAULT = "windrower"
@@ -36,9 +37,11 @@ def scene_path(name: str | None) -> Path:
     from graphic_tmm.scene.read import SCENE
 
     meant = near(wanted, found, 0.8)
-    said = f', did you mean the scene "{meant}"?' if meant else f"; {SCENE.remedy}"
-    listed = '"graphic-tmm scenes" lists those that come with it'
-    raise SceneError(wanted, (Fault("", 0, f"there is no such file{said}; {listed}"),))
+    says = said("there is no such file; {remedy}", remedy=SCENE.remedy)
+    if meant:
+        says = said('there is no such file, did you mean the scene "{meant}"?', meant=meant)
+    listed = said('"graphic-tmm scenes" lists those that come with it')
+    raise SceneError(wanted, (Fault("", 0, joined("; ", (says, listed))),))
 
 
 def scene_name(source: str) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.chapter import chapters
-from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
 from graphic_tmm.fitting.fit import fitted, fitted_part
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
@@ -44,7 +44,7 @@ def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -
     return DrawnScene(scene, (drawn, *parts))
 
 
-def draws_mechanism(scene: Scene, parts: Sequence[Drawn]) -> bool:
+def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:
     """Whether a mechanism is drawn, or has to be: a scene of parts alone, or of lettering, has none."""
     plain = {place.name for one in chapters("") for place in one.places}
     return scene.mechanism is not None or not (parts or scene.shown <= plain)

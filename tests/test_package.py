@@ -79,20 +79,18 @@ def _placeholders(text: str) -> set[str]:
 
 
 @each("op", OPERATIONS.values())
-def test_an_operation_speaks_both_languages(op) -> None:
-    assert op.en
-    assert op.ru
-    assert _placeholders(op.en) == _placeholders(op.ru)
-    assert _placeholders(op.en) <= {*op.arguments, *op.choices, "it"}
-    if _placeholders(op.en) & set(op.choices):
-        assert op.sides[0] != ("+", "−")
+def test_an_operation_has_a_sentence_that_names_its_marks(op) -> None:
+    assert op.sentence
+    assert _placeholders(op.sentence) <= {*op.arguments, *op.choices, "it"}
+    if _placeholders(op.sentence) & set(op.choices):
+        assert op.sides != ("+", "−")
     if op.formula:
         assert _placeholders(op.formula) == set(op.arguments)
     if "side" in op.arguments:
-        assert op.sides[0] != ("+", "−")
-        assert "side" in _placeholders(op.en)
+        assert op.sides != ("+", "−")
+        assert "side" in _placeholders(op.sentence)
     for gap in op.gaps:
-        assert _placeholders(gap.en) == _placeholders(gap.ru) <= set(op.arguments)
+        assert _placeholders(gap.says) <= set(op.arguments)
 
 
 def test_every_operation_is_in_the_table() -> None:

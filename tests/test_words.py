@@ -15,8 +15,9 @@ from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.language.captions import CAPTIONS, LINK_NAMES
-from graphic_tmm.language.words import finding, fixed, number, protocol, unit
+from graphic_tmm.language.words import fixed, number, unit
+from graphic_tmm.readers.findings import finding
+from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
@@ -248,15 +249,6 @@ def test_the_protocol_says_which_side() -> None:
     assert "draw (3) along (BA), against its sense" in protocol_text(
         "windrower", "positions", 1, "en"
     )
-
-
-def test_the_languages_have_words_for_the_same_things() -> None:
-    for words in (CAPTIONS, LINK_NAMES):
-        assert set(words["ru"]) == set(words["en"])
-        for key, text in words["en"].items():
-            assert text
-            assert words["ru"][key]
-            assert not re.search("[А-Яа-яё]", text), key
 
 
 @pytest.mark.parametrize(

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.accuracy.axes import POSITIONS, dividing, own_parts
 from graphic_tmm.accuracy.lessons import Optimum, along, divisions
 from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
 from graphic_tmm.accuracy.words import WORDS, counted
-from graphic_tmm.chapters.cam.task import ASKED as CAM
-from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
-from graphic_tmm.chapters.gears.task import ASKED as GEARS
-from graphic_tmm.language.words import number, sentence, view_name
+from graphic_tmm.language.words import number
+from graphic_tmm.readers.protocol import title_of
+from graphic_tmm.readers.sentences import sentence
 
 KNOWN, LEVEL = 0.5, 0.25
 """A slope is told if it is known to within the first; it is none if it is less than the second."""
@@ -68,7 +68,7 @@ def _advice(study: Study, one: Optimum) -> str:
     row = along(study.runs, one.quantity, one.hand)
     best, other, form = one.best, one.finer, "advice"
     if one.flat:
-        own = [run for run in row if divisions(run) == _own(study, one.axis)]
+        own = [run for run in row if divisions(run) == own_parts(study.scene, one.axis)]
         best = (own or row)[0]
         other = next((r for r in row if divisions(r) >= 2 * divisions(best)), row[-1])
         form = "advice flat"
@@ -90,16 +90,6 @@ def _advice(study: Study, one: Optimum) -> str:
     )
 
 
-def _own(study: Study, axis: str) -> int:
-    """Return into how many parts the scene itself divides its drawing."""
-    scene = study.scene
-    if axis == "parts" and (cam := CAM.of(scene)) is not None:
-        return cam.divisions
-    if axis == "steps" and (gears := GEARS.of(scene)) is not None:
-        return gears.steps
-    return scene.row.count
-
-
 def most(study: Study) -> Iterator[str]:
     """Yield, for each quantity, the step that costs most accuracy."""
     language, words = study.scene.language, WORDS[study.scene.language]
@@ -114,20 +104,17 @@ def most(study: Study) -> Iterator[str]:
 
 def step_name(study: Study, steps: Steps, share: Share) -> str:
     """Return a step as the protocol names it: its view, its number there, its sentence."""
-    language = study.scene.language
+    language, project = study.scene.language, steps.project
     view = share.step.it.view
-    places = [step.it for step in steps.log.steps if step.it.view == view]
-    diagrams = DIAGRAMS.of(study.scene)
-    point = diagrams.point if diagrams is not None else ""
     return WORDS[language]["step of"].format(
-        view=view_name(view, language, point),
-        number=places.index(share.step.it) + 1,
+        view=title_of(project, view, language),
+        number=project.marks(view).index(share.step.it) + 1,
         text=sentence(share.step, language, steps.reading, min(1, steps.reading.positions - 1)),
     )
 
 
 def own_count(study: Study) -> int:
-    """Return the number of positions of the scene's own setting."""
-    axes = dict.fromkeys(run.axis for run in study.runs)
-    axis = next((a for a in axes if a in ("positions", "parts", "steps")), "positions")
-    return _own(study, axis)
+    """Return into how many parts the scene's own setting divides the drawing."""
+    divided = dividing()
+    axis = next((run.axis for run in study.runs if run.axis in divided), POSITIONS.name)
+    return own_parts(study.scene, axis)

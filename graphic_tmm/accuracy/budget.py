@@ -15,8 +15,8 @@ from itertools import product
 
 import numpy as np
 
-from graphic_tmm.accuracy.axes import LONG, own_setting, rows
-from graphic_tmm.accuracy.changes import enlarge, farther
+from graphic_tmm.accuracy.axes import is_long, own_setting, rows
+from graphic_tmm.accuracy.changes import can_move, enlarge, farther
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
@@ -26,11 +26,13 @@ from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting, whole
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
-from graphic_tmm.chapters.diagrams.task import ASKED as DIAGRAMS
-from graphic_tmm.chapters.forces import CHAPTER as FORCES
+from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.fitting.measuring import Trial, needed
+from graphic_tmm.language.said import said
 from graphic_tmm.language.words import fixed, number
+from graphic_tmm.readers.quantity import Quantity
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
@@ -40,13 +42,6 @@ HOPELESS = 2.0
 """A setting that errs by so many times the budget in a few drawings is not looked at any closer."""
 SIZES = (1.0, 2.0)
 POLES = (1.0, 2.0)
-ASKED = {
-    "v": ("velocities",),
-    "a": ("accelerations",),
-    "P_bal": tuple(place.name for place in FORCES.places),
-    "M_bal": tuple(place.name for place in FORCES.places),
-}
-"""Quantities that are asked for only if one of these places is on a sheet; others always."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +50,7 @@ class Candidate:
 
     scene: Scene
     divided: tuple[tuple[str, str], ...]
-    method: str | None
+    free: tuple[str, ...]
     enlarged: float
     pole: float
 
@@ -63,7 +58,7 @@ class Candidate:
         """Return the setting in words."""
         words = WORDS[language]
         found = [counted(int(value), axis, language) for axis, value in self.divided]
-        found += [words[self.method]] if self.method is not None else []
+        found += [words[value] for value in self.free]
         for key, times in (("pole", self.pole), ("size", self.enlarged)):
             if times != 1.0:
                 found.append(words[f"budget {key}"].format(times=number(times, language)))
@@ -93,7 +88,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
     """
     made = make(scene, exact=True)
     scales = pinned(made)
-    judge = References(_full(scene), scales)
+    judge = References(whole(scene), scales)
     tried: list[tuple[Candidate, float, dict[str, float]]] = []
     row = sorted(_candidates(scene, scales), key=_order)
     for k, (minutes, candidate) in enumerate(row):
@@ -108,7 +103,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
         if errors:
             tried.append((candidate, minutes, errors))
     if not tried:
-        says = "--budget: nothing on its sheets has an error that could be told"
+        says = said("--budget: nothing on its sheets has an error that could be told")
         raise SceneError(scene.source, (Fault("", 0, says),))
     candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
     errors = _measured(candidate, judge, float("inf"))
@@ -128,18 +123,26 @@ def _worst(errors: Mapping[str, float]) -> float:
 
 def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
     """Yield every candidate with its minutes at the board."""
-    graphs = DIAGRAMS.of(scene) is not None
+    poles = POLES if can_move(scene) else (1.0,)
     for divided, one in _divided(scene):
-        for method in ("chords", "tangents") if graphs else (None,):
-            own = one
-            if method is not None and (order := DIAGRAMS.of(one)) is not None:
-                own = DIAGRAMS.put(one, replace(order, method=method))
+        for free, own in _free(one):
             try:
                 minutes = _minutes(own, scales)
             except TmmError:
                 continue
-            for enlarged, pole in product(SIZES, POLES if graphs else (1.0,)):
-                yield minutes, Candidate(own, divided, method, enlarged, pole)
+            for enlarged, pole in product(SIZES, poles):
+                yield minutes, Candidate(own, divided, free, enlarged, pole)
+
+
+def _free(scene: Scene) -> list[tuple[tuple[str, ...], Scene]]:
+    """Return the scene with all that may be chosen freely, along all axes of that sort that it has."""
+    found: list[tuple[tuple[str, ...], Scene]] = [((), scene)]
+    for axis in (axis for one in chapters() for axis in one.accuracy.axes if axis.free):
+        if any(True for _ in axis.scenes(scene)):
+            found = [
+                ((*told, value), other) for told, one in found for value, other in axis.scenes(one)
+            ]
+    return found
 
 
 def _divided(scene: Scene) -> Iterator[tuple[tuple[tuple[str, str], ...], Scene]]:
@@ -149,44 +152,36 @@ def _divided(scene: Scene) -> Iterator[tuple[tuple[tuple[str, str], ...], Scene]
         finer = []
         for told, one in found:
             values = next(row for name, row in rows(one) if name == axis)
-            finer += [
-                ((*told, (axis, v)), s)
-                for v, s in values
-                if axis != "positions" or int(v) not in LONG
-            ]
+            finer += [((*told, (axis, v)), s) for v, s in values if not is_long(axis, v)]
         found = finer
     yield from found
 
 
-def _full(scene: Scene) -> Scene:
-    return whole(scene) if scene.mechanism is not None else scene
-
-
-def _asked(scene: Scene, name: str) -> bool:
-    shown = scene.called
-    return name not in ASKED or bool(shown & set(ASKED[name]))
+def _asked(scene: Scene, quantity: Quantity) -> bool:
+    return not quantity.places or bool(scene.called & set(quantity.places))
 
 
 def _minutes(scene: Scene, scales: Pinned) -> float:
     """Return the minutes at the board that all asked quantities of a scene take together."""
     total = 0.0
-    for drawing in draw(_full(scene), scales):
-        marks = [m for q in quantities(drawing) if _asked(scene, q.name) for m in q.marks]
+    for drawing in draw(whole(scene), scales):
+        marks = [m for q in quantities(drawing) if _asked(scene, q) for m in q.marks]
         if marks:
             varies = varying(drawing.given)
-            total += count(drawing.log, varies, marks, positions=drawing.count).minutes
+            total += count(drawing.construction, varies, marks, positions=drawing.count).minutes
     return total
 
 
 def _errors(measure: Measure, setting: Setting, scene: Scene) -> dict[str, float]:
     """Return the errors of the quantities that the sheets of ``scene`` show."""
-    found = measure.runs(setting, "", "")
-    return {run.quantity: run.error for run in found if _asked(scene, run.quantity)}
+    there = (q for drawing in measure.drawings(setting) for q in quantities(drawing))
+    asked = [q.name for q in there if _asked(scene, q)]
+    return {run.quantity: run.error for run in measure.runs(setting, "", "", asked)}
 
 
 def _measured(candidate: Candidate, judge: References, percent: float) -> dict[str, float]:
     """Return the errors of a candidate to the scales of the scene as it is; none if it cannot be drawn."""
-    scene = _full(candidate.scene)
+    scene = whole(candidate.scene)
     measure = Measure(judge.scales, judge, clock=False)
     errors: dict[str, float] = {}
     try:
@@ -212,7 +207,7 @@ def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dic
         drawn = make(scene, exact=True)
         if _sheets(drawn) > _sheets(made):
             return None, {}
-        full, scales = _full(scene), pinned(drawn)
+        full, scales = whole(scene), pinned(drawn)
         measure = Measure(scales, References(full, scales), clock=False)
         return scene, _errors(measure, own_setting(full, None, DRAWINGS), scene)
     except TmmError:
@@ -221,10 +216,9 @@ def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dic
 
 def _sheets(made: DrawnScene) -> int:
     """Return how many sheets a scene takes."""
-    from graphic_tmm.paper.measuring import Trial, needed
-
     tried = Trial.of(made.mechanism) if made.mechanism is not None else None
-    return needed(made.scene, tried, made.parts, {})
+    others = [one for one in made.boards if one is not made.mechanism]
+    return needed(made.scene, tried, others, {})
 
 
 def _told(

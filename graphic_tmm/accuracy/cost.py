@@ -17,13 +17,12 @@ from graphic_tmm.accuracy.geometrography import ELEMENTARY
 from graphic_tmm.accuracy.notation import elements, exactitude, simplicity, symbol, written
 from graphic_tmm.accuracy.repetition import repeated
 from graphic_tmm.board.execute import needed
-from graphic_tmm.board.operations.locus import PARTS, PASSES
+from graphic_tmm.board.operations.locus import PARTS, PASSES, REFINE
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.errors import ConstructionError
 
 MINUTES: Mapping[str, float] = MappingProxyType({k: e.minutes for k, e in ELEMENTARY.items()})
 """Minutes an elementary operation takes, unless one is told otherwise."""
-REFINEMENT = "refine"
 
 
 @dataclass(frozen=True)
@@ -150,7 +149,7 @@ def count(
         operations[step.op.name] += times
         for name, n in elements(symbol(step.op), row).items():
             own[name] += n * times
-        if step.op.name == REFINEMENT:
+        if step.op.name == REFINE:
             one = told.get(step.it, Work({}, {}, 0.0, (step.it,)))
             inner += one * (row * times)
     spent = sum(n * table[name] for name, n in own.items())
@@ -162,7 +161,7 @@ def _row(step: Step, passes: int) -> int:
 
     The first pass tries all divisions; of a later one, both ends have been tried already.
     """
-    if step.op.name == REFINEMENT:
+    if step.op.name == REFINE:
         if passes < 1:
             raise ConstructionError(f"passes: at least one, not {passes}")
         return PARTS + 1 + (passes - 1) * (PARTS - 1)

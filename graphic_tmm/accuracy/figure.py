@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.accuracy.lessons import DIVIDED, along, divisions
+from graphic_tmm.accuracy.axes import dividing
+from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import Run
 from graphic_tmm.accuracy.settings import GRID
 from graphic_tmm.accuracy.study import Study
@@ -126,7 +127,7 @@ def _cost(run: Run, machine: bool) -> float:
 def _panel(axes: Axes, study: Study, name: str, machine: bool) -> None:
     """Draw one quantity over one cost."""
     mine = [run for run in study.runs if run.quantity == name and run.error > 0.0]
-    others = [run for run in mine if run.axis not in (*DIVIDED, "trials")]
+    others = [run for run in mine if run.axis not in (*dividing(), "trials")]
     _points(axes, others, machine, color="#9a9a9a", marker=".", markersize=5, zorder=1)
     for hand in _hands(study):
         row = [run for run in along(study.runs, name, hand) if run.error > 0.0]

@@ -7,12 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.accuracy.axes import dividing
 from graphic_tmm.accuracy.fit import Slope, slope
 from graphic_tmm.accuracy.measure import Run
 from graphic_tmm.accuracy.pareto import front
 
-DIVIDED = ("positions", "parts", "steps")
-"""The axes along which a drawing is divided finer."""
 ASIDE = ("trials", "slip", "ruler")
 """The axes on which it is not the setting that changes, but who draws."""
 SMOOTH = 12
@@ -56,12 +55,13 @@ def divisions(run: Run) -> int:
 
 def along(runs: Iterable[Run], quantity: str, hand: str, axis: str | None = None) -> list[Run]:
     """Return the runs of a quantity along the axis of its number of positions, in order."""
+    divided = dividing()
     found = [
         run
         for run in runs
         if run.quantity == quantity
         and run.hand == hand
-        and (run.axis == axis if axis is not None else run.axis in DIVIDED)
+        and (run.axis == axis if axis is not None else run.axis in divided)
     ]
     return sorted(found, key=divisions)
 

@@ -10,13 +10,15 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.cost import Work, count
-from graphic_tmm.accuracy.drawing import Drawing, Pinned, draw
-from graphic_tmm.accuracy.quantities import Quantity, quantities
+from graphic_tmm.accuracy.drawing import Pinned, draw, tried
+from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.values import Reals
+from graphic_tmm.project import Project
+from graphic_tmm.readers.quantity import Quantity
 
 SHARE = 0.9
 """An error is so large that this share of all readings keeps within it."""
@@ -136,11 +138,11 @@ class Measure:
     ) -> None:
         self.scales, self.references = scales, references
         self.clock, self.minutes = clock, minutes
-        self._drawn: dict[tuple[int, float, float], tuple[Setting, tuple[Drawing, ...]]] = {}
+        self._drawn: dict[tuple[int, float, float], tuple[Setting, tuple[Project, ...]]] = {}
         self._worked: dict[tuple[int, float, float, str], Work] = {}
         self._timed: dict[tuple[object, ...], Seconds] = {}
 
-    def drawings(self, setting: Setting) -> tuple[Drawing, ...]:
+    def drawings(self, setting: Setting) -> tuple[Project, ...]:
         """Return the logs of a setting."""
         key = id(setting.scene), setting.enlarged, setting.pole
         if key not in self._drawn:
@@ -159,7 +161,7 @@ class Measure:
                 continue
             who = setting.who
             marks = [mark for quantity in asked for mark in quantity.marks]
-            reading = prepare(drawing.log, marks).run(drawing.given, hand=who)
+            reading = prepare(drawing.construction, marks).run(drawing.given, hand=who)
             for quantity in asked:
                 due = self.references.of(quantity, drawing)
                 if due is None:
@@ -172,7 +174,7 @@ class Measure:
                 found.append(Run(*place, setting.enlarged, who.trials, errors, work, seconds))
         return found
 
-    def work(self, setting: Setting, drawing: Drawing, quantity: Quantity) -> Work:
+    def work(self, setting: Setting, drawing: Project, quantity: Quantity) -> Work:
         """Return the work at the board that a quantity takes, at all positions of the row."""
         key = id(setting.scene), setting.enlarged, setting.pole, quantity.name
         if key not in self._worked:
@@ -181,7 +183,7 @@ class Measure:
         return self._worked[key]
 
     def _seconds(
-        self, setting: Setting, drawing: Drawing, quantity: Quantity, axis: str
+        self, setting: Setting, drawing: Project, quantity: Quantity, axis: str
     ) -> Seconds | None:
         """Time one drawing of a quantity; on the axis of trials all of them.
 
@@ -195,21 +197,22 @@ class Measure:
         key = id(setting.scene), quantity.name, *sort
         if key not in self._timed:
             self.drawings(setting)
-            program = prepare(drawing.log, quantity.marks)
+            program = prepare(drawing.construction, quantity.marks)
             hand = who._replace(trials=trials)
             self._timed[key] = timed(lambda: program.run(drawing.given, hand=hand))
         return self._timed[key]
 
 
 def work_of(
-    drawing: Drawing, quantity: Quantity, minutes: Mapping[str, float] | None = None
+    drawing: Project, quantity: Quantity, minutes: Mapping[str, float] | None = None
 ) -> Work:
     """Return the work at the board that a quantity of a drawing takes."""
-    told = {}
-    for mark, (log, angle, reading) in drawing.tried.items():
-        told[mark] = count(log, [angle], [reading], minutes=minutes)
+    told = {
+        mark: count(trial.log, [trial.angle], [trial.reading], minutes=minutes)
+        for mark, trial in tried(drawing).items()
+    }
     return count(
-        drawing.log,
+        drawing.construction,
         varying(drawing.given),
         quantity.marks,
         positions=drawing.count,

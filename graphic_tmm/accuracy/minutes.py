@@ -7,9 +7,12 @@ from pathlib import Path
 from graphic_tmm.accuracy.geometrography import ELEMENTARY
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.document import document
 
-MINUTES = Kind("a table of minutes", "name a TOML file with a line such as R1 = 0.1", 100_000)
+MINUTES = Kind(
+    said("a table of minutes"), said("name a TOML file with a line such as R1 = 0.1"), 100_000
+)
 LONGEST = 1e6
 """Minutes of one operation: two years."""
 TOLD = 20
@@ -31,11 +34,21 @@ def read_minutes(file: str) -> dict[str, float]:
         if name not in ELEMENTARY:
             told = ", ".join(ELEMENTARY)
             faults.append(
-                Fault(name, 0, f"there is no such elementary operation; there are {told}")
+                Fault(
+                    name,
+                    0,
+                    said("there is no such elementary operation; there are {told}", told=told),
+                )
             )
         elif isinstance(value, bool) or not isinstance(value, (int, float)) or not _able(value):
             faults.append(
-                Fault(name, 0, f"write minutes as a number 0 to {LONGEST:.0f}, such as 0.1")
+                Fault(
+                    name,
+                    0,
+                    said(
+                        "write minutes as a number 0 to {longest:.0f}, such as 0.1", longest=LONGEST
+                    ),
+                )
             )
     if faults:
         raise SceneError(file, first_of(faults, TOLD))

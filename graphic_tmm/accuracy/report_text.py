@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, own_count, slopes, step_name
-from graphic_tmm.accuracy.lessons import DIVIDED, along, divisions
+from graphic_tmm.accuracy.axes import dividing
+from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import NOISE, Run
 from graphic_tmm.accuracy.settings import GRID
 from graphic_tmm.accuracy.study import Study
@@ -40,7 +41,7 @@ def text_report(study: Study) -> list[Any]:
 
 
 def _measured(study: Study, name: str) -> bool:
-    return any(run.quantity == name and run.axis in DIVIDED for run in study.runs)
+    return any(run.quantity == name and run.axis in dividing() for run in study.runs)
 
 
 def _table(title: str, heads: Sequence[str]) -> Any:
@@ -98,7 +99,7 @@ def _quartiles(run: Run, language: str) -> str:
 def _others(study: Study) -> Any:
     """Return the table of settings in which one thing is varied."""
     language, words = study.scene.language, WORDS[study.scene.language]
-    runs = [run for run in study.runs if run.axis not in DIVIDED]
+    runs = [run for run in study.runs if run.axis not in dividing()]
     names = [name for name in study.quantities if any(run.quantity == name for run in runs)]
     heads = [words["axis"], words["value"], *(words[name] for name in names)]
     heads += [words["milliseconds"]] if study.timed else []

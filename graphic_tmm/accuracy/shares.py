@@ -12,12 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.accuracy.drawing import Drawing
-from graphic_tmm.accuracy.quantities import Quantity, quantities
+from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.board.execute import execute, needed
 from graphic_tmm.board.hand import Hand, slip_of
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Reals
+from graphic_tmm.project import Project
+from graphic_tmm.readers.quantity import Quantity
 
 EACH = 16
 """How often each step slips alone."""
@@ -31,14 +32,14 @@ class Share(NamedTuple):
     deviation: float
 
 
-def shares(drawing: Drawing, who: Hand, each: int = EACH) -> Mapping[str, tuple[Share, ...]]:
+def shares(drawing: Project, who: Hand, each: int = EACH) -> Mapping[str, tuple[Share, ...]]:
     """Return, for each quantity of a drawing, the shares of its steps, the largest first.
 
     ``who``: whose slips; the rounding of the ruler is taken as a slip of its reading. ``each``: how often each
     step slips. Steps that the quantity does not need have no share.
     """
     asked = quantities(drawing)
-    steps = needed(drawing.log, [mark for q in asked for mark in q.marks])
+    steps = needed(drawing.construction, [mark for q in asked for mark in q.marks])
     slipping: dict[str, Step] = {}
     for step in steps:
         slip = slip_of(step.op, *step.it.key)
@@ -55,8 +56,8 @@ def shares(drawing: Drawing, who: Hand, each: int = EACH) -> Mapping[str, tuple[
         first=0,
     )
     marks = [mark for q in asked for mark in q.marks]
-    drawn = execute(drawing.log, drawing.given, marks, hand=hand)
-    exact = execute(drawing.log, drawing.given, marks)
+    drawn = execute(drawing.construction, drawing.given, marks, hand=hand)
+    exact = execute(drawing.construction, drawing.given, marks)
     found = {}
     for quantity in asked:
         variances = _variances(
@@ -88,9 +89,9 @@ def _variances(values: Reals, exact: Reals, steps: int) -> Reals:
 
 
 def _ranked(
-    drawing: Drawing, quantity: Quantity, steps: tuple[Step, ...], variances: Reals
+    drawing: Project, quantity: Quantity, steps: tuple[Step, ...], variances: Reals
 ) -> tuple[Share, ...]:
-    own = {step.it.slot for step in needed(drawing.log, quantity.marks)}
+    own = {step.it.slot for step in needed(drawing.construction, quantity.marks)}
     rows = [(s, float(v)) for s, v in zip(steps, variances, strict=True) if s.it.slot in own]
     total = sum(variance for _, variance in rows)
     if total == 0.0:

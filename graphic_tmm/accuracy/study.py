@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from graphic_tmm.accuracy.axes import Place, grid, own_setting, singly
+from graphic_tmm.accuracy.axes import Varied, grid, own_setting, singly
 from graphic_tmm.accuracy.drawing import pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
 from graphic_tmm.accuracy.measure import Measure, Run
@@ -14,8 +14,9 @@ from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named, whole
 from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.record import Construction
+from graphic_tmm.chapter import chapters
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
@@ -29,13 +30,12 @@ Tell = Callable[[int, int, str], None]
 
 @dataclass(frozen=True)
 class Steps:
-    """The shares of the steps of a quantity, with the log they stand in and its exact numbers."""
+    """The shares of the steps of a quantity, with the project they stand in and its exact numbers."""
 
     quantity: str
     shares: tuple[Share, ...]
-    log: Construction
+    project: Project
     reading: Reading
-    turned: bool
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def study(
         If the scene has no quantity whose error could be told.
     """
     told = tell or (lambda done, of, name: None)
-    full = whole(scene) if scene.mechanism is not None else scene
+    full = whole(scene)
     own = own_setting(full, hand, trials)
     along = [*grid(own, trials), *singly(own, trials)]
     told(0, len(along) + 2, "")
@@ -112,7 +112,7 @@ def study(
     )
 
 
-def _measure(measure: Measure, place: Place, runs: list[Run], left_out: list[str]) -> None:
+def _measure(measure: Measure, place: Varied, runs: list[Run], left_out: list[str]) -> None:
     try:
         runs += measure.runs(place.setting, place.axis, place.value, place.only)
     except TmmError as error:
@@ -125,16 +125,16 @@ def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
     """Return the shares of the variance per step, by the student's slips at the scene's own setting."""
     found = []
     for drawing in measure.drawings(setting):
-        exact = execute(drawing.log, drawing.given)
-        turned = setting.scene.turned
+        exact = execute(drawing.construction, drawing.given)
         for name, row in shares(drawing, setting.who).items():
-            found.append(Steps(name, row, drawing.log, exact, turned))
+            found.append(Steps(name, row, drawing, exact))
     return tuple(found)
 
 
 def _nothing(scene: Scene) -> str:
     shown = ", ".join(sorted(scene.called))
+    *first, last = (place for one in chapters() for place in one.accuracy.places)
     return (
-        f"it calls for {shown}: nothing whose error can be told; place velocities, accelerations, diagrams, "
-        "forces, flywheel, engine, cam or gears on a [[sheet]]"
+        f"it calls for {shown}: nothing whose error can be told; place {', '.join(first)} or {last} on a "
+        "[[sheet]]"
     )

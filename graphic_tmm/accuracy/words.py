@@ -1,204 +1,132 @@
-"""The words of the study of accuracy, in Russian and English."""
+"""The words of the study of accuracy, by the names that its writers have for them."""
 
 from __future__ import annotations
 
-WORDS: dict[str, dict[str, str]] = {
-    "en": {
-        "title": "{title}. What accuracy costs",
-        "measure": "Error in % of the largest value that nine readings of ten keep within "
-        "({trials} drawings by each hand that slips); work of that quantity at all positions.",
-        "error": "error, %",
-        "axis": "varied",
-        "value": "value",
-        "positions": "positions",
-        "parts": "parts of a phase",
-        "steps": "rolling steps",
-        "slip": "single slip of the student",
-        "ruler": "ruler, mm",
-        "size": "drawing, times as large",
-        "method": "differentiation",
-        "start": "taken from the plans",
-        "pole": "pole distance H, times",
-        "passes": "passes of friction",
-        "rod": "mass of the rod",
-        "inertia": "inertia force",
-        "trials": "drawings by the student",
-        "others": "One thing varied about the scene's own setting ({hand}); in brackets minutes "
-        "where the work changes",
-        "exact": "exact",
-        "cad": "CAD",
-        "careful": "careful",
-        "student": "student",
-        "scene": "as in the scene",
-        "prick": "prick",
-        "compass": "compass",
-        "swing": "square and protractor",
-        "reading": "reading",
-        "digits": "digits",
-        "chords": "chords",
-        "tangents": "tangents",
-        "displacement": "displacement",
-        "velocity": "velocity",
-        "lever rule": "by the lever rule",
-        "plan": "plan of accelerations",
-        "series": "series of two terms",
-        "minutes": "min",
-        "milliseconds": "ms",
-        "quartiles": "ms (quartiles)",
-        "board": "work at the board, minutes",
-        "machine": "time on the machine, milliseconds",
-        "front": "Pareto front of a hand",
-        "other": "one thing varied",
-        "count": "number of positions (parts, steps)",
-        "quantity": "quantity",
-        "step": "step",
-        "share": "share",
-        "shares": "Share of the variance per step, student, {count} positions",
-        "step of": "{view}, step {number}: {text}",
-        "slope": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work "
-        "grows as N^{minutes}.",
-        "slope timed": "{quantity}: with the exact hand the error falls as N^{error} ± {width}, "
-        "the work grows as N^{minutes}, the time on the machine as N^{seconds}.",
-        "optimum": "{quantity}, {hand}: least with {best} ({error} %), as good from {low} to "
-        "{high}.",
-        "optimum sure": "{quantity}, {hand}: least with {best} ({error} %).",
-        "optimum edge": "{quantity}, {hand}: least at the end of what was tried, {best} ({error} "
-        "%).",
-        "optimum flat": "{quantity}, {hand}: about {error} % at any number.",
-        "advice": "{best}, {hand}: {quantity} to {error} %; {finer} cost {times} times the work "
-        "and give {other} %.",
-        "advice flat": "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} "
-        "instead of {number} only cost {times} times the work.",
-        "advice last": "{best}, {hand}: {quantity} to {error} %, the more the better: {finer} take "
-        "{times} of the work and give {other} %.",
-        "most": "{quantity}: most of the student's error comes from {step} ({share} % of the "
-        "variance).",
-        "slopes": "Slopes",
-        "optima": "Best numbers",
-        "advices": "Advice",
-        "left out": "Not drawn: {text}",
-        "unit positions": "position|positions|positions",
-        "unit parts": "part|parts|parts",
-        "unit steps": "step|steps|steps",
-        "v": "v by plans",
-        "a": "a by plans",
-        "V_diagram": "V by diagram",
-        "a_diagram": "a by diagram",
-        "P_bal": "P_bal",
-        "M_bal": "M_bal",
-        "M_engine": "M of the engine",
-        "J_fly": "J of the flywheel",
-        "J_fly_energy_mass": "J, energy–mass",
-        "r0_min": "r₀ min of the cam",
-        "contact_ratio": "contact ratio, line",
-        "contact_arc": "contact ratio, arc",
-        "budget": "budget {percent} %: {setting}; {minutes} min at the board; {errors}",
-        "budget size": "{times} times as large",
-        "budget pole": "H {times} times as far",
-        "budget none": "--budget {percent} %: no setting keeps within it; the best found: "
-        "{setting}; {errors}. Allow more, or let a better hand draw (--hand)",
-        "advice same": "{quantity}, {hand}: to {error} % with any number of {unit}.",
-        "slope flat": "{quantity}: with the exact hand the error is the same at any number "
-        "(N^{error}), the work grows as N^{minutes}.",
-    },
-    "ru": {
-        "title": "{title}. Чего стоит точность",
-        "measure": "Погрешность в % наибольшего значения, в которую укладываются девять отсчётов "
-        "из десяти ({trials} чертежей каждой неточной рукой); работа — на эту величину во всех "
-        "положениях.",
-        "error": "погрешность, %",
-        "axis": "меняется",
-        "value": "значение",
-        "positions": "положений",
-        "parts": "частей фазы",
-        "steps": "шагов обкатки",
-        "slip": "одна из погрешностей студента",
-        "ruler": "линейка, мм",
-        "size": "чертёж крупнее, раз",
-        "method": "дифференцирование",
-        "start": "взято с планов",
-        "pole": "полюсное расстояние H, раз",
-        "passes": "проходов трения",
-        "rod": "масса шатуна",
-        "inertia": "сила инерции",
-        "trials": "чертежей студента",
-        "others": "Меняется что-то одно относительно задания ({hand}); в скобках минуты, если "
-        "работа меняется",
-        "exact": "точная",
-        "cad": "САПР",
-        "careful": "аккуратный",
-        "student": "студент",
-        "scene": "как в задании",
-        "prick": "укол",
-        "compass": "циркуль",
-        "swing": "угольник и транспортир",
-        "reading": "отсчёт",
-        "digits": "цифры",
-        "chords": "хорды",
-        "tangents": "касательные",
-        "displacement": "перемещение",
-        "velocity": "скорость",
-        "lever rule": "по правилу рычага",
-        "plan": "план ускорений",
-        "series": "ряд из двух членов",
-        "minutes": "мин",
-        "milliseconds": "мс",
-        "quartiles": "мс (квартили)",
-        "board": "работа за доской, мин",
-        "machine": "время на машине, мс",
-        "front": "граница Парето для руки",
-        "other": "изменено что-то одно",
-        "count": "число положений (частей, шагов)",
-        "quantity": "величина",
-        "step": "шаг",
-        "share": "доля",
-        "shares": "Доля дисперсии по шагам, студент, положений: {count}",
-        "step of": "{view}, шаг {number}: {text}",
-        "slope": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, работа "
-        "растёт как N^{minutes}.",
-        "slope timed": "{quantity}: при точной руке погрешность убывает как N^{error} ± {width}, "
-        "работа растёт как N^{minutes}, время на машине — как N^{seconds}.",
-        "optimum": "{quantity}, {hand}: наименьшая — {best} ({error} %), не хуже от {low} до "
-        "{high}.",
-        "optimum sure": "{quantity}, {hand}: наименьшая — {best} ({error} %).",
-        "optimum edge": "{quantity}, {hand}: наименьшая на краю испытанного — {best} ({error} %).",
-        "optimum flat": "{quantity}, {hand}: около {error} % при любом числе.",
-        "advice": "{best}, {hand}: {quantity} до {error} %; {finer} — работы в {times} раза "
-        "больше, а погрешность {other} %.",
-        "advice flat": "{quantity}, {hand}: до {error} % при любом числе {unit}; {finer} вместо "
-        "{number} — лишь работы в {times} раза больше.",
-        "advice last": "{best}, {hand}: {quantity} до {error} %, чем больше, тем лучше: {finer} — "
-        "{times} той же работы и {other} %.",
-        "most": "{quantity}: больше всего погрешности студента даёт {step} ({share} % дисперсии).",
-        "slopes": "Наклоны",
-        "optima": "Наилучшее число",
-        "advices": "Советы",
-        "left out": "Не построено: {text}",
-        "unit positions": "положение|положения|положений",
-        "unit parts": "часть|части|частей",
-        "unit steps": "шаг|шага|шагов",
-        "v": "v по планам",
-        "a": "a по планам",
-        "V_diagram": "V по диаграмме",
-        "a_diagram": "a по диаграмме",
-        "P_bal": "P_ур",
-        "M_bal": "M_ур",
-        "M_engine": "M двигателя",
-        "J_fly": "J маховика",
-        "J_fly_energy_mass": "J, энергомасса",
-        "r0_min": "r₀ min кулачка",
-        "contact_ratio": "ε_α по линии",
-        "contact_arc": "ε_α по дуге",
-        "budget": "допуск {percent} %: {setting}; за доской {minutes} мин; {errors}",
-        "budget size": "крупнее в {times} раза",
-        "budget pole": "H дальше в {times} раза",
-        "budget none": "--budget {percent} %: ни одна постановка не укладывается; лучшая из "
-        "найденных: {setting}; {errors}. Допустите больше или доверьте чертёж лучшей руке "
-        "(--hand)",
-        "advice same": "{quantity}, {hand}: до {error} % при любом числе {unit}.",
-        "slope flat": "{quantity}: при точной руке погрешность от числа не зависит (N^{error}), "
-        "работа растёт как N^{minutes}.",
-    },
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
+
+TEXTS: dict[str, str] = {
+    "title": said("{title}. What accuracy costs"),
+    "measure": said(
+        "Error in % of the largest value that nine readings of ten keep within "
+        "({trials} drawings by each hand that slips); work of that quantity at all positions."
+    ),
+    "error": said("error, %"),
+    "axis": said("varied"),
+    "value": said("value"),
+    "positions": said("positions", context="how many"),
+    "parts": said("parts of a phase"),
+    "steps": said("rolling steps"),
+    "slip": said("single slip of the student"),
+    "ruler": said("ruler, mm"),
+    "size": said("drawing, times as large"),
+    "method": said("differentiation"),
+    "start": said("taken from the plans"),
+    "pole": said("pole distance H, times"),
+    "passes": said("passes of friction"),
+    "rod": said("mass of the rod"),
+    "inertia": said("inertia force"),
+    "trials": said("drawings by the student"),
+    "others": said(
+        "One thing varied about the scene's own setting ({hand}); in brackets minutes "
+        "where the work changes"
+    ),
+    "exact": said("exact"),
+    "cad": said("CAD"),
+    "careful": said("careful"),
+    "student": said("student"),
+    "scene": said("as in the scene"),
+    "prick": said("prick"),
+    "compass": said("compass"),
+    "swing": said("square and protractor"),
+    "reading": said("reading"),
+    "digits": said("digits"),
+    "chords": said("chords"),
+    "tangents": said("tangents"),
+    "displacement": said("displacement"),
+    "velocity": said("velocity"),
+    "lever rule": said("by the lever rule"),
+    "plan": said("plan of accelerations"),
+    "series": said("series of two terms"),
+    "minutes": said("min"),
+    "milliseconds": said("ms"),
+    "quartiles": said("ms (quartiles)"),
+    "board": said("work at the board, minutes"),
+    "machine": said("time on the machine, milliseconds"),
+    "front": said("Pareto front of a hand"),
+    "other": said("one thing varied"),
+    "count": said("number of positions (parts, steps)"),
+    "quantity": said("quantity"),
+    "step": said("step"),
+    "share": said("share"),
+    "shares": said("Share of the variance per step, student, {count} positions"),
+    "step of": said("{view}, step {number}: {text}"),
+    "slope": said(
+        "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work "
+        "grows as N^{minutes}."
+    ),
+    "slope timed": said(
+        "{quantity}: with the exact hand the error falls as N^{error} ± {width}, "
+        "the work grows as N^{minutes}, the time on the machine as N^{seconds}."
+    ),
+    "optimum": said(
+        "{quantity}, {hand}: least with {best} ({error} %), as good from {low} to {high}."
+    ),
+    "optimum sure": said("{quantity}, {hand}: least with {best} ({error} %)."),
+    "optimum edge": said(
+        "{quantity}, {hand}: least at the end of what was tried, {best} ({error} %)."
+    ),
+    "optimum flat": said("{quantity}, {hand}: about {error} % at any number."),
+    "advice": said(
+        "{best}, {hand}: {quantity} to {error} %; {finer} cost {times} times the work "
+        "and give {other} %."
+    ),
+    "advice flat": said(
+        "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} "
+        "instead of {number} only cost {times} times the work."
+    ),
+    "advice last": said(
+        "{best}, {hand}: {quantity} to {error} %, the more the better: {finer} take "
+        "{times} of the work and give {other} %."
+    ),
+    "most": said(
+        "{quantity}: most of the student's error comes from {step} ({share} % of the variance)."
+    ),
+    "slopes": said("Slopes"),
+    "optima": said("Best numbers"),
+    "advices": said("Advice"),
+    "left out": said("Not drawn: {text}"),
+    "v": said("v by plans"),
+    "a": said("a by plans"),
+    "V_diagram": said("V by diagram"),
+    "a_diagram": said("a by diagram"),
+    "P_bal": said("P_bal"),
+    "M_bal": said("M_bal"),
+    "M_engine": said("M of the engine"),
+    "J_fly": said("J of the flywheel"),
+    "J_fly_energy_mass": said("J, energy–mass"),
+    "r0_min": said("r₀ min of the cam"),
+    "contact_ratio": said("contact ratio, line"),
+    "contact_arc": said("contact ratio, arc"),
+    "budget": said("budget {percent} %: {setting}; {minutes} min at the board; {errors}"),
+    "budget size": said("{times} times as large"),
+    "budget pole": said("H {times} times as far"),
+    "budget none": said(
+        "--budget {percent} %: no setting keeps within it; the best found: "
+        "{setting}; {errors}. Allow more, or let a better hand draw (--hand)"
+    ),
+    "advice same": said("{quantity}, {hand}: to {error} % with any number of {unit}."),
+    "slope flat": said(
+        "{quantity}: with the exact hand the error is the same at any number "
+        "(N^{error}), the work grows as N^{minutes}."
+    ),
+}
+WORDS = Tongues(TEXTS)
+COUNTED = {
+    "positions": said("{n} position", "{n} positions"),
+    "parts": said("{n} part", "{n} parts"),
+    "steps": said("{n} step", "{n} steps"),
 }
 
 
@@ -208,11 +136,4 @@ def counted(number: int, axis: str, language: str) -> str:
     >>> counted(24, "positions", "ru"), counted(1, "steps", "en")
     ('24 положения', '1 step')
     """
-    one, few, many = WORDS[language][f"unit {axis}"].split("|")
-    if language == "ru":
-        teens = 11 <= number % 100 <= 14
-        last = 0 if teens else number % 10
-        form = one if last == 1 else few if 2 <= last <= 4 else many
-    else:
-        form = one if number == 1 else many
-    return f"{number} {form}"
+    return speaking(language)(COUNTED[axis], n=number)

@@ -153,7 +153,7 @@ class Draft:
         known = self._lengths.get((self.view, letter, metres))
         if known is None:
             real = self.take(Number, _real(letter), metres, "m")
-            known = self.draw(to_board, letter, real)
+            known = self.draw(to_board, letter, real, self.mu_l)
             assert known.kind is Length
             self._lengths[self.view, letter, metres] = known
         return known

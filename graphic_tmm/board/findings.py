@@ -97,7 +97,7 @@ def _across(
     A curve that is drawn where its points are needs no more than they: their absence is told already.
     """
     row, view = step.choice.get("row"), step.it.view
-    whole = step.op.fails_en == WHOLE_ROW[0] and row is not None
+    whole = step.op.fails == WHOLE_ROW and row is not None
     if row is None or not whole or view in broken or not undefined(reading[step.it]).any():
         return []
     missing = np.zeros(row, dtype=bool)

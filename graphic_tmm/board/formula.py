@@ -53,7 +53,7 @@ def formula(function: Callable[..., Any], /) -> Operation: ...
 
 @overload
 def formula(
-    *, holds: str = "", fails: tuple[str, str] | None = None
+    *, holds: str = "", fails: str | None = None
 ) -> Callable[[Callable[..., Any]], Operation]: ...
 
 
@@ -62,12 +62,12 @@ def formula(
     /,
     *,
     holds: str = "",
-    fails: tuple[str, str] | None = None,
+    fails: str | None = None,
 ) -> Any:
     """Turn an annotated function whose docstring is a formula into an `Operation`.
 
     ``holds``: a condition on the arguments, in the same language ("{z1}·{z3} ≠ 0, {z2} > 0"). Elsewhere there
-    is no answer (NaN), and ``fails`` says why, in English and Russian; but a body answers in its own way.
+    is no answer (NaN), and ``fails`` says why, as for any `operation`; but a body answers in its own way.
 
     Raises
     ------

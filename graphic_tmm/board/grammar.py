@@ -1,10 +1,10 @@
 """What an operation is: an annotated function = geometry + kinds + sentence.
 
 To add an operation: write a pure function of values, annotate every argument and the result with kinds of
-`values`, let the docstring's first paragraph be the English sentence with the arguments' names (and ``{it}``,
-the mark it leaves) in braces, and give the Russian one to the decorator. Arguments after ``*`` are choices:
-constants of the construction, not marks. A calculated length or number gives a ``formula`` instead: its
-docstring is the formula, and the same text serves both languages.
+`values`, let the docstring's first paragraph be the sentence with the arguments' names (and ``{it}``, the mark
+it leaves) in braces; other languages have it in their catalogues. Arguments after ``*`` are choices: constants
+of the construction, not marks. A calculated length or number gives a ``formula`` instead: its docstring is the
+formula, and the same text serves all languages.
 """
 
 from __future__ import annotations
@@ -20,19 +20,18 @@ from graphic_tmm.errors import BareError
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-WHOLE_ROW = ("a position of the row is missing", "в ряду недостаёт положения")
+WHOLE_ROW = "a position of the row is missing"
 """Why a step across positions has no answer that needs all of them."""
 
 
 class Gap(NamedTuple):
     """How far two figures are from not meeting: ``measure(*values)`` in mm, ≥ 0 where they meet.
 
-    ``en``, ``ru``: what is wrong where it is negative, with the argument names in braces.
+    ``says``: what is wrong where it is negative, with the argument names in braces.
     """
 
     measure: Callable[..., Reals]
-    en: str
-    ru: str
+    says: str
 
 
 class Operation(NamedTuple):
@@ -44,16 +43,14 @@ class Operation(NamedTuple):
     arguments: tuple[str, ...]
     leaves: Kind
     choices: tuple[str, ...]
-    en: str
-    ru: str
+    sentence: str
     formula: str = ""
     across: bool = False
     reads: bool = False
     condition: Callable[..., Reals] | None = None
-    fails_en: str = ""
-    fails_ru: str = ""
+    fails: str = ""
     gaps: tuple[Gap, ...] = ()
-    sides: tuple[tuple[str, str], tuple[str, str]] = (("+", "−"), ("+", "−"))
+    sides: tuple[str, str] = ("+", "−")
 
     def __repr__(self) -> str:
         return self.name
@@ -64,22 +61,21 @@ OPERATIONS: dict[str, Operation] = {}
 
 
 def operation(
-    ru: str = "",
     *,
     formula: bool = False,
     across: bool = False,
     reads: bool = False,
     condition: Callable[..., Reals] | None = None,
-    fails: tuple[str, str] = ("the figure cannot be drawn", "построение невозможно"),
+    fails: str = "the figure cannot be drawn",
     gaps: tuple[Gap, ...] = (),
-    sides: tuple[tuple[str, str], tuple[str, str]] = (("+", "−"), ("+", "−")),
+    sides: tuple[str, str] = ("+", "−"),
 ) -> Callable[[F], Operation]:
     """Turn an annotated function into an `Operation` and enter it into the table.
 
     ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
     ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
-    ``fails``: why there may be no answer, in English and Russian. ``sides``: what +1 and −1 of an argument
-    of the kind Side, or a choice that the sentence names, are called, in English and in Russian.
+    ``fails``: why there may be no answer. ``sides``: what +1 and −1 of an argument of the kind Side, or a
+    choice that the sentence names, are called.
     """
 
     def enter(function: F) -> Operation:
@@ -103,12 +99,11 @@ def operation(
             leaves,
             tuple(p.name for p in parameters if p.kind is p.KEYWORD_ONLY),
             sentence,
-            sentence if formula else ru,
             sentence if formula else "",
             across,
             reads,
             condition,
-            *fails,
+            fails,
             gaps,
             sides,
         )

@@ -1,4 +1,4 @@
-"""The figures of a scene one by one, by plan, segment and position: what readings are compared with."""
+"""The cells of a scene's table, by plan, segment and position: the figures that readings are compared with."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from graphic_tmm.readers.table import scene_columns, scene_results
 Key = tuple[str, str, str]
 """Plan, segment, position ("" for a result)."""
 RESULTS = "results"
+"""The plan of the results of the whole project, which have no position."""
 
 
 class Cell(NamedTuple):
@@ -88,11 +89,6 @@ def longest(
         at = (plan, position)
         reach[at] = max(reach.get(at, 0.0), abs(spot))
     return reach | most
-
-
-def plans(found: Mapping[Key, Cell]) -> Iterator[str]:
-    """Yield the plans that have figures, in their order."""
-    yield from dict.fromkeys(plan for plan, _, _ in found)
 
 
 def points(made: DrawnScene) -> dict[Key, complex]:

@@ -11,6 +11,7 @@ from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.report.words import WORDS
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.language.said import said
 
 
 def known(
@@ -68,21 +69,35 @@ def _unknown(taken: Taken, due: Mapping[Key, Cell]) -> str:
     if taken.key in due:
         cell = due[taken.key]
         if taken.mm is not None and cell.mm is None:
-            return f"{segment} is not drawn in mm; give its value and unit"
+            return said("{segment} is not drawn in mm; give its value and unit", segment=segment)
         if taken.pointed:
-            return f"points are compared on plans of positions, velocities and accelerations, not {segment}"
+            return said(
+                "points are compared on plans of positions, velocities and accelerations, not "
+                "{segment}",
+                segment=segment,
+            )
         try:
             taken_figure(taken, cell)
         except ValueError as error:
-            return str(error)
+            return error.args[0]  # type: ignore[no-any-return]
         return ""
     there = sorted({plan for plan, _, _ in due})
     if plan not in there:
-        return f'there is no plan "{plan[:30]}"; there are {", ".join(there)}'
+        return said(
+            'there is no plan "{plan}"; there are {known}', plan=plan[:30], known=", ".join(there)
+        )
     segments = sorted({s for p, s, _ in due if p == plan})
     if segment not in segments:
-        return f'plan {plan} has no segment "{segment[:30]}"; it has {", ".join(segments)}'
+        return said(
+            'plan {plan} has no segment "{segment}"; it has {known}',
+            plan=plan,
+            segment=segment[:30],
+            known=", ".join(segments),
+        )
     places = [n for p, s, n in due if (p, s) == (plan, segment)]
-    return (
-        f'{segment} has no figure at position "{position[:20]}"; it has some at {", ".join(places)}'
+    return said(
+        '{segment} has no figure at position "{position}"; it has some at {known}',
+        segment=segment,
+        position=position[:20],
+        known=", ".join(places),
     )

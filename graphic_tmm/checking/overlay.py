@@ -9,6 +9,7 @@ from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
 from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
@@ -39,7 +40,9 @@ def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
         if one.taken.pointed:
             by_plan.setdefault((one.taken.plan, one.taken.position), []).append(one)
     if not by_plan:
-        raise SheetError("--overlay: no points were read; give x and y of points in the CSV file")
+        raise SheetError(
+            said("--overlay: no points were read; give x and y of points in the CSV file")
+        )
     words = CAPTIONS[report.language]
     views = []
     for (plan, position), read in by_plan.items():
@@ -64,7 +67,9 @@ def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, 
             continue
         if len(laid) == 1:
             return size, tuple(laid[0])
-    raise SheetError("--overlay: more plans were read than an A1 sheet holds; check fewer at once")
+    raise SheetError(
+        said("--overlay: more plans were read than an A1 sheet holds; check fewer at once")
+    )
 
 
 def _plan(

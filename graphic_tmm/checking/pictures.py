@@ -8,10 +8,11 @@ from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.records import Report
 from graphic_tmm.errors import SheetError, printable
 from graphic_tmm.files import write
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, sheets
 
-_REMEDY = "name another file with --overlay"
+_REMEDY = said("name another file with --overlay")
 
 
 def overlay(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
@@ -46,7 +47,13 @@ def underlay(
     clicked = _corners(corners)
     drawn = sheets(scene)[1]
     if number > len(drawn):
-        raise SheetError(f"--sheet: there is no sheet {number}; the scene has {len(drawn)}")
+        raise SheetError(
+            said(
+                "--sheet: there is no sheet {number}; the scene has {count}",
+                number=number,
+                count=len(drawn),
+            )
+        )
     sheet = drawn[number - 1]
     left, bottom, right, top = drawing_area(sheet.format, scene.language, number == 1).inner
     paper = (0.0, 0.0, sheet.width, sheet.height)
@@ -60,7 +67,12 @@ def underlay(
 def _drawing(file: str) -> Path:
     path = Path(file)
     if path.suffix.lower() != ".svg":
-        raise SheetError(f"--overlay: {printable(file)}: the drawing is an SVG file; name it .svg")
+        raise SheetError(
+            said(
+                "--overlay: {file}: the drawing is an SVG file; name it .svg",
+                file=printable(file),
+            )
+        )
     return path
 
 
@@ -71,6 +83,8 @@ def _corners(text: str) -> list[tuple[float, float]]:
         found = []
     if len(found) != 4 or any(len(pair) != 2 for pair in found):
         raise SheetError(
-            '--corners: write the four corners of the frame in dots of the photograph, "10,12 3000,15 ..."'
+            said(
+                '--corners: write the four corners of the frame in dots of the photograph, "10,12 3000,15 ..."'
+            )
         )
     return [(x, y) for x, y in found]

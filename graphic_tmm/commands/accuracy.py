@@ -9,19 +9,27 @@ import click
 
 from graphic_tmm.commands.shared.progress import progress
 from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import say, show
+from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.accuracy.study import Study
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("scene", required=False)
-@click.option("-o", "--output", help="Folder for the figure, as SVG and PNG; none if left out.")
+@click.option(
+    "-o", "--output", help=said("Folder for the figure, as SVG and PNG; none if left out.")
+)
 @click.option("-f", "--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
-@click.option("--minutes", help="TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
-@click.option("--no-time", is_flag=True, help="Measure no seconds: the same bytes every time.")
+@click.option(
+    "--minutes", help=said("TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
+)
+@click.option(
+    "--no-time", is_flag=True, help=said("Measure no seconds: the same bytes every time.")
+)
 @hands
 def accuracy(
     scene: str | None,
@@ -58,4 +66,4 @@ def _figured(found: Study, output: str) -> tuple[Path, ...]:
     files: dict[str, str | bytes] = {
         f"{stem}-accuracy.{end}": content for end, content in figures(found).items()
     }
-    return write(Path(output), files, remedy="name another folder with -o")
+    return write(Path(output), files, remedy=said("name another folder with -o"))

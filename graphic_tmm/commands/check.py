@@ -10,71 +10,79 @@ import click
 from graphic_tmm.commands.shared.ending import WRONG
 from graphic_tmm.commands.shared.numbers import Finite
 from graphic_tmm.commands.shared.scenes import read_scene
-from graphic_tmm.commands.shared.telling import say, show
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import show, tell
+from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.checking.records import Report
     from graphic_tmm.scene.records import Scene
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("scene")
 @click.argument("readings", required=False)
 @click.option(
-    "--template", is_flag=True, help="Print a CSV file to be filled in, and check nothing."
+    "--template", is_flag=True, help=said("Print a CSV file to be filled in, and check nothing.")
 )
 @click.option(
     "--hand",
     type=click.Choice(["cad", "careful", "student"]),
     default="student",
     show_default=True,
-    help="By whose drawings readings are judged.",
+    help=said("By whose drawings readings are judged."),
 )
 @click.option(
     "--points",
     type=click.Choice(["paper", "screen", "photo"]),
     default="paper",
     show_default=True,
-    help="How x and y were read: off the paper with ruler and square, off the drawing on a screen "
-    "(0.1 mm), off a photograph (0.5 mm).",
+    help=said(
+        "How x and y were read: off the paper with ruler and square, off the drawing on a screen "
+        "(0.1 mm), off a photograph (0.5 mm)."
+    ),
 )
 @click.option(
     "--doubtful",
     type=Finite(0.5, 1.0),
     default=0.97,
     show_default=True,
-    help="Beyond this quantile of the hand's own deviations a reading is doubtful.",
+    help=said("Beyond this quantile of the hand's own deviations a reading is doubtful."),
 )
 @click.option(
     "--wrong",
     type=Finite(1.0, 100.0),
     default=5.0,
     show_default=True,
-    help="Beyond so many times their root mean square, and beyond them all, it is wrong.",
+    help=said("Beyond so many times their root mean square, and beyond them all, it is wrong."),
 )
 @click.option(
     "--trials",
     type=click.IntRange(20, 100_000),
     default=400,
     show_default=True,
-    help="How often the hand draws to tell what is usual.",
+    help=said("How often the hand draws to tell what is usual."),
 )
-@click.option("--overlay", help="SVG file for the exact plans under the points that were read.")
+@click.option(
+    "--overlay", help=said("SVG file for the exact plans under the points that were read.")
+)
 @click.option(
     "--enlarge",
     type=Finite(1.0, 1000.0),
     default=1.0,
     show_default=True,
-    help="How many times larger the overlay shows deviations.",
+    help=said("How many times larger the overlay shows deviations."),
 )
-@click.option("--photo", help="A photograph of the sheet, to be laid under it (with --corners).")
+@click.option(
+    "--photo", help=said("A photograph of the sheet, to be laid under it (with --corners).")
+)
 @click.option(
     "--sheet",
     type=click.IntRange(1),
-    help="Which sheet the photograph shows (with --photo); default: the first.",
+    help=said("Which sheet the photograph shows (with --photo); default: the first."),
 )
 @click.option(
-    "--corners", help="The corners of the frame in the photograph: x,y x,y x,y x,y (dots)."
+    "--corners", help=said("The corners of the frame in the photograph: x,y x,y x,y x,y (dots).")
 )
 @click.option(
     "-f",
@@ -128,9 +136,9 @@ def _refuse_half_asked(
     readings: str | None, photo: str | None, sheet: int | None, corners: str | None
 ) -> None:
     if photo is None and (sheet is not None or corners is not None):
-        raise click.UsageError("--sheet and --corners go with a photograph: add --photo FILE")
+        raise click.UsageError(said("--sheet and --corners go with a photograph: add --photo FILE"))
     if readings is None and photo is None:
-        raise click.UsageError("name the file of READINGS, or ask for --template")
+        raise click.UsageError(said("name the file of READINGS, or ask for --template"))
 
 
 def _judged(
@@ -158,7 +166,7 @@ def _underlaid(scene: Scene, photo: str, corners: str, file: str, number: int) -
 
     written, warnings = underlay(scene, photo, corners, file, number)
     for warning in warnings:
-        say(f"graphic-tmm: warning: {warning}")
+        tell(said("warning: {text}", text=warning))
     return written
 
 

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
 from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.language.reader import asked
+from graphic_tmm.language.said import said
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("scene", required=False)
-@click.option("-o", "--output", default="out", show_default=True, help="Folder for the sheets.")
+@click.option(
+    "-o", "--output", default="out", show_default=True, help=said("Folder for the sheets.")
+)
 @click.option(
     "-f",
     "--format",
     "forms",
     default="svg",
     show_default=True,
-    help="svg, pdf, png, dxf; several with commas.",
+    help=said("svg, pdf, png, dxf; several with commas."),
 )
 @hands
 @budgeted
@@ -39,9 +45,14 @@ def draw(
 
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in FORMATS]:
-        raise SheetError(f"--format: no {', '.join(unknown)}; choose from {', '.join(FORMATS)}")
+        says = said(
+            "--format: no {unknown}; choose from {known}",
+            unknown=", ".join(unknown),
+            known=", ".join(FORMATS),
+        )
+        raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
-    made, texts = sheet_files(task, wanted)
-    for path in write(Path(output), texts, remedy="name another folder with -o"):
+    made, texts = sheet_files(replace(task, language=asked() or task.language), wanted)
+    for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

@@ -6,10 +6,13 @@ from pathlib import Path
 
 import click
 
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.language.said import said
 
-@click.command()
+
+@click.command(cls=Command)
 @click.argument("folder")
-@click.option("--like", help="Scene to begin with; the default scene if left out.")
+@click.option("--like", help=said("Scene to begin with; the default scene if left out."))
 def new(folder: str, like: str | None) -> None:
     """Begin a scene of your own: FOLDER/scene.toml, a copy to change."""
     from graphic_tmm.errors import Fault, SceneError
@@ -21,7 +24,7 @@ def new(folder: str, like: str | None) -> None:
 
     target = Path(folder)
     if (target / FILE).exists():
-        fault = Fault("", 0, "it exists already; choose another folder")
+        fault = Fault("", 0, said("it exists already; choose another folder"))
         raise SceneError(str(target / FILE), (fault,))
     source = scene_path(like)
     file = source / FILE if source.is_dir() else source

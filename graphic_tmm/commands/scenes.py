@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import click
 
+from graphic_tmm.commands.shared.spoken import Command
 
-@click.command()
+
+@click.command(cls=Command)
 def scenes() -> None:
     """List the scenes that come with the package."""
     import tomllib

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
 
 from graphic_tmm.commands.shared.scenes import read_scene
+from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.language.reader import asked
+from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    Choice = click.Choice[str]
+else:
+    Choice = click.Choice  # no generic class before click 8.2
 
 
-class Plans(click.Choice[str]):
+class Plans(Choice):
     """The plans of all chapters, looked up when one is asked for: help of other commands stays light."""
 
     def __init__(self) -> None:
@@ -26,7 +36,7 @@ class Plans(click.Choice[str]):
         """Leave them to be looked up."""
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("scene", required=False)
 @click.option(
     "-p",
@@ -35,19 +45,15 @@ class Plans(click.Choice[str]):
     default="all",
     show_default=True,
 )
-@click.option("-n", "--position", help="Number of the position, as on the sheet.")
-@click.option("-l", "--language", type=click.Choice(["ru", "en"]), help="Default: the scene's.")
-@click.option("--exact", is_flag=True, help="Read without the ruler's rounding.")
-def steps(
-    scene: str | None, plan: str, position: str | None, language: str | None, exact: bool
-) -> None:
+@click.option("-n", "--position", help=said("Number of the position, as on the sheet."))
+@click.option("--exact", is_flag=True, help=said("Read without the ruler's rounding."))
+def steps(scene: str | None, plan: str, position: str | None, exact: bool) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
     from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)
     chosen = plans() if plan == "all" else (plan,)
-    spoken = language or drawn.scene.language
-    for line in steps_of(drawn, chosen, position, spoken):
+    for line in steps_of(drawn, chosen, position, asked() or drawn.scene.language):
         click.echo(line)
     warn(drawn)

@@ -6,10 +6,12 @@ import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
 from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import show, terminal_width, warn
+from graphic_tmm.language.said import said
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("scene", required=False)
 @click.option(
     "-f",
@@ -19,23 +21,27 @@ from graphic_tmm.commands.shared.telling import show, terminal_width, warn
     default="text",
     show_default=True,
 )
-@click.option("--exact", is_flag=True, help="Read without the ruler's rounding; print all digits.")
 @click.option(
-    "--width", type=click.IntRange(20, 10_000), help="Characters of a line of text; the terminal's."
+    "--exact", is_flag=True, help=said("Read without the ruler's rounding; print all digits.")
+)
+@click.option(
+    "--width",
+    type=click.IntRange(20, 10_000),
+    help=said("Characters of a line of text; the terminal's."),
 )
 @click.option(
     "--decimal",
     type=click.Choice(["point", "comma"]),
     default="point",
     show_default=True,
-    help="Decimal sign of CSV; with a comma, semicolons stand between the cells.",
+    help=said("Decimal sign of CSV; with a comma, semicolons stand between the cells."),
 )
 @click.option(
-    "--bom", is_flag=True, help="Begin CSV with a byte order mark, as spreadsheets want it."
+    "--bom", is_flag=True, help=said("Begin CSV with a byte order mark, as spreadsheets want it.")
 )
 @hands
 @click.option(
-    "--trials", type=click.IntRange(1, 100_000), default=1, help="How often all is drawn."
+    "--trials", type=click.IntRange(1, 100_000), default=1, help=said("How often all is drawn.")
 )
 @budgeted
 def table(

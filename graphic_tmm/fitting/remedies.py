@@ -9,6 +9,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.fitting.compose import orders
 from graphic_tmm.fitting.fit import depends, fitted
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.registry import size_keys
 
@@ -36,8 +37,20 @@ def refuse_tiny(scene: Scene, drawn: Drawn) -> None:
             continue
         large = size.extent(drawn.reach) / drawn.scales[plan].value
         if 0.0 < large < TINY:
-            says = f"the plan of {plan} comes out {large:.2g} mm large, too small to measure"
-            raise SheetError(f"{scene.source}: {key}: {says}: what helps: {_remedy(scene, size)}")
+            says = said(
+                "the plan of {plan} comes out {large:.2g} mm large, too small to measure",
+                plan=plan,
+                large=large,
+            )
+            raise SheetError(
+                said(
+                    "{source}: {key}: {says}: what helps: {remedy}",
+                    source=scene.source,
+                    key=key,
+                    says=says,
+                    remedy=_remedy(scene, size),
+                )
+            )
 
 
 def refusal(scene: Scene, error: ViewError) -> SheetError:
@@ -49,15 +62,21 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
         for size in known.values():
             freed = size.freed(freed) if size is not known[plan] else freed
         plan = next(iter(depends(plan, plan, freed)), plan)
-    key, helps = "", []
+    key, helps = "", list[str]()
     if plan in known and known[plan].fixed(scene):
         key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]
     elif written := [name for name in size_keys() if name in scene.told]:
-        helps = [f"to change, or leave out, {', '.join(written)}"]
+        helps = [said("to change, or leave out, {listed}", listed=", ".join(written))]
     if any(order.format != "A1" for order in scene.sheets) and _held_by_a1(scene, error):
-        helps.append('a further sheet with format = "A1" for it')
-    remedies = f": what helps: {', or '.join(helps)}" if helps else ""
-    return SheetError(f"{scene.source}: {key}{error}{remedies}")
+        helps.append(said('a further sheet with format = "A1" for it'))
+    says = said("{source}: {key}{error}", source=scene.source, key=key, error=error.args[0])
+    if len(helps) == 1:
+        says = said("{says}: what helps: {remedy}", says=says, remedy=helps[0])
+    elif helps:
+        says = said(
+            "{says}: what helps: {remedy}, or {other}", says=says, remedy=helps[0], other=helps[1]
+        )
+    return SheetError(says)
 
 
 def _held_by_a1(scene: Scene, error: ViewError) -> bool:
@@ -72,4 +91,11 @@ def _remedy(scene: Scene, size: Size) -> str:
     large = size.extent(found.reach) / found.scales[size.name].value
     section, _, name = key.rpartition(".")
     value = size.remedy(found, name)
-    return f'write {name} = "{value}" in [{section}] (the plan is {large:.0f} mm large then), or leave it out'
+    return said(
+        'write {name} = "{value}" in [{section}] (the plan is {large:.0f} mm large then), or leave '
+        "it out",
+        name=name,
+        value=value,
+        section=section,
+        large=large,
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link, Mechanism
 
 
@@ -40,9 +41,15 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
         return link.centre
     free = free_points(link.points, pins(mechanism))
     meant = next(iter((*free, *link.points)), f"S{link.number}")
-    points = f"its points are {', '.join(link.points)}" if link.points else "it has no point yet"
+    points = said("it has no point yet")
+    if link.points:
+        points = said("its points are {points}", points=", ".join(link.points))
     raise StructureError(
-        f"link {link.number} has a mass, but nothing says which point is its mass centre: "
-        f'write centre = "{meant}" in its [[link]] ({points})',
+        said(
+            'link {number} has a mass, but nothing says which point is its mass centre: write centre = "{meant}" in its [[link]] ({points})',
+            number=link.number,
+            meant=meant,
+            points=points,
+        ),
         f"link {link.number}, centre",
     )

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link, Mechanism, Slide
 
 
@@ -96,10 +97,17 @@ def dissect(mechanism: Mechanism) -> Structure:
     mobility = 3 * len(mechanism.links) - 2 * len(pairs)
     if mobility != 1:
         n, p, w = len(mechanism.links), len(pairs), f"{mobility}".replace("-", "−")
-        remedy = "a pair is missing" if mobility > 1 else "a pair is too many"
+        remedy = said("a pair is missing") if mobility > 1 else said("a pair is too many")
         raise StructureError(
-            f"W = 3·{n} − 2·{p} = {w}, but one drive is given (link {mechanism.drive.link}): "
-            f"{remedy} among {', '.join(_describe(pair) for pair in pairs)}"
+            said(
+                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among {listed}",
+                links=n,
+                p=p,
+                w=w,
+                link=mechanism.drive.link,
+                remedy=remedy,
+                listed=", ".join(_describe(pair) for pair in pairs),
+            )
         )
     groups: list[Group] = []
     left = sorted({link.number for link in mechanism.links} - {mechanism.drive.link})
@@ -108,9 +116,10 @@ def dissect(mechanism: Mechanism) -> Structure:
         if group is None:
             names = ", ".join(map(str, left))
             raise StructureError(
-                f"links {names} make a group of class III or higher, or are tied to each other only: "
-                "this board draws groups of class II (two links, three pairs); "
-                "check the letters and slides of these links",
+                said(
+                    "links {names} make a group of class III or higher, or are tied to each other only: this board draws groups of class II (two links, three pairs); check the letters and slides of these links",
+                    names=names,
+                ),
                 *(f"link {number}" for number in left),
             )
         groups.append(group)
@@ -133,13 +142,19 @@ def _pivot(mechanism: Mechanism) -> str:
     crank = mechanism.by_number.get(mechanism.drive.link)
     if crank is None or crank is mechanism.frame:
         raise StructureError(
-            f"the drive names link {mechanism.drive.link}, which is not a moving link", "drive.link"
+            said(
+                "the drive names link {link}, which is not a moving link", link=mechanism.drive.link
+            ),
+            "drive.link",
         )
     shared = [letter for letter in crank.points if letter in mechanism.frame.points]
     if len(shared) != 1 or crank.slides:
         raise StructureError(
-            f"the driving link {crank.number} must turn about one letter that it shares with the frame "
-            f"(it shares {', '.join(shared) or 'none'})",
+            said(
+                "the driving link {number} must turn about one letter that it shares with the frame (it shares {listed})",
+                number=crank.number,
+                listed=", ".join(shared) or said("none"),
+            ),
             f"link {crank.number}",
             "drive.link",
         )
@@ -156,7 +171,10 @@ def _pin(mechanism: Mechanism, pivot: str) -> str:
     ]
     if not (pinned or others):
         raise StructureError(
-            f"the driving link {crank.number} has no second letter: give it the crank pin, e.g. A",
+            said(
+                "the driving link {number} has no second letter: give it the crank pin, e.g. A",
+                number=crank.number,
+            ),
             f"link {crank.number}, points",
         )
     return (pinned or others)[0]
@@ -204,13 +222,16 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
     loose = [link.number for link in mechanism.links if link.number not in tied]
     if loose:
         raise StructureError(
-            f"link {', '.join(map(str, loose))} is tied to nothing: "
-            "give it a letter of another link, or a slide",
+            said(
+                "link {listed} is tied to nothing: give it a letter of another link, or a slide",
+                listed=", ".join(map(str, loose)),
+            ),
             *(f"link {number}" for number in loose),
         )
     for slide_owner in (p for p in pairs if p.slide is not None and p.links[0] == p.links[1]):
         raise StructureError(
-            f"link {slide_owner.links[0]} slides on itself", f"link {slide_owner.links[0]}, slides"
+            said("link {links} slides on itself", links=slide_owner.links[0]),
+            f"link {slide_owner.links[0]}, slides",
         )
     numbers = list(mechanism.by_number)
     for place, first in enumerate(numbers):
@@ -218,8 +239,12 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
             shared = _shared(mechanism.by_number[first], mechanism.by_number[second])
             if len(shared) > 1:
                 raise StructureError(
-                    f"links {first} and {second} share {' and '.join(shared)}: "
-                    "they cannot move against each other; make them one link",
+                    said(
+                        "links {first} and {second} share {listed}: they cannot move against each other; make them one link",
+                        first=first,
+                        second=second,
+                        listed=", ".join(shared),
+                    ),
                     f"link {first}, points",
                     f"link {second}, points",
                 )
@@ -277,8 +302,11 @@ def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:
         return Group(kind, legs if kinds != ("P", "R") else (legs[1], legs[0]), inner)
     if kinds == ("P", "P"):
         raise StructureError(
-            f"links {first} and {second} are joined by three sliding pairs: they make no Assur group "
-            "(a turning pair is needed)",
+            said(
+                "links {first} and {second} are joined by three sliding pairs: they make no Assur group (a turning pair is needed)",
+                first=first,
+                second=second,
+            ),
             f"link {first}, slides",
             f"link {second}, slides",
         )

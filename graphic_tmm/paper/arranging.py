@@ -50,10 +50,10 @@ def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
     return made
 
 
-def captioned(view: Drawing, *lines: str, large: bool = False) -> Drawing:
+def captioned(view: Drawing, *lines: str) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    ``large``: the first of them is the title of a sheet.
+    Below what leads a sheet the first of them is larger.
 
     Where a sheet is too narrow for it, its lines are broken, and the view comes apart if it can.
     """
@@ -61,12 +61,12 @@ def captioned(view: Drawing, *lines: str, large: bool = False) -> Drawing:
     def apart(within: Within) -> list[Drawing]:
         *first, last = settled(view, within)
         broken = [part for text in lines for part in wrapped(text, SMALL, within.width)]
-        return [*first, captioned(last, *broken, large=large)._replace(apart=None)]
+        return [*first, captioned(last, *broken)._replace(apart=None)]
 
     left, low, right, top = bounds(view)
     middle, labels = (left + right) / 2, list(view.labels)
     for k, text in enumerate(lines):
-        size = CAPTION if k == 0 and large else SMALL
+        size = CAPTION if k == 0 and view.leads else SMALL
         low -= letter(text, size=size).ascent + 2.5
         at, anchor = (left, "start") if view.name.startswith("table") else (middle, "middle")
         labels.append(Label(text, complex(at, low), size, anchor))

@@ -69,7 +69,8 @@ class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
     ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
-    comes apart into where no sheet holds it whole; None if it does not.
+    comes apart into where no sheet holds it whole; None if it does not. ``leads``: it stands at the left of its
+    sheet, and other plans beside it.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Drawing(NamedTuple):
     labels: tuple[Label, ...] = ()
     cell: tuple[float, float, float, float] | None = None
     apart: Callable[[Within], Sequence[Drawing]] | None = None
+    leads: bool = False
 
     def moved(self, by: complex) -> Drawing:
         """Return the drawing translated by ``by`` (complex, mm)."""

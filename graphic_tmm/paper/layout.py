@@ -13,6 +13,7 @@ from typing import NamedTuple
 import shapely
 
 from graphic_tmm.errors import SheetError, ViewError
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.placing import box, shape
 
@@ -45,7 +46,9 @@ def bounds(drawing: Drawing) -> Box:
         box(label) for label in drawing.labels
     ]
     if not shapes:
-        raise SheetError(f"nothing of the view '{drawing.title}' can be drawn: change its data")
+        raise SheetError(
+            said("nothing of the view '{title}' can be drawn: change its data", title=drawing.title)
+        )
     left, bottom, right, top = shapely.total_bounds(shapes)
     return float(left), float(bottom), float(right), float(top)
 
@@ -92,7 +95,7 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
                 left.append((view, extent))
                 continue
             placed.append(view.moved(by)._replace(apart=None))
-            if view.name == "positions":
+            if view.leads:
                 edge = max(edge, extent[2] + by.real + GAP)
         if not placed:
             raise _too_large(left[0][0], room, format)
@@ -102,7 +105,7 @@ def pack(views: Sequence[Drawing], rooms: tuple[Room, Room], format: str) -> lis
 
 
 def _beside(free: Sequence[Box], edge: float) -> list[Box]:
-    """Return what of the free rectangles stands beside the plan of positions, not below it."""
+    """Return what of the free rectangles stands beside what leads, not below it."""
     return [(max(f[0], edge), *f[1:]) for f in free]
 
 
@@ -134,7 +137,7 @@ def _take(free: list[Box], view: Drawing, extent: Box, edge: float) -> complex |
         best = min(fits, key=lambda f: (round(f[1], 3), round(f[0], 3)))
         x, y = best[0], best[1]
     else:
-        order = (0, 3) if view.name == "positions" else (3, 0)
+        order = (0, 3) if view.leads else (3, 0)
         fits = fitting(_beside(free, edge)) or fits
         best = min(fits, key=lambda f: [round(f[k] if k == 0 else -f[k], 3) for k in order])
         x, y = best[0], best[3] - height
@@ -170,8 +173,14 @@ def _inside(f: Box, g: Box) -> bool:
 def _too_large(view: Drawing, room: Room, format: str) -> ViewError:
     left, bottom, right, top = bounds(view)
     wide, high, inner = right - left, top - bottom, room.inner
-    says = (
-        f"the view '{view.title or view.name}' is {wide:.0f}×{high:.0f} mm and does not fit on "
-        f"{format} (room {inner[2] - inner[0] - 2 * GAP:.0f}×{inner[3] - inner[1] - 2 * GAP:.0f} mm)"
+    says = said(
+        "the view '{name}' is {wide:.0f}×{high:.0f} mm and does not fit on {format} (room "
+        "{inner:.0f}×{inner2:.0f} mm)",
+        name=view.title or view.name,
+        wide=wide,
+        high=high,
+        format=format,
+        inner=inner[2] - inner[0] - 2 * GAP,
+        inner2=inner[3] - inner[1] - 2 * GAP,
     )
     return ViewError(says, view.name, (wide, high))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.words import fixed, unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within

@@ -96,11 +96,12 @@ def ends_of(letter: str) -> list[str]:
 def equations(construction: Construction, plan: str, *, turned: bool = False) -> Iterator[Equation]:
     """Yield the vector equations of a plan of velocities or accelerations, group by group.
 
-    ``turned``: the plan is turned by 90°, so that what is drawn along a line is square to it in truth.
+    ``turned``: plans of velocities are turned by 90°, so that what is drawn along a line is square to it in truth.
     """
     view = construction.view(plan)
     if view is None or view.pole is None or view.pole.role not in VECTORS:
         return
+    turned = turned and view.pole.role == roles.VELOCITY
     steps = [step for step in construction.steps if step.it.view == plan]
     read = {step.uses[2]: step.it.name for step in steps if step.op is measure_along}
     group, fresh = "", dict[Mark, Step]()

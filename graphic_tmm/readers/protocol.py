@@ -13,9 +13,12 @@ from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import Line, view_name
-from graphic_tmm.language.words import protocol as narrate
+from graphic_tmm.language.said import said
+from graphic_tmm.language.words import view_name
 from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.project import Project
+from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.records import Scene
 
 MOST = 0.8
@@ -54,7 +57,9 @@ def steps_of(
     found = lines(wanted, position)
     if not found:
         there = ", ".join(plan for plan in plans() if lines((plan, ""), None))
-        says = f"the scene has no plan {', '.join(wanted)}; it has {there}"
+        says = said(
+            "the scene has no plan {listed}; it has {there}", listed=", ".join(wanted), there=there
+        )
         raise SceneError(made.scene.source, (Fault("--plan", 0, says),))
     return found
 
@@ -128,7 +133,7 @@ def _covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> 
 
 
 def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
-    told = f"there is no {name}; there are {', '.join(names)}"
+    told = said("there is no {name}; there are {known}", name=name, known=", ".join(names))
     return SceneError(scene.source, (Fault("--position", 0, told),))
 
 
@@ -161,11 +166,12 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
         if at is None or place not in row:
             return
         index = row.index(place) if view in drawn.project.rows else place
-        turned = drawn.scene.turned and view == "velocities"
+        turned = drawn.scene.turned
         lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
         if not lines:
             return
-        yield f"{_title(drawn, view, language)}, {CAPTIONS[language]['position']} {drawn.names[place]}"
+        title = title_of(drawn.project, view, language)
+        yield f"{title}, {CAPTIONS[language]['position']} {drawn.names[place]}"
         for one in drawn.project.chapters:
             yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
     for line in lines:
@@ -173,8 +179,9 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
     yield ""
 
 
-def _title(drawn: Drawn, view: str, language: str) -> str:
-    titles = (one.titles(drawn, view, language) for one in drawn.project.chapters)
+def title_of(project: Project, view: str, language: str) -> str:
+    """Return what a view is called in a protocol, as plain text."""
+    titles = (one.titles(project, view, language) for one in project.chapters)
     return next((title for title in titles if title), "") or view_name(view, language)
 
 
@@ -190,8 +197,12 @@ def _position(drawn: Drawn, name: str | None) -> int:
 
 
 def _refused(drawn: Drawn, plan: str, name: str) -> SceneError:
-    there = ", ".join(drawn.names[k] for k in drawn.row(plan)) or "none"
-    text = f"position {name} has no plan of {plan} (those that have one: {there}); add it there"
+    text = said(
+        "position {name} has no plan of {plan} (those that have one: {known}); add it there",
+        name=name,
+        plan=plan,
+        known=", ".join(drawn.names[k] for k in drawn.row(plan)) or said("none"),
+    )
     return SceneError(drawn.scene.source, (Fault(f"drive.{plan}", 0, text),))
 
 

@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import Any
 
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.captions.symbols import result_symbol, symbol
+from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.words import fixed, number, plain, unit
 from graphic_tmm.readers.columns import Column, Positions, known_at
 from graphic_tmm.readers.spread import QUANTILES

@@ -5,25 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.words import finding, left_out
+from graphic_tmm.language.catalogue import SOURCE, speaking
+from graphic_tmm.readers.findings import finding, left_out
 
 SILENT = ("touching", "lost")
 """Kinds of findings that are no warning, or are told together."""
 
 
-def warnings(drawn: Drawn) -> tuple[str, ...]:
+def warnings(drawn: Drawn, language: str = SOURCE) -> tuple[str, ...]:
     """Return, for people, what could not be drawn, why, and over which range of the crank it could."""
-    return tuple(dict.fromkeys(_told(drawn)))
+    return tuple(dict.fromkeys(_told(drawn, language)))
 
 
-def _told(drawn: Drawn) -> Iterator[str]:
+def _told(drawn: Drawn, language: str) -> Iterator[str]:
     project, names = drawn.project, drawn.names
     if drawn.undrawn:
         missing = ", ".join(names[i] for i in drawn.undrawn)
         over = "".join(chapter.ranges(project) for chapter in project.chapters)
-        yield f"positions {missing} cannot be drawn{over}"
+        _ = speaking(language)
+        yield _("positions {missing} cannot be drawn{over}", missing=missing, over=over)
     findings = drawn.findings()
-    yield from (finding(f, names, "en") for f in findings if f.kind not in SILENT)
-    yield from left_out([f for f in findings if f.kind == "lost"], names, "en")
+    yield from (finding(f, names, language) for f in findings if f.kind not in SILENT)
+    yield from left_out([f for f in findings if f.kind == "lost"], names, language)
     for chapter in project.chapters:
-        yield from chapter.warnings(drawn, "en")
+        yield from chapter.warnings(drawn, language)

@@ -59,15 +59,14 @@ def _refused(section: Section, said: Any) -> Iterator[Found]:
 
 def _placed(parts: Parts) -> Iterator[Found]:
     """A sheet that places what the scene does not ask for."""
+    asked = [(place, one) for one in registry.sections() for place in of_section(one)]
     sheets = parts.doc.get("sheet")
     for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
         places = table(sheet).get("place")
-        for section in registry.sections():
-            for place in of_section(section):
-                if isinstance(places, list) and place in places and section.name not in parts.doc:
-                    says = f"nothing says what it is; write a section [{section.name}]"
-                    says = f'"{place}": {says} with {section.begin}'
-                    yield Found(("sheet", i, "place"), says)
+        for place, section in asked:
+            if isinstance(places, list) and place in places and section.name not in parts.doc:
+                says = f"nothing says what it is; write a section [{section.name}] with {section.begin}"
+                yield Found(("sheet", i, "place"), f'"{place}": {says}')
 
 
 def slides_of(path: Path, link: Link) -> list[tuple[Path, Slide]]:

@@ -80,7 +80,7 @@ class Key:
     """A key of a section: what may stand there, a sentence, an example, its default.
 
     ``default``: the value, as it is read; MISSING where the key has to be written. ``fixes``: "size" where it
-    fixes how large something is drawn. ``draws``: view and letter of the lengths that are laid off by it.
+    fixes how large something is drawn.
     """
 
     kind: Sort
@@ -88,7 +88,6 @@ class Key:
     example: Any
     default: Any
     fixes: str = ""
-    draws: tuple[tuple[str, str], ...] = ()
 
     def left_out(self) -> Any:
         """Return the default, a new one where it could be changed."""
@@ -103,10 +102,9 @@ def key(
     *,
     written: str = "",
     fixes: str = "",
-    draws: tuple[tuple[str, str], ...] = (),
 ) -> Any:
     """Return a field that is a key of the file (``written`` differently there); as `Key`."""
-    declared = Key(kind, says, example, default, fixes, draws)
+    declared = Key(kind, says, example, default, fixes)
     about = {"keys": {written: declared}, "make": None}
     if isinstance(default, dict):
         return field(default_factory=declared.left_out, metadata=about)
@@ -173,9 +171,9 @@ class Section:
     defaults. ``alone``: it needs no mechanism. ``gives``: it asks for nothing itself, but for others.
     ``begin``: the keys that it begins with, for a remedy. ``check``: what it said (a list of paths and these,
     if there may be several) -> every contradiction. ``refuse``: its record -> OrderError of the plan that
-    cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes to
-    nothing, a line each; ``defaults``: the defaults of it that matter. ``weighs``: it needs the mass centres of
-    links. ``shows``: its record -> other sections that are shown where it is.
+    cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes
+    to nothing, a line each; ``defaults``: the defaults of it that matter. ``weighs``: it needs the mass centres
+    of links. ``shows``: its record -> other sections that are shown where it is.
     """
 
     name: str

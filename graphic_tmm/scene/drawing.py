@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from graphic_tmm.bounds import Bound
+from graphic_tmm.language.catalogue import languages
 from graphic_tmm.scene import places
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
@@ -135,4 +136,6 @@ class Head:
     """The keys before the first section."""
 
     title: str = key(v.TITLE, "what the mechanism is", "Кривошипно-ползунный механизм")
-    language: str = key(v.choice("ru", "en"), "the language of the sheets", "en", "ru")
+    language: str = key(
+        v.choice(*sorted(languages(), reverse=True)), "the language of the sheets", "en", "ru"
+    )

@@ -13,9 +13,6 @@ from graphic_tmm.scene.declare import FAULTY, Found, Names, Path, Schema, Sort, 
 from graphic_tmm.scene.quantities import kind_of
 from graphic_tmm.scene.tables import ByShape, Named, Several, Table
 
-_EXTREME_WORDS = [v.OTHER_EXTREME]
-_SLIDES = "its sliding pairs: a table, or a list of tables"
-
 
 @dataclass(frozen=True)
 class Guide:
@@ -50,7 +47,7 @@ class _Place:
 class Frame:
     """The fixed link: every key but number is a guide's name or a fixed point's letter (not P, p, Π, π)."""
 
-    OTHERS: ClassVar[Sort] = ByShape(dict, Table(Guide), _Place(), such_first=False)
+    OTHERS: ClassVar[Sort] = ByShape(dict, Table(Guide), _Place())
 
     number: int = key(v.LINK_NUMBER, "the number of the fixed link", 6, 0)
     others: Mapping[str, complex | Guide] = made(lambda said: said.others, ())
@@ -101,7 +98,9 @@ class Link:
         Named(Table(Guide)), "guides that move with the link", default={}
     )
     slides: Slide | tuple[Slide, ...] = key(
-        ByShape(list, Several(Table(Slide)), Table(Slide), such_first=False), _SLIDES, default=()
+        ByShape(list, Several(Table(Slide)), Table(Slide)),
+        "its sliding pairs: a table, or a list of tables",
+        default=(),
     )
     side: tuple[int, tuple[str, str]] | None = key(
         v.LINK_SIDE, "where the inner pin of a dyad of turning pairs lies", "left of AC", None
@@ -167,13 +166,13 @@ class Drive:
     )
     first: int = key(v.number(Bound(0, 1, whole=True)), "the number of the zero position", 1, 0)
     extra: tuple[float | str, ...] = key(
-        v.EXTRA, 'positions beside the row: "other extreme", or crank angles', _EXTREME_WORDS, ()
+        v.EXTRA, 'positions beside the row: "other extreme", or crank angles', [v.OTHER_EXTREME], ()
     )
     accelerations: tuple[str, ...] = key(
         v.POSITIONS, "the positions with an acceleration plan", [2, 6], ()
     )
     zero: float | Extreme = key(
-        ByShape(dict, Table(Extreme), v.ANGLE, such_first=False),
+        ByShape(dict, Table(Extreme), v.ANGLE),
         "the zero position: a crank angle, or an extreme of a point",
         default=0.0,
     )

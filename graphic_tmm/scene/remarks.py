@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.chapter import places
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.places import of_section
@@ -11,10 +12,8 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import sections
 from graphic_tmm.scene.sections import Parts
 
-TABLES = {
-    "accelerations": ("accelerations", "acceleration table", "results", "equations", "diagrams")
-}
-"""Places that show what is asked for elsewhere than in a section of its own."""
+GAINED = "accelerations"
+"""The plans that [drive] calls for at the positions that it names."""
 
 
 def remarks(parts: Parts) -> tuple[str, ...]:
@@ -53,8 +52,7 @@ def _unplaced(scene: Scene) -> Iterator[str]:
             continue
         listed = " or ".join(f'"{place}"' for place in of_section(section))
         yield f"{section.name}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]"
-    if scene.row.accelerations and not scene.shown & set(TABLES["accelerations"]):
-        yield (
-            'drive.accelerations: no sheet shows them (table does); add "accelerations" to the place of a '
-            "[[sheet]]"
-        )
+    there_too = ((name, (*one.shows, *one.beside)) for name, (_, one) in places().items())
+    gained = {name for name, plans in there_too if GAINED in plans}
+    if scene.row.accelerations and not scene.shown & {GAINED, *gained}:
+        yield f'drive.{GAINED}: no sheet shows them (table does); add "{GAINED}" to the place of a [[sheet]]'

@@ -97,22 +97,20 @@ class Several:
 
 @dataclass(frozen=True)
 class ByShape:
-    """One sort where a value of the type ``shape`` stands, another elsewhere; ``first`` is told before it."""
+    """One sort where a value of the type ``shape`` stands, another elsewhere."""
 
     shape: type
     such: Sort
-    else_: Sort
-    such_first: bool = True
+    other: Sort
 
     def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
         """Return what a value means, or FAULTY."""
-        sort = self.such if isinstance(value, self.shape) else self.else_
+        sort = self.such if isinstance(value, self.shape) else self.other
         return sort.understood(value, at, names, found)
 
     def schema(self, tables: dict[str, Schema]) -> Schema:
         """Return what an editor is told."""
-        both = [self.such.schema(tables), self.else_.schema(tables)]
-        return {"oneOf": both if self.such_first else both[::-1]}
+        return {"oneOf": [self.other.schema(tables), self.such.schema(tables)]}
 
 
 def understood(

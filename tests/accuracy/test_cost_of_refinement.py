@@ -29,7 +29,7 @@ def refined() -> tuple[Construction, Mark, Mark]:
     def tried(row: np.ndarray) -> np.ndarray:
         raise AssertionError("nothing is run to count it")
 
-    found = board.draw(refinement(tried, "{it}", "{it}"), "φ", low, high)
+    found = board.draw(refinement(tried, "{it}"), "φ", low, high)
     return board.construction(), low, found
 
 

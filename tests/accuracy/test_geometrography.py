@@ -20,7 +20,7 @@ for module in pkgutil.walk_packages(graphic_tmm.__path__, "graphic_tmm."):
 
 BOARD = list(OPERATIONS.values())
 DRAWN = [op for op in BOARD if not op.formula]
-REFINE = refinement(lambda row: row, "", "")
+REFINE = refinement(lambda row: row, "")
 
 
 def test_every_operation_that_is_no_formula_is_listed() -> None:

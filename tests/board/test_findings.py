@@ -76,7 +76,7 @@ def test_parallel_lines_are_named_where_they_are(bench: Bench) -> None:
     assert finding.step.it == point
     assert finding.number == 2
     assert finding.positions == (1, 2, 4)
-    assert finding.step.op.fails_en == "the lines are parallel"
+    assert finding.step.op.fails == "the lines are parallel"
     assert finding.gap is None
 
 
@@ -103,7 +103,7 @@ def test_arcs_that_do_not_meet_tell_which_way(
     assert found["undrawn"].positions == bad
     assert found["undrawn"].gap is cross.gaps[gap]
     assert np.isclose(found["undrawn"].amount, short)
-    assert found["undrawn"].gap.en.count("{first}") == 1
+    assert found["undrawn"].gap.says.count("{first}") == 1
     if 15.0 in radii:
         assert found["touching"].positions == (1,)
 

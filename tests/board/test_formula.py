@@ -30,7 +30,7 @@ from graphic_tmm.board.formula import FORMULAS, Formula, formula
 from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.errors import ConstructionError
-from graphic_tmm.language.words import calculation
+from graphic_tmm.readers.sentences import calculation
 
 for module in pkgutil.walk_packages(chapters.__path__, f"{chapters.__name__}."):
     importlib.import_module(module.name)

@@ -155,19 +155,15 @@ def test_an_operation_needs_kinds_and_a_name_of_its_own() -> None:
 
     before = dict(OPERATIONS)
     with pytest.raises(TypeError, match=r"odd: \['by'\] has no kind"):
-        operation("")(odd)
+        operation()(odd)
     with pytest.raises(TypeError, match="two operations called measure"):
-        operation("")(measure)
+        operation()(measure)
     assert before == OPERATIONS
 
 
 @pytest.mark.parametrize("op", list(OPERATIONS.values()), ids=repr)
 def test_sentences_name_all_arguments_and_nothing_else(op: object) -> None:
-    """The English and the Russian sentence hold the same names in braces."""
     import string
 
-    texts = [op.en, op.ru]  # type: ignore[attr-defined]
-    names = [{name for _, name, _, _ in string.Formatter().parse(text) if name} for text in texts]
-    assert names[0] == names[1]
-    assert names[0] <= {*op.arguments, *op.choices, "it"}  # type: ignore[attr-defined]
-    assert op.formula or op.ru  # type: ignore[attr-defined]
+    parsed = string.Formatter().parse(op.sentence)  # type: ignore[attr-defined]
+    assert {name for _, name, _, _ in parsed if name} <= {*op.arguments, *op.choices, "it"}  # type: ignore[attr-defined]

@@ -165,7 +165,7 @@ def test_refining_is_a_step_of_the_log() -> None:
     board = Board()
     board.open("extremes")
     low, high = board.take(Angle, "low"), board.take(Angle, "high")
-    op = refinement(lambda x: x * x - 2.0, "between {low} and {high}", "между {low} и {high}")
+    op = refinement(lambda x: x * x - 2.0, "between {low} and {high}")
     mark = board.draw(op, "φ", low, high)
     given_ = {low: np.array([[0.0], [3.0]]), high: np.array([[2.0], [4.0]])}
     found = execute(board.construction(), given_, [mark])[mark]

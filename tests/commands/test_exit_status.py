@@ -52,7 +52,7 @@ def test_a_fault_of_the_program_is_told_in_one_line_and_is_never_1(
 ) -> None:
     monkeypatch.setattr(reading, "read", failing(error))
     monkeypatch.delenv("GRAPHIC_TMM_TRACEBACK", raising=False)
-    done = invoke(*arguments)
+    done = invoke(*arguments, "-l", "en")
     assert (done.exit_code, done.stdout) == (70, "")
     assert done.stderr.count("\n") == 1
     assert done.stderr.rstrip("\n").isprintable()
@@ -186,7 +186,7 @@ def test_a_warning_does_nothing_to_the_terminal(tmp_path: Path) -> None:
     text = source("engine")
     assert 'l  = "0.64 m"' in text
     (folder / "scene.toml").write_text(text.replace('l  = "0.64 m"', 'l  = "0.25 m"'), "utf-8")
-    done = invoke("table", str(folder), "-f", "csv")
+    done = invoke("table", str(folder), "-f", "csv", "-l", "en")
     assert done.exit_code == 0
     assert "warning: positions 3, 4, 5" in done.stderr
     assert all(line.isprintable() for line in done.stderr.split("\n"))

@@ -58,7 +58,7 @@ def test_steps_tell_synthesis_and_extremes_of_the_windrower() -> None:
     ],
 )
 def test_a_wrong_call_is_told_with_its_remedy(arguments: tuple[str, ...], words: list[str]) -> None:
-    result = invoke(*arguments)
+    result = invoke(*arguments, "-l", "en")
     assert result.exit_code == 2
     assert all(word in result.stderr for word in words), result.stderr
     assert "Traceback" not in result.output

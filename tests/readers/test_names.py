@@ -23,8 +23,9 @@ from support.scenes import calling, written
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import Line, plain, protocol, spoken
+from graphic_tmm.language.words import plain, spoken
 from graphic_tmm.paper.lettering.markup import plain as lettered
+from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.protocol import protocol as told
 from graphic_tmm.readers.text import column_name
@@ -261,7 +262,7 @@ def _collisions(log: Construction) -> Iterator[tuple[str, str]]:
     for step in log.steps:
         if step.op.name in ("added", "in_kgf"):
             continue
-        text = step.op.formula or step.op.en
+        text = step.op.formula or step.op.sentence
         used = [m for a, m in zip(step.op.arguments, step.uses, strict=True) if f"{{{a}}}" in text]
         own = {m: m.name for m in (step.it, *used) if m.view == step.it.view and m.name}
         points = [n for n in own.values() if list(own.values()).count(n) > 1]

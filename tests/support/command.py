@@ -5,11 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from typing import Any
 
 from click.testing import CliRunner, Result
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.language.catalogue import languages, speaking
 
 
 def invoke(*arguments: object) -> Result:
@@ -36,7 +38,9 @@ def tabled(*arguments: object) -> dict[str, Any]:
 
 def warned(done: Result) -> list[str]:
     """Return the warnings of a command without the words before each."""
-    return [line.partition("warning: ")[2] for line in done.stderr.splitlines()]
+    words = (speaking(language)("warning: {text}", text="") for language in languages())
+    said = re.compile("|".join(words))
+    return [said.split(line, maxsplit=1)[-1] for line in done.stderr.splitlines()]
 
 
 def column(found: dict[str, Any], plan: str, segment: str) -> dict[str, Any]:

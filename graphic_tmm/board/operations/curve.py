@@ -18,7 +18,7 @@ TAUT = 0.0
 """Of a curve that does not bulge: the share of the row's bend that its tangents may take; see `bounded`."""
 
 
-@operation("Через точки {through} провести по лекалу плавную кривую {it}.", across=True)
+@operation(across=True)
 def french_curve(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} with the French curve.
 
@@ -39,7 +39,6 @@ def french_curve(through: Point, *, row: int) -> Curve:
 
 
 @operation(
-    "Через точки {through} от руки провести замкнутую линию {it} без изгибов между ними.",
     across=True,
 )
 def taut_curve(through: Point, *, row: int) -> Curve:

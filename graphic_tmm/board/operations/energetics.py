@@ -5,11 +5,8 @@ from __future__ import annotations
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
 
-_NO_CRANK = ("the crank pin does not move", "палец кривошипа неподвижен")
-_NOT_NEEDED = (
-    "no flywheel is needed: the inertia of the links suffices",
-    "маховик не нужен: достаточно инерции звеньев",
-)
+_NO_CRANK = "the crank pin does not move"
+_NOT_NEEDED = "no flywheel is needed: the inertia of the links suffices"
 
 
 @formula
@@ -17,7 +14,7 @@ def ring_area(outer: Number, inner: Number) -> Number:
     """π·({outer}² − {inner}²)/4"""
 
 
-@formula(fails=("the stroke has no length", "ход равен нулю"))
+@formula(fails="the stroke has no length")
 def polytropic(
     pressure: Number,
     clearance: Number,
@@ -29,7 +26,7 @@ def polytropic(
     """{pressure}·(({clearance} + {start})/({clearance} + {travel}/{stroke}))^{exponent}"""
 
 
-@formula(fails=("the stroke has no length", "ход равен нулю"))
+@formula(fails="the stroke has no length")
 def polytropic_at_shaft(
     pressure: Number,
     clearance: Number,
@@ -41,7 +38,7 @@ def polytropic_at_shaft(
     """{pressure}·(({clearance} + 1 − {start})/({clearance} + 1 − {travel}/{stroke}))^{exponent}"""
 
 
-@formula(fails=("the stroke has no length", "ход равен нулю"))
+@formula(fails="the stroke has no length")
 def between(
     first: Number, last: Number, start: Number, end: Number, travel: Length, stroke: Length
 ) -> Number:

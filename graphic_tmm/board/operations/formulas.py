@@ -10,8 +10,8 @@ from __future__ import annotations
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
 
-_NO_INTERVALS = ("the base has no intervals", "на основании нет интервалов")
-_ZERO_LENGTH = ("the length to divide by is zero", "деление на нулевую длину")
+_NO_INTERVALS = "the base has no intervals"
+_ZERO_LENGTH = "the length to divide by is zero"
 
 
 @formula(fails=_ZERO_LENGTH)

@@ -28,7 +28,6 @@ acceleration of a quick return, is no nearer; this one stays below 12 %.
 
 
 @operation(
-    "Через точки {through} провести по лекалу плавную кривую {it}, замкнутую через {over}.",
     across=True,
 )
 def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
@@ -40,8 +39,6 @@ def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
 
 
 @operation(
-    "Через точки {through} провести по лекалу кривую {it}, замкнутую через {over}; между двумя соседними "
-    "точками она не выходит за их ординаты.",
     across=True,
 )
 def taut_graph(through: Point, over: Length, *, row: int) -> Curve:
@@ -68,7 +65,6 @@ def _closed(through: Complexes, over: Any, row: int, bend: float) -> Curve:
 
 
 @operation(
-    "Через точки {through} и {end} провести по лекалу плавную кривую {it}.",
     across=True,
 )
 def open_graph(through: Point, end: Point, *, row: int) -> Curve:
@@ -81,7 +77,6 @@ def open_graph(through: Point, end: Point, *, row: int) -> Curve:
 
 
 @operation(
-    "Через точки {through} провести по лекалу плавную кривую {it} и продолжить её на пол-интервала.",
     across=True,
 )
 def open_graph_of_middles(through: Point, *, row: int) -> Curve:
@@ -98,9 +93,7 @@ def open_graph_of_middles(through: Point, *, row: int) -> Curve:
     return Curve(knots, np.concatenate([rise, inner.tangents, fall], axis=1), False)
 
 
-@operation(
-    "От края до края участка провести через точки {through} плавную кривую {it}.", across=True
-)
+@operation(across=True)
 def graph_of_stretch(through: Point, *, first: int, last: int) -> Curve:
     """From one end of the stretch to the other draw the smooth curve {it} through the points {through}.
 
@@ -158,8 +151,6 @@ def free_ends(points: Complexes) -> Complexes:
 
 
 @operation(
-    "Через точки {through} и {end} провести по лекалу кривую {it}; в каждой точке её касательная параллельна "
-    "лучу из {pole} к {up} на высоте ординаты {ordinates}.",
     across=True,
 )
 def graph_of_rays(
@@ -177,8 +168,6 @@ def graph_of_rays(
 
 
 @operation(
-    "Через точки {through} и {end} провести по лекалу кривую {it}; всюду её ордината есть разность ординат "
-    "кривых {first} и {second}.",
     across=True,
 )
 def graph_of_differences(
@@ -193,8 +182,6 @@ def graph_of_differences(
 
 
 @operation(
-    "Исключив угол поворота, провести через точки {through} плавную замкнутую кривую {it}; ординаты на ней "
-    "изменяются, как на {ordinates}.",
     across=True,
 )
 def curve_of_two(through: Point, ordinates: Curve, *, row: int) -> Curve:

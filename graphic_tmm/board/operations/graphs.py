@@ -17,14 +17,13 @@ from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
 
 
-@operation("Положение точки {of} в начале отсчёта отметить {it}.", across=True)
+@operation(across=True)
 def at_zero(of: Point) -> Point:
     """Mark {it} where {of} stands in the zero position."""
     return Point(of[:, :1])
 
 
 @operation(
-    "Для каждого интервала: следующую за {point} точку отметить {it}; за последней следует {end}.",
     across=True,
 )
 def following(point: Point, end: Point, *, row: int) -> Point:
@@ -42,7 +41,7 @@ def alike(*values: Any) -> Any:
     return [np.broadcast_to(value, (trials, value.shape[1])) for value in values]
 
 
-@operation("Отрезок {start}{end} разделить пополам; отметить {it}.")
+@operation()
 def halve(start: Point, end: Point) -> Point:
     """Halve {start}{end}; mark {it}."""
     return Point((start + end) / 2.0)
@@ -50,12 +49,10 @@ def halve(start: Point, end: Point) -> Point:
 
 _GAUSS = [half / 4.0 + sign / 48.0**0.5 for half in (1, 3) for sign in (-1, 1)]
 """Shares of an interval whose ordinates have the mean of two cubic arcs, one on either half."""
-_OUTSIDE = ("no curve stands over the foot", "над основанием нет кривой")
+_OUTSIDE = "no curve stands over the foot"
 
 
-@operation(
-    "Из {foot} восставить перпендикуляр к оси до кривой {curve}; отметить {it}.", fails=_OUTSIDE
-)
+@operation(fails=_OUTSIDE)
 def erect(curve: Curve, foot: Point) -> Point:
     """From {foot} erect the perpendicular to the axis up to the curve {curve}; mark {it}."""
     p, m, u = _arc(curve, foot)
@@ -64,7 +61,7 @@ def erect(curve: Curve, foot: Point) -> Point:
     return Point(foot.real + 1j * y)
 
 
-@operation("Над {foot} провести касательную {it} к кривой {curve}.", fails=_OUTSIDE)
+@operation(fails=_OUTSIDE)
 def touching(curve: Curve, foot: Point) -> Line:
     """Above {foot} draw the tangent {it} to the curve {curve}."""
     return Line(
@@ -81,8 +78,6 @@ def rise_of(curve: Curve, foot: Complexes) -> Reals:
 
 
 @operation(
-    "Над отрезком {start}{end} заменить фигуру под кривой {curve} равновеликим прямоугольником; середину его "
-    "верхней стороны отметить {it}.",
     fails=_OUTSIDE,
 )
 def level_off(curve: Curve, start: Point, end: Point) -> Point:
@@ -128,8 +123,6 @@ def _abscissas(knots: Complexes) -> Reals:
 
 
 @operation(
-    "От {start} один за другим провести отрезки, над каждым интервалом параллельно его лучу {rays}; "
-    "их начала отметить {it}.",
     across=True,
     fails=WHOLE_ROW,
 )
@@ -147,9 +140,7 @@ def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -
     return Point(found)
 
 
-@operation(
-    "Конец последнего отрезка {rays} от {start} отметить {it}.", across=True, fails=WHOLE_ROW
-)
+@operation(across=True, fails=WHOLE_ROW)
 def arrival(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
     """Mark {it} where the last of the segments drawn from {start} parallel to the rays {rays} ends."""
     rises = _rises(rays, feet, end, row)
@@ -165,7 +156,6 @@ def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
 
 
 @operation(
-    "На кривой {curve} от {start} до {end} найти высшую точку; отметить {it}.",
     across=True,
     fails=WHOLE_ROW,
 )
@@ -175,7 +165,6 @@ def highest(curve: Curve, start: Point, end: Point) -> Point:
 
 
 @operation(
-    "На кривой {curve} от {start} до {end} найти низшую точку; отметить {it}.",
     across=True,
     fails=WHOLE_ROW,
 )

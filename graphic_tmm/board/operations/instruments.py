@@ -24,58 +24,58 @@ from graphic_tmm.board.geometry import (
 from graphic_tmm.board.grammar import Gap, operation
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Reals, Side
 
-_NO_LINE = ("the two points coincide", "точки совпадают")
+_NO_LINE = "the two points coincide"
 
 
-@operation("Через {start} и {end} провести прямую {it}.", fails=_NO_LINE)
+@operation(fails=_NO_LINE)
 def join(start: Point, end: Point) -> Line:
     """Draw the line {it} through {start} and {end}."""
     return Line(start, unit(end - start))
 
 
-@operation("Из {start} провести луч {it} под углом {angle} к оси x.")
+@operation()
 def ray(start: Point, angle: Angle) -> Line:
     """From {start} draw the ray {it} at the angle {angle} to the x axis."""
     return Line(start, cis(angle))
 
 
-@operation("Через {through} провести {it} параллельно {to}.")
+@operation()
 def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} parallel to {to}."""
     return Line(through, to.along if sense > 0 else reverse(to.along))
 
 
-@operation("Через {through} провести {it} перпендикулярно {to}.")
+@operation()
 def square(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} square to {to}."""
     return Line(through, to.along * (1j * sense))
 
 
-@operation("Через {through} провести {it} под углом {by} к {to}.")
+@operation()
 def incline(through: Point, to: Line, by: Angle) -> Line:
     """Through {through} draw {it} at the angle {by} to {to}."""
     return Line(through, to.along * cis(by))
 
 
-@operation("Параллельно {to} на расстоянии {by} слева от неё провести {it}.")
+@operation()
 def shift(to: Line, by: Length) -> Line:
     """Parallel to {to}, at the distance {by} to its left, draw {it}."""
     return Line(to.at + by * (1j * to.along), to.along)
 
 
-@operation("На {on} от её начала отложить {length}; отметить {it}.")
+@operation()
 def lay_off(on: Line, length: Length) -> Point:
     """On {on} lay off {length} from its beginning; mark {it}."""
     return Point(on.at + length * on.along)
 
 
-@operation("На {on} от её начала отложить {x} и перпендикулярно к ней влево {y}; отметить {it}.")
+@operation()
 def place(on: Line, x: Length, y: Length) -> Point:
     """On {on} lay off {x} from its beginning and, square to it to the left, {y}; mark {it}."""
     return Point(on.at + vector(x, y) * on.along)
 
 
-@operation("Из {centre} раствором циркуля {radius} провести дугу {it}.")
+@operation()
 def strike(centre: Point, radius: Length) -> Arc:
     """With the compass at {centre} and the opening {radius} strike the arc {it}."""
     return Arc(centre, radius)
@@ -86,9 +86,8 @@ def _meet_condition(base: Line, other: Line) -> Reals:
 
 
 @operation(
-    "На пересечении {base} и {other} отметить {it}.",
     condition=_meet_condition,
-    fails=("the lines are parallel", "прямые параллельны"),
+    fails="the lines are parallel",
 )
 def meet(base: Line, other: Line) -> Point:
     """Where {base} and {other} meet, mark {it}.
@@ -119,15 +118,13 @@ def _cut_condition(line: Line, arc: Arc, side: Side) -> Reals:
 
 
 @operation(
-    "На пересечении {line} с дугой {arc}, {side} от основания перпендикуляра, отметить {it}.",
     condition=_cut_condition,
-    fails=("the arc does not reach the line", "дуга не достигает прямой"),
-    sides=(("along it", "back along it"), ("вперёд по направлению прямой", "назад")),
+    fails="the arc does not reach the line",
+    sides=("along it", "back along it"),
     gaps=(
         Gap(
             _cut_gap,
             "the opening of the arc {arc} is too short to reach {line}",
-            "раствор дуги {arc} короче расстояния до {line}",
         ),
     ),
 )
@@ -159,20 +156,17 @@ def _cross_condition(first: Arc, second: Arc, side: Side) -> Reals:
 
 
 @operation(
-    "На пересечении дуг {first} и {second}, {side} по ходу от первого центра ко второму, отметить {it}.",
     condition=_cross_condition,
-    fails=("the arcs do not meet", "дуги не пересекаются"),
-    sides=(("to the left", "to the right"), ("слева", "справа")),
+    fails="the arcs do not meet",
+    sides=("to the left", "to the right"),
     gaps=(
         Gap(
             _outer_gap,
             "the openings of {first} and {second} together are too short",
-            "растворы {first} и {second} вместе слишком коротки",
         ),
         Gap(
             _inner_gap,
             "the openings of {first} and {second} differ too much",
-            "растворы {first} и {second} слишком различны",
         ),
     ),
 )
@@ -209,19 +203,14 @@ def _tangent_condition(through: Point, centre: Point, radius: Length, side: Side
 _TANGENT_GAP = Gap(
     _tangent_gap,
     "{through} comes nearer to {centre} than the distance {radius} of the guide",
-    "{through} подходит к {centre} ближе, чем направляющая ({radius})",
 )
 
 
 @operation(
-    "Из {through} провести касательную {it} к окружности радиуса {radius} с центром {centre}, {side}.",
     condition=_tangent_condition,
-    fails=("the point lies inside the circle", "точка лежит внутри окружности"),
+    fails="the point lies inside the circle",
     gaps=(_TANGENT_GAP,),
-    sides=(
-        ("directed from the centre to the point", "directed from the point to the centre"),
-        ("в сторону от центра к точке", "в сторону от точки к центру"),
-    ),
+    sides=("directed from the centre to the point", "directed from the point to the centre"),
 )
 def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
     """From {through} draw the tangent {it} to the circle of radius {radius} about {centre}, {side}.
@@ -245,14 +234,12 @@ def _rocker_condition(pivot: Point, stone: Point) -> Reals:
 
 
 @operation(
-    "Через {pivot} и {stone} провести линию кулисы {it}.",
     condition=_rocker_condition,
-    fails=("the stone stands on the rocker's pivot", "камень стоит на оси кулисы"),
+    fails="the stone stands on the rocker's pivot",
     gaps=(
         Gap(
             _rocker_gap,
             "{stone} passes over {pivot}",
-            "{stone} проходит через {pivot}",
         ),
     ),
 )
@@ -262,11 +249,7 @@ def rocker_line(pivot: Point, stone: Point) -> Line:
 
 
 @operation(
-    "Через {through} провести {it} вдоль {to} {side}.",
-    sides=(
-        ("in its sense", "against its sense"),
-        ("в том же направлении", "в обратном направлении"),
-    ),
+    sides=("in its sense", "against its sense"),
 )
 def directed(through: Point, to: Line, side: Side) -> Line:
     """Through {through} draw {it} along {to}, {side}."""
@@ -278,14 +261,12 @@ def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
 
 
 @operation(
-    "Из {start} провести касательную к дуге {arc}, {side} от линии центров; отметить точку касания {it}.",
-    sides=(("to the left", "to the right"), ("слева", "справа")),
-    fails=("the point lies inside the circle", "точка лежит внутри окружности"),
+    sides=("to the left", "to the right"),
+    fails="the point lies inside the circle",
     gaps=(
         Gap(
             _touch_gap,
             "{start} lies inside the circle {arc}",
-            "{start} лежит внутри окружности {arc}",
         ),
     ),
 )
@@ -302,43 +283,43 @@ def touch(start: Point, arc: Arc, side: Side) -> Point:
     return Point(arc.centre + arc.radius * touching * (base * (1.0 / d)))
 
 
-@operation("На {base_a}{base_b} построить фигуру, подобную {A}{B}{S}; отметить {it}.")
+@operation()
 def similar(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Point:
     """On {base_a}{base_b} build the figure similar to {A}{B}{S}, lettered in the same sense; mark {it}."""
     return Point(base_a + (base_b - base_a) * ((S - A) / (B - A)))
 
 
-@operation("От {start} построить отрезок, относящийся к {Q}{E} как {a}{b} к {A}{B}; отметить {it}.")
+@operation()
 def homologous(start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E: Point) -> Point:
     """From {start} draw the segment that is to {Q}{E} as {a}{b} is to {A}{B}, turned alike; mark {it}."""
     return Point(start + (b - a) * ((E - Q) / (B - A)))
 
 
-@operation("Точка {it} совпадает с {image}: звено не вращается.")
+@operation()
 def coincide(image: Point) -> Point:
     """The image {it} falls on {image}: the link does not turn."""
     return Point(image)
 
 
-@operation("Измерить {start}{end}.", reads=True)
+@operation(reads=True)
 def measure(start: Point, end: Point) -> Length:
     """Measure {start}{end}."""
     return Length(np.abs(end - start))
 
 
-@operation("Измерить {start}{end} вдоль {on} (со знаком).", reads=True)
+@operation(reads=True)
 def measure_along(start: Point, end: Point, on: Line) -> Length:
     """Measure {start}{end} along {on}, with its sign."""
     return Length(along(end - start, on.along))
 
 
-@operation("Определить угол {start}{end} с осью x.")
+@operation()
 def bearing(start: Point, end: Point) -> Angle:
     """Find the angle of {start}{end} from the x axis."""
     return Angle(degrees(end - start))
 
 
-@operation("В положении вне ряда угол кривошипа {it} равен {extreme}, в положениях ряда {regular}.")
+@operation()
 def stand(regular: Angle, extreme: Angle, at: Number) -> Angle:
     """At the position outside the row the crank's angle {it} is {extreme}, at those of the row {regular}."""
     return Angle(np.where(at > 0, extreme, regular))

@@ -12,9 +12,12 @@ import numpy as np
 
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Angle, Reals
+from graphic_tmm.language.said import said
 
 PARTS = 16
 PASSES = 14
+REFINE = "refine"
+"""What the operation is called."""
 
 
 def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
@@ -41,24 +44,23 @@ def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
     return np.asarray((low + high) / 2.0)
 
 
-def refinement(tried: Callable[[Reals], Reals], en: str, ru: str) -> Operation:
+def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
     """Return the operation that finds, between two angles, where a smaller construction changes its sign.
 
-    ``tried`` runs the smaller construction at a row of angles (degrees) and returns its last reading.
+    ``tried`` runs the smaller construction at a row of angles (degrees) and returns its last reading;
+    ``sentence`` names the angles as {low} and {high}, what is found as {it}.
     """
 
     def refine(low: Angle, high: Angle) -> Angle:
         return Angle(narrow(tried, low, high))
 
     return Operation(
-        "refine",
+        REFINE,
         refine,
         (Angle, Angle),
         ("low", "high"),
         Angle,
         (),
-        en,
-        ru,
-        fails_en="no change of sign between the two angles",
-        fails_ru="знак между двумя углами не меняется",
+        sentence,
+        fails=said("no change of sign between the two angles"),
     )

@@ -16,22 +16,13 @@ from graphic_tmm.board.values import Length, Line, Number, Point, Reals
 STANDS = 1e-9
 """A speed below this share of the crank pin's is none: it has no sense."""
 _TURNS = f"|{{omega}}| > {STANDS:.9f}·|{{of_crank}}|"
-_NO_LENGTH = ("the length to divide by is zero", "деление на нулевую длину")
-_PURE_COUPLE = (
-    "the forces come to a couple, which no single force replaces",
-    "силы сводятся к паре, её нельзя заменить одной силой",
-)
-_NO_BALANCE = (
-    "what balances the crank is zero: there is nothing to compare with",
-    "уравновешивающая величина равна нулю: сравнивать не с чем",
-)
-_NOT_SETTLED = (
-    "the passes of friction do not settle: the mechanism locks itself, or is near to it",
-    "проходы с трением не сходятся: самоторможение или близость к нему",
-)
+_NO_LENGTH = "the length to divide by is zero"
+_PURE_COUPLE = "the forces come to a couple, which no single force replaces"
+_NO_BALANCE = "what balances the crank is zero: there is nothing to compare with"
+_NOT_SETTLED = "the passes of friction do not settle: the mechanism locks itself, or is near to it"
 
 
-@operation("Через {at} провести линию действия {it} параллельно {tail}{head}.")
+@operation()
 def action(at: Point, tail: Point, head: Point, *, quarters: int = 0) -> Line:
     """Through {at} draw the line of action {it} parallel to {tail}{head}.
 
@@ -44,7 +35,7 @@ def action(at: Point, tail: Point, head: Point, *, quarters: int = 0) -> Line:
     return Line(at + 0.0 * direction, direction * 1j**quarters)
 
 
-@operation("Измерить плечо {it}: расстояние от {about} до {line}.", reads=True)
+@operation(reads=True)
 def arm(about: Point, line: Line) -> Length:
     """Measure the arm {it}, the distance of {about} from {line}.
 
@@ -53,9 +44,7 @@ def arm(about: Point, line: Line) -> Length:
     return Length(wedge(line.at - about, line.along))
 
 
-@operation(
-    "Точку {image} повёрнутого на 90° плана перенести на рычаг, увеличив в {times} раз; отметить {it}."
-)
+@operation()
 def carry(pole: Point, of: Point, image: Point, times: Number, *, quarters: int = 0) -> Point:
     """Carry {image} of the plan turned by 90° over to the lever, {times} times as large: mark {it}.
 
@@ -179,7 +168,7 @@ def apart_percent(first: Number, second: Number) -> Number:
     """100·|{first} − {second}|/|{second}|"""
 
 
-@operation("Через {through} провести {it} под углом трения к нормали направляющей {guide}.")
+@operation()
 def at_friction_angle(
     through: Point, guide: Line, f: Number, normal: Length, segment: Length, of_pin: Length
 ) -> Line:
@@ -228,7 +217,7 @@ def settled(last: Number, open_: Number) -> Number:
 
 @formula(
     holds="{without}·{with_} > 0, {speed} ≠ 0, ({without}/{with_})^sgn({without}·{speed}) ≤ 1",
-    fails=("no power passes through the crank", "мощность не передаётся"),
+    fails="no power passes through the crank",
 )
 def efficiency(without: Number, with_: Number, speed: Number) -> Number:
     """100·({without}/{with_})^sgn({without}·{speed})"""

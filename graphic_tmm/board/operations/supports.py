@@ -9,11 +9,10 @@ from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
 
-_ON = (("from above", "from below"), ("сверху", "снизу"))
+_ON = ("from above", "from below")
 
 
 @operation(
-    "Среди точек {points} найти самую далёкую от {start}; отметить {it}.",
     across=True,
     fails=WHOLE_ROW,
 )
@@ -27,7 +26,6 @@ def farthest(start: Point, points: Point, *, row: int) -> Point:
 
 
 @operation(
-    "Под углом {angle} провести прямую {it}, опирающуюся на точки {points} {above}.",
     across=True,
     fails=WHOLE_ROW,
     sides=_ON,
@@ -46,7 +44,6 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
 
 
 @operation(
-    "Под углом {angle} провести касательную {it} к кривой {curve} {above}.",
     across=True,
     fails=WHOLE_ROW,
     sides=_ON,
@@ -71,7 +68,7 @@ def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 
-@operation("Обвести {curve} планиметром; площадь, мм², есть {it}.", across=True, fails=WHOLE_ROW)
+@operation(across=True, fails=WHOLE_ROW)
 def planimeter(curve: Curve) -> Number:
     """Go round {curve} with the planimeter; its area, mm², is {it}.
 

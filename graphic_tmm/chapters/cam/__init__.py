@@ -11,6 +11,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.cam.accuracy import ACCURACY
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
@@ -53,4 +54,5 @@ CHAPTER = Chapter(
     plans=(CAM.chapter,),
     columns=cam_columns,
     results=lambda drawn: results_of(drawn, cam_marks(CAM.on(drawn))),
+    accuracy=ACCURACY,
 )

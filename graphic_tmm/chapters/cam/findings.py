@@ -12,57 +12,45 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import FlatFollower
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 
 PROTRACTOR = 0.05
 """Degrees: 0.1 mm on a ray of 100 mm. A pressure angle that is over by less cannot be told from the limit."""
 RULER = 1e-4
 """A length that is over by less than this share of itself (0.01 mm in 100) cannot be told from its limit."""
 
-_AT = ("at φ = {angle:.4g}°", "при φ = {angle:.4g}°")
-_SMALL = (
-    "r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least",
-    "r0 = {r0:.4g} мм мал, нужно не менее {least:.4g} мм",
-)
-_STEEP = (
-    f"the pressure angle reaches {{value:.4g}}° {_AT[0]}, {{limit:g}}° are allowed",
-    f"угол давления {_AT[1]} достигает {{value:.4g}}° при допускаемом {{limit:g}}°",
-)
 _WORDS = {
-    "pressure": (f"{_STEEP[0]}: {_SMALL[0]}", f"{_STEEP[1]}: {_SMALL[1]}"),
-    "path": (
-        f"{_STEEP[0]}: no larger r0 helps, change the distance of the centres or the offset",
-        f"{_STEEP[1]}: больший r0 не поможет, измените межосевое расстояние или эксцентриситет",
+    "pressure": said(
+        "the pressure angle reaches {value:.4g}° at φ = {angle:.4g}°, {limit:g}° are allowed: r0 = "
+        "{r0:.4g} mm is too small, take {least:.4g} mm at least"
     ),
-    "no centre": (
-        f"wherever the cam stands at this distance from the lever's pivot, the pressure angle {_AT[0]} passes "
-        "{limit:g}°: increase the distance of the centres, the phase or the pressure angle allowed",
-        f"при этом межосевом расстоянии угол давления {_AT[1]} всегда больше {{limit:g}}°: увеличьте межосевое "
-        "расстояние, фазовый угол или допускаемый угол давления",
+    "path": said(
+        "the pressure angle reaches {value:.4g}° at φ = {angle:.4g}°, {limit:g}° are allowed: no "
+        "larger r0 helps, change the distance of the centres or the offset"
     ),
-    "roller by r0": (
-        "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of r0",
-        "радиус ролика {value:.4g} мм больше {limit:.4g} мм, допускаемой доли r0",
+    "no centre": said(
+        "wherever the cam stands at this distance from the lever's pivot, the pressure angle at φ "
+        "= {angle:.4g}° passes {limit:g}°: increase the distance of the centres, the phase or the "
+        "pressure angle allowed"
     ),
-    "roller by curvature": (
-        "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of the least "
-        f"radius of curvature, {_AT[0]}",
-        "радиус ролика {value:.4g} мм больше {limit:.4g} мм, допускаемой доли наименьшего радиуса кривизны, "
-        f"{_AT[1]}",
+    "roller by r0": said(
+        "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of r0"
     ),
-    "undercut": (
-        f"the roller of {{value:.4g}} mm cuts the profile away {_AT[0]}, where its radius of curvature is "
-        "{limit:.4g} mm: take a smaller roller or a larger r0",
-        f"ролик радиуса {{value:.4g}} мм срезает профиль {_AT[1]}, где радиус кривизны {{limit:.4g}} мм: "
-        "возьмите меньший ролик или больший r0",
+    "roller by curvature": said(
+        "the roller's radius {value:.4g} mm is larger than {limit:.4g} mm, the allowed share of "
+        "the least radius of curvature, at φ = {angle:.4g}°"
     ),
-    "hollow": (
-        f"the radius of curvature under the flat face falls to {{value:.4g}} mm {_AT[0]}, {{limit:.4g}} mm "
-        f"are the least: {_SMALL[0]}",
-        f"радиус кривизны под тарелкой {_AT[1]} падает до {{value:.4g}} мм, наименьший {{limit:.4g}} мм: "
-        f"{_SMALL[1]}",
+    "undercut": said(
+        "the roller of {value:.4g} mm cuts the profile away at φ = {angle:.4g}°, where its radius "
+        "of curvature is {limit:.4g} mm: take a smaller roller or a larger r0"
+    ),
+    "hollow": said(
+        "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
+        "{limit:.4g} mm are the least: r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least"
     ),
 }
-"""By kind: the sentence in English and in Russian."""
+"""By kind of finding."""
 
 
 class CamFinding(NamedTuple):
@@ -79,9 +67,8 @@ class CamFinding(NamedTuple):
     least: float
 
     def says(self, language: str) -> str:
-        """Return the finding as a sentence ("ru" or "en")."""
-        words = _WORDS[self.kind][0 if language == "en" else 1]
-        return words.format(**self._asdict())
+        """Return the finding as a sentence of a language."""
+        return speaking(language)(_WORDS[self.kind], **self._asdict())
 
 
 def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:

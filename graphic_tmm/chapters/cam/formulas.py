@@ -7,14 +7,8 @@ import numpy as np
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
 
-_OVERCUT = (
-    "the roller is larger than the radius of curvature of the profile",
-    "радиус ролика больше радиуса кривизны профиля",
-)
-_HOLLOW = (
-    "a flat face does not reach a hollow profile",
-    "плоская тарелка не касается вогнутого профиля",
-)
+_OVERCUT = "the roller is larger than the radius of curvature of the profile"
+_HOLLOW = "a flat face does not reach a hollow profile"
 _DIGITS = 1e-9
 """A millimetre that is over by less than this share of one is whole."""
 
@@ -39,7 +33,7 @@ def angle_of_part(angle: Angle, parts: Number) -> Angle:
     """{angle}/{parts}"""
 
 
-@formula(holds="{height} > 0", fails=("the diagram does not rise", "диаграмма не поднимается"))
+@formula(holds="{height} > 0", fails="the diagram does not rise")
 def scale_of_stroke(stroke: Number, height: Length) -> Number:
     """{stroke}/{height}"""
 
@@ -59,7 +53,7 @@ def along_path(part: Length, distance: Length, lever: Length) -> Length:
     """{part}·{distance}/{lever}"""
 
 
-@formula(fails=("the pole stands in the point", "полюс совпадает с точкой"))
+@formula(fails="the pole stands in the point")
 def turning_of_normal(p: Length, q: Length, v: Length, a: Length) -> Number:
     """1 − ({a}·{p} − {q}·{v})/({p}² + {q}²)"""
 
@@ -69,7 +63,7 @@ def curvature_of_profile(turning: Number, pace: Length, mu: Number) -> Number:
     """{turning}/({pace}·{mu})"""
 
 
-@formula(holds="{height} > 0", fails=("the profile is convex nowhere", "профиль нигде не выпуклый"))
+@formula(holds="{height} > 0", fails="the profile is convex nowhere")
 def least_radius(height: Length, mu: Number) -> Number:
     """1/({height}·{mu})"""
 

@@ -16,12 +16,10 @@ from graphic_tmm.board.operations.graph_curves import free_ends
 from graphic_tmm.board.operations.graphs import EVEN
 from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Number, Point, Side
 
-_MOST = (("highest", "lowest"), ("высшую", "низшую"))
+_MOST = ("highest", "lowest")
 
 
-@operation(
-    "По полуокружности {arc} от {start} отложить центральный угол {by}; отметить {it}.",
-)
+@operation()
 def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
     """On the semicircle {arc} lay off the central angle {by} from {start}; mark {it}.
 
@@ -30,7 +28,7 @@ def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
     return Point(arc.centre + arc.radius * start.along * cis(sense * by))
 
 
-@operation("Через {through} провести {it} под углом {by} к {to}.")
+@operation()
 def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     """Through {through} draw {it} at the angle {by} to {to}.
 
@@ -39,7 +37,7 @@ def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     return Line(through, to.along * cis(sense * by))
 
 
-@operation("Через {through} внутрь профиля провести нормаль {it} под углом {by} к {to}.")
+@operation()
 def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     """Through {through} draw the normal {it} into the cam, at the angle {by} to {to}.
 
@@ -49,8 +47,7 @@ def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
 
 
 @operation(
-    "Измерить угол {start}{end} с {to}.",
-    fails=("the two points coincide", "точки совпадают"),
+    fails="the two points coincide",
 )
 def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
     """Measure the angle of {start}{end} from {to}.
@@ -61,9 +58,7 @@ def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
 
 
 @operation(
-    "На пересечении {line} с дугой {arc}, {side} от основания перпендикуляра, или, если дуга до неё не "
-    "достаёт, в самом основании отметить {it}.",
-    sides=(("along it", "back along it"), ("вперёд по направлению прямой", "назад")),
+    sides=("along it", "back along it"),
 )
 def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
     """Where {arc} cuts {line}, {side} from the foot of its centre, or there if it does not, mark {it}."""
@@ -73,21 +68,19 @@ def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
     return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
 
 
-@operation("На первом участке взять {first}, на остальных {second}; это {it}.")
+@operation()
 def in_turn(first: Length, second: Length, at: Number) -> Length:
     """On the first stretch take {first}, on the others {second}; this is {it}."""
     return Length(np.where(at > 0, first, second))
 
 
-@operation("Из положений точки {of} отметить {it} на границе фазы.", across=True)
+@operation(across=True)
 def phase_end(of: Point, *, at: int) -> Point:
     """Of the places of {of} mark the one {it} at the boundary of a phase."""
     return Point(of[:, at : at + 1])
 
 
-@operation(
-    "Через точки {through} от края до края участка провести плавную кривую {it}.", across=True
-)
+@operation(across=True)
 def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
     """Through the points {through}, from one end of the stretch to the other, draw the smooth curve {it}.
 
@@ -105,7 +98,6 @@ def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
 
 
 @operation(
-    "По точкам {points} с нормалями {normals} провести плавный профиль {it}.",
     across=True,
 )
 def swept_profile(
@@ -124,7 +116,6 @@ def swept_profile(
 
 
 @operation(
-    "Под углом {by} к {to} провести прямую {it}, касающуюся кривой {curve}.",
     across=True,
     fails=WHOLE_ROW,
 )
@@ -138,7 +129,7 @@ def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> 
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 
-@operation("Из параллельных {first} и {second} оставить крайнюю {it}.")
+@operation()
 def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     """Of the parallels {first} and {second} keep the outer one, {it}.
 
@@ -150,9 +141,7 @@ def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     return Line(np.where(there, at, np.nan), first.along)
 
 
-@operation(
-    "На кривой {curve} отметить {above} точку {it}.", across=True, fails=WHOLE_ROW, sides=_MOST
-)
+@operation(across=True, fails=WHOLE_ROW, sides=_MOST)
 def crest_of_curve(curve: Curve, *, above: int) -> Point:
     """On the curve {curve} mark the {above} point {it}.
 
@@ -161,7 +150,7 @@ def crest_of_curve(curve: Curve, *, above: int) -> Point:
     return Point(_farthest(curve, np.full((1, 1), above * 1j)))
 
 
-@operation("Из точек {first} и {second} взять {above}; это {it}.", sides=_MOST)
+@operation(sides=_MOST)
 def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
     """Of the points {first} and {second} take the {above}; this is {it}.
 

@@ -14,13 +14,13 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapter import Chapter, Holder, Place, Size
+from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
 from graphic_tmm.chapters.diagrams.views import diagram_views
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.language.words import view_name
 from graphic_tmm.project import Project
 
@@ -31,8 +31,8 @@ def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[s
     return {BASE_VIEW: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
 
 
-def _title(drawn: Drawn, view: str, language: str) -> str:
-    made = DIAGRAMS.on(drawn)
+def _title(holder: Holder, view: str, language: str) -> str:
+    made = DIAGRAMS.on(holder)
     own = any(chart.view == view for chart in made.charts.values())
     return view_name(view, language, made.order.point) if own else ""
 
@@ -46,6 +46,7 @@ CHAPTER = Chapter(
             DIAGRAMS.chapter,
             30,
             diagram_views,
+            beside=(ACCELERATIONS,),
             follows=(POSITIONS,),
             sizes=lambda scene, view: ("graphs",),
         ),
@@ -67,4 +68,5 @@ CHAPTER = Chapter(
         DIAGRAMS.chapter: [chart.view for chart in DIAGRAMS.on(project).charts.values()]
     },
     titles=_title,
+    accuracy=ACCURACY,
 )

@@ -86,7 +86,11 @@ def record(bench: Bench) -> Kinematic | None:
         charts = _from_displacement(draft, positions, leg, base, order)
     else:
         charts = _from_velocity(draft, velocities, leg, base, order)
-    return Kinematic(order, base, charts, planned)
+    # a derivative by the angle is no velocity: there is nothing to compare it with
+    alike = {
+        symbol: mark for symbol, mark in planned.items() if charts[symbol].unit == UNITS[symbol]
+    }
+    return Kinematic(order, base, charts, alike)
 
 
 def sliding_leg(

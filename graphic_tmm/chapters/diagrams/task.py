@@ -34,7 +34,7 @@ class KinematicOrder:
     method: str = key(_METHOD, "how it is differentiated", "chords", "chords")
     base: float | None = key(
         v.DRAWN, "length of the base", "120 mm", None,
-        fixes="size", draws=(("diagram S", "L"), ("diagram V", "L")),
+        fixes="size",
     )  # fmt: skip
     mu_along: float | None = made(
         lambda said: said.mu_t or said.mu_phi,

@@ -10,6 +10,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.engine.accuracy import ACCURACY
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named
@@ -73,4 +74,5 @@ CHAPTER = Chapter(
     columns=engine_columns,
     results=engine_results,
     views=_views,
+    accuracy=ACCURACY,
 )

@@ -12,7 +12,7 @@ KGF = 9.80665
 """A kgf in N."""
 
 
-@operation("Через {through} провести {it} под двойным углом кривошипа {crank} от {outward}.")
+@operation()
 def doubled(through: Point, outward: Line, crank: Line) -> Line:
     """Through {through} draw {it} at twice the angle of the crank {crank} from {outward}."""
     return Line(through, crank.along * crank.along * np.conj(outward.along))

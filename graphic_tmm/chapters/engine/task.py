@@ -50,7 +50,7 @@ class EngineOrder:
     unit: str = key(v.choice("N", "kgf", Н="N", кгс="kgf"), "the unit of forces", "kgf", "N")
     base: float = key(
         v.DRAWN, "length of the diagrams' base for a turn", "120 mm", 120.0,
-        fixes="size", draws=(("engine", "L"),),
+        fixes="size",
     )  # fmt: skip
 
 

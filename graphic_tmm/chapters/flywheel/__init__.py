@@ -13,7 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board import roles
-from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapter import Chapter, Holder, Place, Size
+from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
@@ -51,8 +52,8 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     yield from assumed(drawn)
 
 
-def _title(drawn: Drawn, view: str, language: str) -> str:
-    made = FLYWHEEL.on(drawn)
+def _title(holder: Holder, view: str, language: str) -> str:
+    made = FLYWHEEL.on(holder)
     return flywheel_title(view, made.order.constant, language) if view == VIEWS["moment"] else ""
 
 
@@ -91,4 +92,5 @@ CHAPTER = Chapter(
     results=flywheel_results,
     views=lambda project: {FLYWHEEL.chapter: [chart.view for chart in FLYWHEEL.on(project).charts]},
     titles=_title,
+    accuracy=ACCURACY,
 )

@@ -8,6 +8,8 @@ from typing import NamedTuple
 import shapely
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.language.words import number
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension, shelf
@@ -55,13 +57,20 @@ def draw_flywheel(sizes: Sizes, reduction: float, title: str, language: str) -> 
     hub = HUB * sizes.shaft
     if not hub + 2.2 * sizes.stud < sizes.inner < sizes.outer:
         raise SheetError(
-            f"flywheel: a hub of {1000 * hub:.0f} mm and stud holes of {1000 * sizes.stud:.0f} mm find no room "
-            f"inside a rim of {1000 * sizes.inner:.0f} mm: take a smaller shaft, or a larger rim"
+            said(
+                "flywheel: a hub of {hub:.0f} mm and stud holes of {stud:.0f} mm find no room inside a rim of {inner:.0f} mm: take a smaller shaft, or a larger rim",
+                hub=1000 * hub,
+                stud=1000 * sizes.stud,
+                inner=1000 * sizes.inner,
+            )
         )
     if sizes.width > WIDEST * sizes.outer:
         raise SheetError(
-            f"flywheel: a rim of {1000 * sizes.outer:.4g} mm would be {1000 * sizes.width:.4g} mm wide: "
-            "take a larger D_e"
+            said(
+                "flywheel: a rim of {outer:.4g} mm would be {width:.4g} mm wide: take a larger D_e",
+                outer=1000 * sizes.outer,
+                width=1000 * sizes.width,
+            )
         )
     draft = _Sketch(sizes, 1000.0 / reduction)
     strokes = [*draft.section(), *draft.view()]
@@ -169,7 +178,8 @@ class _Sketch:
         )
         low = complex(0, -self.outer)
         found.append(dimension(low, low + self.width, -10.0, mm(sizes.width)))
-        holes = {"ru": "отв.", "en": "holes"}[language]
+        _ = speaking(language)
+        holes = _("holes")
         bend = self.centre + complex(self.outer * 0.85, -self.outer * 0.95)
         spot = min(self.holes(), key=lambda hole: abs(hole - bend))
         text = f"{sizes.studs} {holes} ⌀{mm(sizes.stud)}"

@@ -77,12 +77,12 @@ class FlywheelOrder:
         STANDARD,
         H=key(
             v.DRAWN, "pole distance of the integration", "40 mm", None,
-            fixes="size", draws=(("work", "H"),),
+            fixes="size",
         ),
     )  # fmt: skip
     base: float = key(
         v.DRAWN, "length of the base for a turn", "120 mm", 120.0,
-        fixes="size", draws=(("moment", "L"),),
+        fixes="size",
     )  # fmt: skip
     mu_M: float | None = key(v.mu("scale of moments"), "(N·m)/mm", "8 N*m/mm", None, fixes="size")
     integration: str = key(

@@ -19,7 +19,8 @@ from graphic_tmm.chapters.flywheel.table import (
 )
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn, single
-from graphic_tmm.language.captions import CAPTIONS, symbols
+from graphic_tmm.language import symbols
+from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import flywheel_title, number, unit
 from graphic_tmm.paper.arranging import captioned, mu_text, pole_texts, stacked
 from graphic_tmm.paper.drawing import Drawing

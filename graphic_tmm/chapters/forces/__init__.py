@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.forces import views
+from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, scale_key
@@ -96,4 +97,5 @@ CHAPTER = Chapter(
     columns=force_columns,
     views=_views,
     equations=views.polygon_equation,
+    accuracy=ACCURACY,
 )

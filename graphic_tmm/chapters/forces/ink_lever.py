@@ -15,7 +15,7 @@ from graphic_tmm.chapters.forces.lever import Lever
 from graphic_tmm.chapters.kinematics.ink_plans import (
     TOGETHER,
 )
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
 from graphic_tmm.paper.lettering.indices import (
     markup,

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.captions.symbols import symbol
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.words import number, plain, unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing

@@ -9,6 +9,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.gears.accuracy import ACCURACY
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
@@ -37,4 +38,5 @@ CHAPTER = Chapter(
     plans=(GEARS.chapter,),
     columns=measured_columns,
     results=gear_results,
+    accuracy=ACCURACY,
 )

@@ -11,8 +11,8 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.functions import define
 from graphic_tmm.board.values import Angle, Length, Number, Reals
 
-_NO_ANGLE = ("no angle has this involute function", "нет угла с такой инволютой")
-_INSIDE = ("the tip circle lies inside the base circle", "окружность вершин внутри основной")
+_NO_ANGLE = "no angle has this involute function"
+_INSIDE = "the tip circle lies inside the base circle"
 _SERIES = (21844 / 6081075, 1382 / 155925, 62 / 2835, 17 / 315, 2 / 15, 1 / 3)
 _NEAR = 0.1
 """Below this angle (radians) the difference tan α − α loses digits and its series is taken."""
@@ -171,7 +171,7 @@ def remainder(whole: Length, part: Length) -> Length:
     """{whole} − {part}"""
 
 
-@formula(fails=("the length to divide by is zero", "деление на нулевую длину"))
+@formula(fails="the length to divide by is zero")
 def ratio_of(part: Length, whole: Length) -> Number:
     """{part}/{whole}"""
 
@@ -183,10 +183,7 @@ def percent_off(found: Number, due: Number) -> Number:
 
 @formula(
     holds="{near} > 0, {far} ≥ 0",
-    fails=(
-        "the point does not lie between the limits of the line of action",
-        "точка лежит вне предельных точек линии зацепления",
-    ),
+    fails="the point does not lie between the limits of the line of action",
 )
 def specific_sliding(own: Number, other: Number, far: Length, near: Length) -> Number:
     """1 − {own}/{other}·{far}/{near}

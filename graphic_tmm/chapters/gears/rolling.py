@@ -18,8 +18,7 @@ _PASSES = 8
 
 
 @operation(
-    "От {start} по дуге {arc} отложить дугу длиной {length}; отметить {it}.",
-    fails=("the arc has no radius", "дуга не имеет радиуса"),
+    fails="the arc has no radius",
 )
 def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Point:
     """From {start} lay off along the arc {arc} the length {length}; mark {it}.
@@ -30,7 +29,7 @@ def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Poin
     return Point(arc.centre + (start - arc.centre) * np.exp(1j * turned))
 
 
-@operation("Измерить дугу {start}{end} по {arc}.", reads=True)
+@operation(reads=True)
 def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length:
     """Measure the arc {start}{end} along {arc}.
 
@@ -41,27 +40,26 @@ def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length
 
 
 @operation(
-    "Измерить угол {start}{centre}{end}.",
-    fails=("a side has no length", "сторона угла не имеет длины"),
+    fails="a side has no length",
 )
 def angle_at(centre: Point, start: Point, end: Point) -> Angle:
     """Measure the angle {start}{centre}{end}, counter-clockwise positive."""
     return Angle(degrees((end - centre) / (start - centre)))
 
 
-@operation("Повернуть {of} вокруг {about} на угол {by}; отметить {it}.")
+@operation()
 def turn_about(of: Point, about: Point, by: Angle, *, sense: int = 1) -> Point:
     """Turn {of} about {about} by the angle {by}; mark {it}."""
     return Point(about + (of - about) * cis(sense * by))
 
 
-@operation("Симметрично {of} относительно {axis} отметить {it}.")
+@operation()
 def reflect(of: Point, axis: Line) -> Point:
     """Mark {it}, symmetrical to {of} about {axis}."""
     return Point(axis.at + np.conj((of - axis.at) / axis.along) * axis.along)
 
 
-@operation("Через точки {through} по лекалу провести кривую {it}.", across=True)
+@operation(across=True)
 def smooth_through(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} with the French curve.
 
@@ -70,7 +68,7 @@ def smooth_through(through: Point, *, row: int) -> Curve:
     return open_graph.run(through[:, : row - 1], through[:, row - 1 : row], row=row - 1)  # type: ignore[no-any-return]
 
 
-@operation("Начало кривой {curve} отметить {it}.")
+@operation()
 def beginning(curve: Curve) -> Point:
     """Mark {it}, the beginning of the curve {curve}."""
     return Point(curve.knots[:, :1])
@@ -109,8 +107,7 @@ def _arcs(curve: Curve, trial: int) -> _Arcs:
 
 
 @operation(
-    "На пересечении кривой {curve} с дугой {arc} отметить {it}.",
-    fails=("the curve does not reach the arc", "кривая не достигает дуги"),
+    fails="the curve does not reach the arc",
 )
 def curve_meets_arc(curve: Curve, arc: Arc) -> Point:
     """Where the curve {curve} first meets the arc {arc}, mark {it}."""
@@ -147,8 +144,7 @@ def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
 
 
 @operation(
-    "На пересечении кривых {first} и {second} отметить {it}.",
-    fails=("the curves do not meet", "кривые не пересекаются"),
+    fails="the curves do not meet",
 )
 def curves_cross(first: Curve, second: Curve) -> Point:
     """Where the curves {first} and {second} cross, mark {it}: the first such place along {first}."""

@@ -16,6 +16,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.kinematics import views
+from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
@@ -111,4 +112,5 @@ CHAPTER = Chapter(
     named_marks=rate_marks,
     speeds=speed_marks,
     views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)},
+    accuracy=ACCURACY,
 )

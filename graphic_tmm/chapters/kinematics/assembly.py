@@ -18,6 +18,7 @@ from graphic_tmm.board.values import Line, Reals
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Group
 
 CHANGE = 1e-9
@@ -128,7 +129,7 @@ def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) 
     if -least >= -CHANGE * size:
         return [at]
     letters = dict(zip(closure.step.op.arguments, closure.step.uses, strict=True))
-    words = closure.gap.en.format(**{name: mark.letter for name, mark in letters.items()})
+    words = said(closure.gap.says, **{name: mark.letter for name, mark in letters.items()})
     raise StructureError(
         f"group {closure.group.name} never assembles: {words} "
         f"(short by {_mm(least)} at the best crank angle, {at:.4g}°): change {_lengths(closure)}",

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 
 
 def assumed(drawn: Drawn) -> Iterator[str]:
@@ -22,7 +23,8 @@ def assumed(drawn: Drawn) -> Iterator[str]:
         if link.mass and link.inertia is None and link.number in velocities.rates.keys() - even
     ]
     if bare:
-        yield (
-            f"link {', '.join(bare)}: J is left out, with a mass given: no inertia couple and no energy of "
-            "turning is taken; write J, or J = 0"
+        yield said(
+            "link {links}: J is left out, with a mass given: no inertia couple and no energy of "
+            "turning is taken; write J, or J = 0",
+            links=", ".join(bare),
         )

@@ -24,6 +24,7 @@ from graphic_tmm.chapters.kinematics.dyads import rocker_offset
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import Group
@@ -100,7 +101,7 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
         )
     best = int(np.nanargmax(way * place))
     low, high = _bracket(survey, axis, float(angles[0, best]))
-    tried = refinement(_velocity(survey, axis), "", "").run(np.array([[low]]), np.array([[high]]))
+    tried = refinement(_velocity(survey, axis), "").run(np.array([[low]]), np.array([[high]]))
     angle = float(tried[0, 0])
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
@@ -143,10 +144,14 @@ def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag:
     axis = survey.axes[extreme.point, name]
     step = refinement(
         _velocity(survey, axis),
-        "Try crank angles between {low} and {high}, each time narrowing to where the image of "
-        f"{extreme.point} passes the pole; this is {{it}}.",
-        "Пробовать углы кривошипа между {low} и {high}, сужая до того, где изображение точки "
-        f"{extreme.point} проходит через полюс; это {{it}}.",
+        said(
+            "Try crank angles between {low} and {high}, each time narrowing to where the image of {point} "
+            "passes the pole; this is {it}.",
+            point=extreme.point,
+            low="{low}",
+            high="{high}",
+            it="{it}",
+        ),
     )
     low, high = draft.direction(tried.low), draft.direction(tried.high)
     return draft.draw(step, f"φ_{{{tag}}}", low, high, unit="°")

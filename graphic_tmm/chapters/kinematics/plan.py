@@ -27,6 +27,7 @@ from graphic_tmm.chapters.kinematics.row import draw_row
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Drive, Mechanism, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
@@ -36,6 +37,8 @@ LAST = 12
 POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
 """The plans: places of sheets, views of the board, and what other chapters need."""
 PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+ALL = ("all",)
+"""What is written for the positions of a row where none is left out."""
 
 
 @dataclass(frozen=True)
@@ -105,8 +108,10 @@ def record(bench: Bench) -> KinematicPlans:
     positions = draw_positions(draft, mechanism, structure, frame, numbered.phi)
     if scene.trajectories and tried.returning_late:
         raise StructureError(
-            f"trajectories: no path closes after one turn, group {tried.returning_late[0]} flips an odd "
-            "number of times in it: leave trajectories out",
+            said(
+                "trajectories: no path closes after one turn, group {group} flips an odd number of times in it: leave trajectories out",
+                group=tried.returning_late[0],
+            ),
             "plans.trajectories",
         )
     _draw_trajectories(draft, positions, scene.trajectories, row.count)
@@ -153,12 +158,17 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     StructureError
         If there is no such position.
     """
-    if wanted == ("all",):
+    if wanted == ALL:
         return tuple(range(len(names)))
     missing = [name for name in wanted if name not in names]
     if missing:
         raise StructureError(
-            f"{section}: there is no position {', '.join(missing)}; there are {', '.join(names)}",
+            said(
+                "{section}: there is no position {missing}; there are {known}",
+                section=section,
+                missing=", ".join(missing),
+                known=", ".join(names),
+            ),
             "drive.accelerations" if section == "accelerations" else f"{section}.positions",
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
@@ -201,6 +211,7 @@ def _draw_trajectories(
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
             raise StructureError(
-                f"trajectories: there is no point {letter} on the plan", "plans.trajectories"
+                said("trajectories: there is no point {letter} on the plan", letter=letter),
+                "plans.trajectories",
             )
         draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)

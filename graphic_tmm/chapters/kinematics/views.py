@@ -49,7 +49,7 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         lettered=lettered,
     )
     mu = mu_text(drawn.scales[POSITIONS], drawn.scene.language)
-    return [captioned(view, words["positions"], mu, large=True)]
+    return [captioned(view._replace(leads=True), words["positions"], mu)]
 
 
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -105,9 +105,8 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the vector equations of the plans of velocities and accelerations."""
     log, found = drawn.construction, []
     for plan in (VELOCITIES, ACCELERATIONS):
-        turned = drawn.scene.turned and plan == VELOCITIES
         title = CAPTIONS[drawn.scene.language][f"equations {plan}"]
-        told = list(equations(log, plan, turned=turned))
+        told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             found.append(draw_equations(log, plan, title, told))
     return found

@@ -6,6 +6,8 @@ import math
 import unicodedata
 from collections.abc import Iterable
 
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
 from graphic_tmm.paper.drawing import Drawing, Label, line
 from graphic_tmm.paper.lettering.glyphs import characters
 from graphic_tmm.paper.lettering.letters import (
@@ -25,26 +27,17 @@ GAP = 0.5
 """Clear way between two characters, of the height of a capital."""
 ROW = 2.2
 """From one base line to the next, of the height of a capital."""
-WORDS = {
-    "ru": {
-        "upright": "Шрифт типа Б без наклона",
-        "inclined": "Шрифт типа Б с наклоном 75°",
-        "sizes": "Размеры шрифта",
-        "notation": "Обозначения",
-        "grid": "Построение букв по сетке, шаг сетки h/10",
-        "large": "ТММаб2ωμ",
-        "sample": "Построение планов скоростей и ускорений 0123456789",
-    },
-    "en": {
-        "upright": "Lettering type B, upright",
-        "inclined": "Lettering type B, inclined at 75°",
-        "sizes": "Sizes of lettering",
-        "notation": "Notation",
-        "grid": "Letters on their grid, its pitch h/10",
-        "large": "TMMag2ωμ",
-        "sample": "Plans of velocities and accelerations 0123456789",
-    },
-}
+WORDS = Tongues(
+    {
+        "upright": said("Lettering type B, upright"),
+        "inclined": said("Lettering type B, inclined at 75°"),
+        "sizes": said("Sizes of lettering"),
+        "notation": said("Notation"),
+        "grid": said("Letters on their grid, its pitch h/10"),
+        "large": said("TMMag2ωμ"),
+        "sample": said("Plans of velocities and accelerations 0123456789"),
+    }
+)
 NOTATION = (
     r"\bar{v}_{B} = \uu{\bar{v}_{A}} + \u{\bar{v}_{BA}}",
     r"\bar{a}_{B} = \uu{\bar{a}_{A}} + \uu{\bar{a}_{BA}^{n}} + \u{\bar{a}_{BA}^{t}}",

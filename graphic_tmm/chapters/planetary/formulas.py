@@ -9,9 +9,9 @@ from graphic_tmm.board.functions import define
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
 
-_NO_TEETH = ("a wheel has no teeth", "у колеса нет зубьев")
-_STANDS = ("the driven shaft stands", "ведомый вал неподвижен")
-_NO_SATELLITES = ("there are no satellites", "нет сателлитов")
+_NO_TEETH = "a wheel has no teeth"
+_STANDS = "the driven shaft stands"
+_NO_SATELLITES = "there are no satellites"
 
 
 def _gcd(first: Reals, second: Reals) -> Reals:
@@ -99,7 +99,7 @@ def assembly_alike(z1: Number, z2: Number, z3: Number, z4: Number, k: Number, g:
 
 @formula(
     holds="2·{z}·sin²{alpha} − 4·{ha} > 0",
-    fails=("no ring is clear of so few teeth", "при таком числе зубьев заклинивает любой венец"),
+    fails="no ring is clear of so few teeth",
 )
 def least_ring(z: Number, alpha: Angle, ha: Number) -> Number:
     """({z}²·sin²{alpha} − 4·{ha}²)/(2·{z}·sin²{alpha} − 4·{ha})"""
@@ -110,13 +110,12 @@ def ratio_of_segments(driving: Length, driven: Length) -> Number:
     """{driving}/{driven}"""
 
 
-@formula(holds="{due} ≠ 0", fails=("there is no ratio to compare with", "не с чем сравнивать"))
+@formula(holds="{due} ≠ 0", fails="there is no ratio to compare with")
 def miss_of_ratio(found: Number, due: Number) -> Number:
     """100·|{found} − {due}|/|{due}|"""
 
 
 @operation(
-    "Ось сателлита, следующего за {axis}, отметить {it}.",
     across=True,
     fails=WHOLE_ROW,
 )

@@ -11,6 +11,8 @@ from graphic_tmm.chapters.planetary.dimensions import Condition
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.tooth_search import Solutions
 from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.blocks import breakable
@@ -23,42 +25,25 @@ from graphic_tmm.paper.ruled import PADDING, table
 SIZE = 3.5
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
-WORDS = {
-    "ru": {
-        "conditions": "Условия, которым отвечают числа зубьев",
-        "condition": "Условие",
-        "check": "Проверка",
-        "ratio": "передаточного отношения",
-        "coaxial": "соосности",
-        "neighbours": "соседства",
-        "assembly": "сборки",
-        "undercut": "отсутствия подрезания",
-        "interference": "отсутствия заклинивания",
-        "whole": "целое",
-        "rates": "Угловые скорости по плану",
-        "body": "Звено",
-        "segment": "Отрезок",
-        "trains": "Варианты по возрастанию размера",
-        "size": "размер",
-    },
-    "en": {
-        "conditions": "Conditions on the tooth numbers",
-        "condition": "Condition",
-        "check": "Check",
-        "ratio": "ratio",
-        "coaxial": "common axis",
-        "neighbours": "neighbours",
-        "assembly": "assembly",
-        "undercut": "no undercut",
-        "interference": "no interference",
-        "whole": "whole",
-        "rates": "Angular velocities from the plan",
-        "body": "Link",
-        "segment": "Segment",
-        "trains": "Trains, the smallest first",
-        "size": "size",
-    },
-}
+WORDS = Tongues(
+    {
+        "conditions": said("Conditions on the tooth numbers"),
+        "condition": said("Condition"),
+        "check": said("Check"),
+        "ratio": said("ratio"),
+        "coaxial": said("common axis"),
+        "neighbours": said("neighbours"),
+        "assembly": said("assembly"),
+        "undercut": said("no undercut"),
+        "interference": said("no interference"),
+        "whole": said("whole"),
+        "rates": said("Angular velocities from the plan"),
+        "body": said("Link"),
+        "segment": said("Segment"),
+        "trains": said("Trains, the smallest first"),
+        "size": said("size"),
+    }
+)
 
 
 def condition_table(

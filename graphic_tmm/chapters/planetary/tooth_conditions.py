@@ -7,7 +7,6 @@ of the second row over that of the first.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -15,6 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.planetary import formulas as f
 from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Scheme
 
 Whole = NDArray[np.int64]
@@ -34,6 +36,24 @@ class Teeth(NamedTuple):
     def at(self, where: Any) -> Teeth:
         """Return the trains that an index or a mask names."""
         return Teeth(*(z[where] for z in self))
+
+
+class Calculated(NamedTuple):
+    """A formula of the plan and what it is worked out on: of many trains at once, or of one."""
+
+    op: Operation
+    values: tuple[Any, ...]
+
+    def found(self) -> Reals:
+        """Return the results, (n,)."""
+        with np.errstate(all="ignore"):
+            result: Reals = self.op.run(*self.values)
+        return result
+
+    def said(self) -> str:
+        """Return the formula with the numbers of one train put in."""
+        numbers = (int(np.ravel(value)[0]) for value in self.values)
+        return self.op.formula.format(**dict(zip(self.op.arguments, numbers, strict=True)))
 
 
 def in_two_rows(scheme: Scheme, teeth: Sequence[int]) -> Teeth:
@@ -79,26 +99,35 @@ def coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Truths:
 
 def neighbours(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> Truths:
     """Return whether the tips of neighbouring satellites stand clear of each other; ``k``: int, or (n,)."""
-    k = np.asarray(k)
-    axes = (z.z1 + scheme.first * z.z2) * np.sin(np.pi / k)
-    tips = np.maximum(z.z2 + 2.0 * ha, float(q) * (z.z3 + 2.0 * ha))
-    return np.asarray((axes > tips) | (k == 1))
+    between, tips = room(scheme, z, k, q, ha)
+    return np.asarray((between > tips) | (np.asarray(k) == 1))
 
 
-def assembly_parts(scheme: Scheme, z: Teeth, k: Any) -> tuple[Whole, Whole]:
-    """Return (z1·z3 ± z2·z4) and k·gcd(z2, z3): satellites all alike can be put in evenly if it divides.
+def room(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> tuple[Reals, Reals]:
+    """Return the distance of the axes of neighbouring satellites, and what their tips take of it, modules."""
+    to_axis = f.axes_outside if scheme.first > 0 else f.axes_inside
+    axes = Calculated(to_axis, (1.0, z.z1, z.z2)).found()
+    between = Calculated(f.neighbouring_axes, (axes, np.asarray(k))).found()
+    tips = [Calculated(f.tip_diameter, (m, rim, ha)) for m, rim in ((1.0, z.z2), (float(q), z.z3))]
+    return between, np.maximum(*(tip.found() for tip in tips))
+
+
+def assembly(scheme: Scheme, z: Teeth, k: Any) -> Calculated:
+    """Return the number of the assembly: satellites all alike can be put in evenly if it is whole.
 
     The central wheel 1, turned until the next place stands where the first one did, must find a satellite
-    there turned by whole teeth of its rim 3. In a single row this is (z1 + z3)/k.
+    there turned by whole teeth of its rim 3.
     """
-    above, _ = ratio_parts(scheme, z)
-    return above, np.asarray(k * np.gcd(z.z2, z.z3))
+    if scheme.rows == 1:
+        return Calculated(f.assembly_of_row, (z.z1, z.z4, k))
+    op = f.assembly_opposed if scheme.opposed else f.assembly_alike
+    return Calculated(op, (*z, k, f.common_divisor.run(z.z2, z.z3)))
 
 
 def assembles(scheme: Scheme, z: Teeth, k: Any) -> Truths:
-    """Return whether ``k`` satellites can be put in evenly."""
-    above, below = assembly_parts(scheme, z, k)
-    return np.asarray(above % below == 0)
+    """Return whether ``k`` satellites can be put in evenly: a quotient that is not whole is far from it."""
+    found = assembly(scheme, z, k).found()
+    return np.asarray(found == np.rint(found))
 
 
 def external(scheme: Scheme) -> tuple[str, ...]:
@@ -123,10 +152,9 @@ def clear_roots(ring: Whole, rim: Whole, alpha: float, ha: float) -> Truths:
     """Return whether the tips of a ring end where the involutes of the rim inside it begin, or before.
 
     The tip circle of the ring then cuts the line of action outside the rim's base circle:
-    (z_r − 2h_a*)² ≥ (z_r·cos α)² + ((z_r − z_s)·sin α)².
+    (z_r − 2h_a*)² ≥ (z_r·cos α)² + ((z_r − z_s)·sin α)². No ring is clear of a rim of very few teeth.
     """
-    s = math.sin(math.radians(alpha)) ** 2
-    return np.asarray(ring * (2.0 * rim * s - 4.0 * ha) >= rim * rim * s - 4.0 * ha * ha)
+    return np.asarray(ring >= Calculated(f.least_ring, (rim, alpha, ha)).found())
 
 
 def meshes(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:

@@ -111,31 +111,25 @@ def _coaxial(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Verdict:
 
 
 def _neighbours(order: PlanetaryOrder, train: Train, z: Teeth) -> Verdict:
-    scheme, k, q = train.scheme, train.satellites, float(module_ratio(order))
-    (z1,), (z2,), (z3,), _ = z
-    holds = _said(c.neighbours(scheme, z, k, module_ratio(order), order.ha))
+    scheme, k, q = train.scheme, train.satellites, module_ratio(order)
+    (z1,), (z2,), _, _ = z
+    holds = _said(c.neighbours(scheme, z, k, q, order.ha))
     if k == 1:
         return Verdict("neighbours", "", holds, math.inf, "neighbours: a single satellite has none")
-    axes = float((z1 + scheme.first * z2) * math.sin(math.pi / k))
-    tips = max(z2 + 2.0 * order.ha, q * (z3 + 2.0 * order.ha))
+    (axes,), (tips,) = c.room(scheme, z, k, q, order.ha)
     sign = "+" if scheme.first > 0 else "−"
     text = f"neighbours: ({z1} {sign} {z2})·sin(180°/{k}) = {axes:.5g}"
     text += f" > {tips:g}" if holds else f" is not greater than {tips:g}: satellites touch"
-    return Verdict("neighbours", "", holds, axes, text)
+    return Verdict("neighbours", "", holds, float(axes), text)
 
 
 def _assembly(train: Train, z: Teeth) -> Verdict:
     scheme, k = train.scheme, train.satellites
-    (above,), (below,) = c.assembly_parts(scheme, z, k)
-    found, holds = float(above / below), _said(c.assembles(scheme, z, k))
-    (z1,), (z2,), (z3,), (z4,) = z
-    if scheme.rows == 1:
-        text = f"assembly: ({z1} + {z4})/{k}"
-    else:
-        sign = "+" if scheme.opposed else "−"
-        text = f"assembly: ({z1}·{z3} {sign} {z2}·{z4})/({k}·{below // k})"
+    number, holds = c.assembly(scheme, z, k), _said(c.assembles(scheme, z, k))
+    (found,) = number.found()
+    text = f"assembly: {number.said()}"
     text += f" = {found:.6g} is {'' if holds else 'not '}whole"
-    return Verdict("assembly", "", holds, found, text)
+    return Verdict("assembly", "", holds, float(found), text)
 
 
 def _undercut(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:

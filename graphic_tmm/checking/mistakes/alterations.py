@@ -77,7 +77,7 @@ def wrong_link(made: DrawnScene) -> Iterator[Figures]:
     cranks = [
         step.uses[1]
         for step in steps
-        if step.op.name == "lay_off" and step.uses[0] in rays and step.it.view == "positions"
+        if step.op.name == "lay_off" and step.uses[0] in rays and step.it.view == step.uses[0].view
     ]
     normals = [step for step in steps if step.op.name == "normal"]
     lengths = list(dict.fromkeys([*(step.uses[2] for step in normals), *cranks]))
@@ -187,11 +187,13 @@ def _opposite(cell: Cell) -> Cell:
 
 def turned(made: DrawnScene) -> Iterator[Figures]:
     """The plan of velocities is drawn a quarter to either side."""
+    views = made.mechanism.construction.views if made.mechanism is not None else ()
+    speeds = {v.name for v in views if v.pole is not None and v.pole.role == roles.VELOCITY}
     found = cells_and_points(made)
     for quarter in (1j, -1j):
         yield {
             key: cell._replace(spot=cell.spot * quarter)
-            if cell.spot is not None and key[0] == "velocities"
+            if cell.spot is not None and key[0] in speeds
             else cell
             for key, cell in found.items()
         }

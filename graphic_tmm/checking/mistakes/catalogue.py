@@ -1,7 +1,7 @@
 """The catalogue of mistakes: each an entry of a few lines.
 
 To add one, write a function from a scene as drawn to what its figures would then be (`alterations` holds those
-there are), and enter it with a name and a sentence in both languages.
+there are), and enter it with a name and a sentence.
 """
 
 from __future__ import annotations
@@ -34,151 +34,133 @@ from graphic_tmm.checking.mistakes.alterations import (
     wrong_link,
 )
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.language.said import said
 
 EVERYWHERE, POSITION, READING = "everywhere", "position", "reading"
 
 
 class Mistake(NamedTuple):
-    """A mistake: its name, what it says in English and Russian, what figures it leads to, by variant.
+    """A mistake: its name, what it says, what figures it leads to, by variant.
 
     ``reach``: whether it befalls the whole drawing, one position or another, or single readings.
     """
 
     name: str
-    en: str
-    ru: str
+    says: str
     figures: Callable[[DrawnScene], Iterator[Figures]]
     reach: str = POSITION
 
 
 CATALOGUE = (
     Mistake(
-        "Coriolis left out",
-        "the Coriolis acceleration is left out",
-        "не учтено ускорение Кориолиса",
+        said("Coriolis left out"),
+        said("the Coriolis acceleration is left out"),
         running("coriolis", lambda right, *v: 0.0 * right),
     ),
     Mistake(
-        "Coriolis turned",
-        "the Coriolis acceleration points the wrong way",
-        "ускорение Кориолиса направлено в обратную сторону",
+        said("Coriolis turned"),
+        said("the Coriolis acceleration points the wrong way"),
         running("coriolis", lambda right, *v: -right),
     ),
     Mistake(
-        "normal of the wrong link",
-        "a normal component is divided by the length of another link",
-        "нормальная составляющая разделена на длину другого звена",
+        said("normal of the wrong link"),
+        said("a normal component is divided by the length of another link"),
         wrong_link,
     ),
     Mistake(
-        "normal from the wrong end",
-        "a normal component points away from the centre of rotation",
-        "нормальная составляющая направлена от центра вращения",
+        said("normal from the wrong end"),
+        said("a normal component points away from the centre of rotation"),
         wrong_end,
     ),
     Mistake(
-        "ω/r for ω·r",
-        "ω/l is calculated for ω·l",
-        "вместо ω·l вычислено ω/l",
+        said("ω/r for ω·r"),
+        said("ω/l is calculated for ω·l"),
         running("product", lambda right, omega, length: omega / length),
     ),
     Mistake(
-        "v/l inverted",
-        "an angular velocity is calculated as l/v",
-        "угловая скорость вычислена как l/v",
+        said("v/l inverted"),
+        said("an angular velocity is calculated as l/v"),
         running("rate", lambda right, *v: 1.0 / np.where(right == 0.0, np.nan, right)),
     ),
     Mistake(
-        "degrees for radians",
-        "degrees are written for radians",
-        "вместо радиан записаны градусы",
+        said("degrees for radians"),
+        said("degrees are written for radians"),
         cellwise(degrees),
         READING,
     ),
     Mistake(
-        "rpm for rad/s",
-        "revolutions a minute are taken for rad/s",
-        "обороты в минуту приняты за рад/с",
+        said("rpm for rad/s"),
+        said("revolutions a minute are taken for rad/s"),
         speed_by(30.0 / math.pi),
     ),
     Mistake(
-        "μ inverted",
-        "a length is divided by μ instead of multiplied",
-        "длина разделена на μ, а не умножена",
+        said("μ inverted"),
+        said("a length is divided by μ instead of multiplied"),
         cellwise(inverted),
         READING,
     ),
     Mistake(
-        "μ of another plan",
-        "a length is multiplied by the scale factor of another plan",
-        "длина умножена на масштабный коэффициент другого плана",
+        said("μ of another plan"),
+        said("a length is multiplied by the scale factor of another plan"),
         of_another_plan,
         READING,
     ),
     Mistake(
-        "decimal point slipped",
-        "a decimal point has slipped",
-        "сдвинута десятичная запятая",
+        said("decimal point slipped"),
+        said("a decimal point has slipped"),
         decimal,
         READING,
     ),
     Mistake(
-        "numbering reversed",
-        "the positions are numbered backwards",
-        "положения пронумерованы в обратную сторону",
+        said("numbering reversed"),
+        said("the positions are numbered backwards"),
         numbered(backwards),
         EVERYWHERE,
     ),
     Mistake(
-        "numbering shifted",
-        "the positions are numbered one further",
-        "нумерация положений сдвинута на одно вперёд",
+        said("numbering shifted"),
+        said("the positions are numbered one further"),
         numbered(further(1)),
         EVERYWHERE,
     ),
     Mistake(
-        "numbering shifted back",
-        "the positions are numbered one too few",
-        "нумерация положений сдвинута на одно назад",
+        said("numbering shifted back"),
+        said("the positions are numbered one too few"),
         numbered(further(-1)),
         EVERYWHERE,
     ),
     Mistake(
-        "numbering from the opposite position",
-        "the positions are counted from half a turn further on, as from the other dead centre",
-        "положения отсчитаны через пол-оборота, как от другого крайнего положения",
+        said("numbering from the opposite position"),
+        said(
+            "the positions are counted from half a turn further on, as from the other dead centre"
+        ),
         half_way,
         EVERYWHERE,
     ),
     Mistake(
-        "sense reversed",
-        "the sense is the opposite one",
-        "направление противоположное",
+        said("sense reversed"),
+        said("the sense is the opposite one"),
         opposite,
         READING,
     ),
     Mistake(
-        "plan not turned",
-        "the plan of velocities is turned by a quarter",
-        "план скоростей повёрнут на четверть оборота",
+        said("plan not turned"),
+        said("the plan of velocities is turned by a quarter"),
         turned,
     ),
     Mistake(
-        "other assembly",
-        "a group is assembled the other way",
-        "группа собрана иначе",
+        said("other assembly"),
+        said("a group is assembled the other way"),
         other_assembly,
     ),
     Mistake(
-        "inertia not reversed",
-        "an inertia force points along the acceleration",
-        "сила инерции направлена по ускорению",
+        said("inertia not reversed"),
+        said("an inertia force points along the acceleration"),
         not_reversed,
     ),
     Mistake(
-        "chord's value at the end",
-        "the value of a chord stands at the end of its interval",
-        "значение хорды отложено на конце интервала",
+        said("chord's value at the end"),
+        said("the value of a chord stands at the end of its interval"),
         at_the_end,
     ),
 )

@@ -23,16 +23,17 @@ from graphic_tmm.checking.mistakes.comparing import (
 from graphic_tmm.checking.readings.units import due_figure
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Likely
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import decimal_sign
+from graphic_tmm.language.said import said
 
-SEGMENT = (
-    "another segment",
-    "another segment is measured than the one named",
-    "измерен не тот отрезок, который назван",
-)
+SEGMENT = said("another segment"), said("another segment is measured than the one named")
 FACTOR = (
-    "wrong scale or pole distance",
-    "all figures{of} are {factor} times what is due: the scale or the pole distance is another",
-    "все величины{of} в {factor} раза больше: взят другой масштаб или другое полюсное расстояние",
+    said("wrong scale or pole distance"),
+    said("all figures are {factor} times what is due: the scale or the pole distance is another"),
+    said(
+        "all figures of {segment} are {factor} times what is due: the scale or the pole distance is another"
+    ),
 )
 LEAST_OFF = 3
 """So many readings off tell a factor: two may have one by chance. With 2 what is named changes in
@@ -106,7 +107,7 @@ def _tried(
     language: str,
 ) -> Iterator[Tried]:
     for mistake in CATALOGUE:
-        says = mistake.ru if language == "ru" else mistake.en
+        says = speaking(language)(mistake.says)
         best: Tried | None = None
         for figures in mistake.figures(made):
             one = compared(mistake.name, says, figures, judged, spread, mistake.reach)
@@ -141,11 +142,8 @@ def _factor(
             one.taken.key: Cell(abs(one.due) * factor, abs(one.due) * factor, one.unit)
             for one in rows
         }
-        of = "".join(f" {segment}" for segment in group[1:])
-        if language == "ru":
-            says = FACTOR[2].format(of=of, factor=f"{factor:.4g}".replace(".", ","))
-        else:
-            says = FACTOR[1].format(of=" of" + of if of else "", factor=f"{factor:.4g}")
+        told = f"{factor:.4g}".replace(".", decimal_sign(language))
+        says = speaking(language)(FACTOR[len(group)], factor=told, segment=group[-1])
         found = compared(FACTOR[0], says, figures, judged, spread)
         yield found._replace(score=found.score - BEHIND)
 
@@ -184,7 +182,7 @@ def _other_segments(
     whole = sum(group.whole for group in groups.values())
     left = sum(group.whole if group.belied else group.left for group in groups.values())
     score = CHANCE * len(explained)
-    says = SEGMENT[2 if language == "ru" else 1]
+    says = speaking(language)(SEGMENT[1])
     return Tried(SEGMENT[0], says, explained, score, left / whole if whole else 1.0)
 
 

@@ -28,6 +28,7 @@ from graphic_tmm.checking.photo.perspective import (
 )
 from graphic_tmm.checking.photo.picture import MOST, pillow, read
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.paper.ruled import Box
 
 BENT = 0.5
@@ -120,7 +121,13 @@ def _rectangle(name: str, given: tuple[float, float, float, float]) -> Box:
     except (TypeError, ValueError):
         box = Box(0.0, 0.0, 0.0, 0.0)
     if not (all(map(math.isfinite, box)) and box.left < box.right and box.bottom < box.top):
-        raise SheetError(f"{name}: left, bottom, right and top in mm make no rectangle: {given}")
+        raise SheetError(
+            said(
+                "{name}: left, bottom, right and top in mm make no rectangle: {given}",
+                name=name,
+                given=given,
+            )
+        )
     return box
 
 
@@ -132,10 +139,12 @@ def _paper(frame: Box) -> Box:
 def _raster(area: Box, dots: float) -> tuple[Box, int, int]:
     """Return the area grown to whole dots to the right and downward, its rows and columns."""
     if not (math.isfinite(dots) and dots > 0):
-        raise SheetError(f"dots per mm: {dots} is no positive number")
+        raise SheetError(said("dots per mm: {dots} is no positive number", dots=dots))
     width, height = (area.right - area.left) * dots, (area.top - area.bottom) * dots
     if width * height > MOST:
-        raise SheetError(f"dots per mm: {dots:g} gives more than 100 million dots: choose fewer")
+        raise SheetError(
+            said("dots per mm: {dots:g} gives more than 100 million dots: choose fewer", dots=dots)
+        )
     columns, rows = max(math.ceil(width - 1e-6), 1), max(math.ceil(height - 1e-6), 1)
     grown = area._replace(right=area.left + columns / dots, bottom=area.top - rows / dots)
     return grown, rows, columns
@@ -145,7 +154,13 @@ def _within(corners: Complexes, image: NDArray[np.uint8]) -> None:
     rows, columns = image.shape[:2]
     x, y = corners.real, corners.imag
     if not ((x > -0.5) & (x < columns - 0.5) & (y > -0.5) & (y < rows - 0.5)).all():
-        raise SheetError(f"corners: one lies outside the photograph of {columns} × {rows} pixels")
+        raise SheetError(
+            said(
+                "corners: one lies outside the photograph of {columns} × {rows} pixels",
+                columns=columns,
+                rows=rows,
+            )
+        )
 
 
 def _turned(frame: Box, corners: Complexes) -> str:
@@ -155,24 +170,30 @@ def _turned(frame: Box, corners: Complexes) -> str:
     drawn = math.log((frame.right - frame.left) / (frame.top - frame.bottom))
     if abs(seen - drawn) <= abs(seen + drawn):
         return ""
-    return "the frame looks turned by a quarter in the photograph: turn the photograph upright"
+    return said(
+        "the frame looks turned by a quarter in the photograph: turn the photograph upright"
+    )
 
 
 def _missing(edges: tuple[str, ...]) -> str:
     if not edges:
         return ""
-    return (
-        f"no line of the frame within {REACH:g} mm of the corners given at its {', '.join(edges)} "
-        "edge: there they are used as given, click them with care"
+    return said(
+        "no line of the frame within {reach:g} mm of the corners given at its {edges} "
+        "edge: there they are used as given, click them with care",
+        reach=REACH,
+        edges=joined(", ", edges),
     )
 
 
 def _bent(residual: float) -> str:
     if not residual > BENT:
         return ""
-    return (
-        f"the frame is bent by {residual:.1f} mm (more than {BENT:g} mm): the lens, or a sheet that "
-        "is not flat: take the photograph from farther away, the sheet pressed flat"
+    return said(
+        "the frame is bent by {residual:.1f} mm (more than {most:g} mm): the lens, or a sheet that "
+        "is not flat: take the photograph from farther away, the sheet pressed flat",
+        residual=residual,
+        most=BENT,
     )
 
 

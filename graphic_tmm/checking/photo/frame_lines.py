@@ -20,9 +20,10 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.photo.perspective import bilinear, cross, homography, through, vertices
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box
 
-EDGES = ("lower", "right", "upper", "left")
+EDGES = said("lower"), said("right"), said("upper"), said("left")
 
 STATIONS = 400
 """Places along an edge where the line is sought, about 2 mm apart on an A1: more of them average more
@@ -53,7 +54,7 @@ pencil is lost."""
 
 BEND, STRAY = 0.1, 0.1
 """In the path: the cost of a step aside, and that of the edge of the strip, as shares of darkness. Could
-be 0.02 to 0.5, and 0 at least."""
+be 0.02 to 0.5, and 0 to 1."""
 
 DEGREE, ROUNDS, CUT = 4, 12, 4.7
 """The smooth curve fitted to a line, rounds of Tukey's biweight, its cut in standard deviations (the

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box
 
 SHORTEST = 20.0
@@ -58,7 +59,9 @@ def ordered(corners: Corners) -> Complexes:
     except (TypeError, ValueError):
         pairs = np.empty(0)
     if pairs.shape != (4, 2) or not np.isfinite(pairs).all():
-        raise SheetError("corners: give the four corners of the frame, x and y of each in pixels")
+        raise SheetError(
+            said("corners: give the four corners of the frame, x and y of each in pixels")
+        )
     seen = pairs[:, 0] - 1j * pairs[:, 1]
     rays = seen - seen.mean()
     turn = np.argsort(np.angle(rays), kind="stable")
@@ -73,7 +76,10 @@ def ordered(corners: Corners) -> Complexes:
     heights = -cross(sides, chords) / np.maximum(abs(chords), 1.0)
     if not (min(abs(sides)) > SHORTEST and min(heights) > SHORTEST):
         raise SheetError(
-            "corners: the four points make no convex quadrilateral: give each corner of the frame once"
+            said(
+                "corners: the four points make no convex quadrilateral: give each corner of the "
+                "frame once"
+            )
         )
     return ring
 

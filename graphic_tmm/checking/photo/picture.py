@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 
 from graphic_tmm.errors import SheetError, TmmError
 from graphic_tmm.files import Kind, opened
+from graphic_tmm.language.said import said
 
 MOST = 100e6
 """No photograph and no flattened sheet has more pixels."""
 
-PHOTOGRAPH = Kind("a photograph", "name a photograph (JPEG, PNG, TIFF, WebP or BMP)", 400_000_000)
+PHOTOGRAPH = Kind(
+    said("a photograph"), said("name a photograph (JPEG, PNG, TIFF, WebP or BMP)"), 400_000_000
+)
 FORMATS = ("JPEG", "PNG", "TIFF", "WEBP", "BMP")
 
 
@@ -40,20 +43,26 @@ def read(path: str | Path) -> NDArray[np.uint8]:
             ):
                 columns, rows = image.size
                 if columns * rows > MOST:
-                    raise SheetError(_large(place, f"{columns} × {rows} pixels"))
+                    raise SheetError(
+                        _large(place, said("{columns} × {rows} pixels", columns=columns, rows=rows))
+                    )
                 operations.exif_transpose(image, in_place=True)
                 return _colours(image, images)
         except TmmError:
             raise
         except images.DecompressionBombError as error:
-            raise SheetError(_large(place, "very large")) from error
+            raise SheetError(_large(place, said("very large"))) from error
         except images.UnidentifiedImageError as error:
             raise SheetError(
-                f"{place}: no photograph that can be read: save it as JPEG or PNG"
+                said("{place}: no photograph that can be read: save it as JPEG or PNG", place=place)
             ) from error
         except Exception as error:  # whatever the decoders meet in a damaged file
             raise SheetError(
-                f"{place}: the photograph cannot be read ({error}): save it anew as JPEG or PNG"
+                said(
+                    "{place}: the photograph cannot be read ({error}): save it anew as JPEG or PNG",
+                    place=place,
+                    error=error,
+                )
             ) from error
 
 
@@ -63,13 +72,17 @@ def pillow() -> tuple[Any, Any]:
         from PIL import Image, ImageOps
     except ImportError as error:
         raise SheetError(
-            "a photograph needs the package Pillow: pip install 'graphic-tmm[photo]'"
+            said("a photograph needs the package Pillow: pip install 'graphic-tmm[photo]'")
         ) from error
     return Image, ImageOps
 
 
 def _large(place: Path, size: str) -> str:
-    return f"{place}: {size}: a photograph has at most 100 megapixels: make it smaller"
+    return said(
+        "{place}: {size}: a photograph has at most 100 megapixels: make it smaller",
+        place=place,
+        size=size,
+    )
 
 
 def _colours(image: Any, images: Any) -> NDArray[np.uint8]:

@@ -7,30 +7,56 @@ import io
 import re
 import unicodedata
 from collections.abc import Iterator, Mapping
+from functools import cache
 from itertools import chain
 from typing import NamedTuple
 
+from graphic_tmm.language.catalogue import languages, speaking
+from graphic_tmm.language.numbers import decimal_sign
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import near
 
-HEADS: Mapping[str, str] = {
-    "plan": "план",
-    "position": "положение",
-    "segment": "отрезок",
-    "mm": "мм",
-    "value": "величина",
-    "unit": "единица",
-    "x": "x",
-    "y": "y",
-}
-"""The columns that mean something, in English and in Russian."""
-SEPARATORS = {",": "comma", ";": "semicolon", "\t": "tab"}
+HEADS = (
+    said("plan", context="column"),
+    said("position", context="column"),
+    said("segment", context="column"),
+    said("mm", context="column"),
+    said("value", context="column"),
+    said("unit", context="column"),
+    said("x", context="column"),
+    said("y", context="column"),
+)
+"""The columns that mean something; a file may name them in any language."""
+SEPARATORS = {",": said("comma"), ";": said("semicolon"), "\t": said("tab")}
 _LOOKED, _LONGEST = 50, 30
 """So many titles are looked through for one misspelt, if they have no more than so many letters."""
-_NAMES = {name: name for name in HEADS} | {russian: name for name, russian in HEADS.items()}
-_NAMES |= {"х": "x", "у": "y"}  # the Cyrillic letters that look the same
-_RUSSIAN = frozenset(HEADS.values()) - frozenset(HEADS)
+_LOOK_ALIKE = {"х": "x", "у": "y"}
+"""Cyrillic letters that look like the names of columns."""
 _IN_MM = re.compile(r"^([xyху])[\s,(\[]+(?:mm|мм)[)\]]?$")
 _SEPARATOR_LINE = re.compile(r'"?sep=.?"?', re.IGNORECASE)
+
+
+def heads(language: str) -> tuple[str, ...]:
+    """Return the titles of the columns in a language."""
+    return tuple(map(speaking(language), HEADS))
+
+
+@cache
+def _names() -> Mapping[str, str]:
+    """Return the columns by their titles in all languages, English last."""
+    titles = {
+        title: str(name)
+        for language in reversed(languages())
+        for name, title in zip(HEADS, heads(language), strict=True)
+    }
+    return titles | _LOOK_ALIKE
+
+
+@cache
+def _with_comma() -> frozenset[str]:
+    """Return the titles of languages that write a decimal comma."""
+    found = [heads(language) for language in languages() if decimal_sign(language) == ","]
+    return frozenset(title for titles in found for title in titles) - frozenset(HEADS)
 
 
 class Row(NamedTuple):
@@ -60,9 +86,9 @@ class Head(NamedTuple):
         return tuple(self.places.get(name, len(self.titles)) for name in HEADS)
 
     @property
-    def russian(self) -> bool:
-        """Whether a column is named in Russian."""
-        return any(_folded(title) in _RUSSIAN for title in self.titles)
+    def with_comma(self) -> bool:
+        """Whether a column is named in a language that writes a decimal comma."""
+        return any(_folded(title) in _with_comma() for title in self.titles)
 
     @property
     def spoken(self) -> str:
@@ -77,8 +103,9 @@ class Head(NamedTuple):
     def like(self, name: str) -> str:
         """Return the title that was probably meant for a column that is missing; "" if none."""
         looked = [title for title in self.titles[:_LOOKED] if len(title) <= _LONGEST]
-        unknown = [title for title in looked if _folded(title) not in _NAMES]
-        return near(name, unknown, 0.8) or near(HEADS[name], unknown, 0.8)
+        known = [title for title, meant in _names().items() if meant == name]
+        unknown = [title for title in looked if _folded(title) not in _names()]
+        return next(filter(None, (near(one, unknown, 0.8) for one in known)), "")
 
 
 def table(text: str) -> tuple[Head, Iterator[Row]] | None:
@@ -129,7 +156,7 @@ def _head(row: Row, separator: str) -> Head:
     places: dict[str, int] = {}
     twice = []
     for place, title in enumerate(titles):
-        name = _NAMES.get(_folded(title))
+        name = _names().get(_folded(title))
         if name in places:
             twice.append(title)
         elif name is not None:
@@ -138,5 +165,5 @@ def _head(row: Row, separator: str) -> Head:
 
 
 def _folded(title: str) -> str:
-    """Return a title in the form of ``_NAMES``; "x, mm" and "x (мм)" are x."""
+    """Return a title in the form of `HEADS`; "x, mm" and "x (мм)" are x."""
     return _IN_MM.sub(r"\1", unicodedata.normalize("NFKC", title).casefold().strip())

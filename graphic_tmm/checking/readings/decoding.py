@@ -9,8 +9,9 @@ from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, read
+from graphic_tmm.language.said import said
 
-READINGS = Kind("a file of readings", "name a CSV file of readings", 8_000_000)
+READINGS = Kind(said("a file of readings"), said("name a CSV file of readings"), 8_000_000)
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8"),
     (codecs.BOM_UTF32_LE, "utf-32-le"),  # before UTF-16, whose mark is its beginning
@@ -20,7 +21,7 @@ _BOMS = (
 )
 _WORKBOOK = b"PK\x03\x04"
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f\x7f]")
-_NO_TEXT = "this is not a text; save the table as CSV with the encoding UTF-8"
+_NO_TEXT = said("this is not a text; save the table as CSV with the encoding UTF-8")
 
 
 def text_of(file: Path) -> str:
@@ -33,7 +34,7 @@ def text_of(file: Path) -> str:
     """
     data = read(file, READINGS)
     if data.startswith(_WORKBOOK):
-        _refuse(file, "this is a workbook or an archive, not a text; save the sheet as CSV")
+        _refuse(file, said("this is a workbook or an archive, not a text; save the sheet as CSV"))
     return _decoded(file, data)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import LARGEST, NUMBER, UNITS, plain
 
 MM = ("mm", "мм", "mm.", "мм.")
@@ -43,10 +44,13 @@ def millimetres(cell: str, *, commas: bool) -> float:
     ValueError
         With a sentence that says what is wrong and what to write.
     """
-    number, rest = _figure(cell, commas, "millimetres, such as 17.5")
+    number, rest = _figure(cell, commas, said("millimetres, such as 17.5"))
     if rest and rest.casefold() not in MM:
         raise ValueError(
-            f'"{_short(cell)}" is not a number of millimetres; write it in mm, such as 17.5'
+            said(
+                '"{cell}" is not a number of millimetres; write it in mm, such as 17.5',
+                cell=_short(cell),
+            )
         )
     return number
 
@@ -68,13 +72,22 @@ def value_of(cell: str, unit: str, *, commas: bool) -> tuple[float | None, str]:
     """
     if not cell:
         return None, "" if unit in BARE else unit
-    number, rest = _figure(cell, commas, "a value, such as 16.3")
+    number, rest = _figure(cell, commas, said("a value, such as 16.3"))
     if rest and unit and plain(rest) != plain(unit):
-        raise ValueError(f'"{_short(cell)}" has a unit, and "{_short(unit)}" is another; keep one')
+        raise ValueError(
+            said(
+                '"{cell}" has a unit, and "{unit}" is another; keep one',
+                cell=_short(cell),
+                unit=_short(unit),
+            )
+        )
     found = unit or rest
     if not found:
         raise ValueError(
-            f'"{_short(cell)}" has no unit; write it into the column "unit" (1 for a bare number)'
+            said(
+                '"{cell}" has no unit; write it into the column "unit" (1 for a bare number)',
+                cell=_short(cell),
+            )
         )
     return number, "" if found in BARE else found
 
@@ -99,22 +112,38 @@ def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
         return float(simple), ""
     match = _FIGURE.fullmatch(_straight(cell))
     if match is None:
-        raise ValueError(f'"{_short(cell)}" is not a number; write {wanted}, or leave it empty')
+        raise ValueError(
+            said(
+                '"{cell}" is not a number; write {wanted}, or leave it empty',
+                cell=_short(cell),
+                wanted=wanted,
+            )
+        )
     digits, rest = match.groups()
     rest = rest.strip()
     if rest and not (rest[0].isalpha() or rest[0] in "°%(") and plain(rest) not in UNITS:
         raise ValueError(
-            f'"{_short(cell)}" is not one number; write it in one piece, such as 1234.5'
+            said(
+                '"{cell}" is not one number; write it in one piece, such as 1234.5',
+                cell=_short(cell),
+            )
         )
     if not commas and _THOUSANDS.fullmatch(digits):
         point, whole = digits.replace(",", "."), digits.replace(",", "")
         raise ValueError(
-            f'"{_short(cell)}" can be read in two ways; write {point} or {whole} (a comma is taken '
-            "for the decimal sign where cells are separated by semicolons)"
+            said(
+                '"{cell}" can be read in two ways; write {point} or {whole} (a comma is taken for '
+                "the decimal sign where cells are separated by semicolons)",
+                cell=_short(cell),
+                point=point,
+                whole=whole,
+            )
         )
     number = float(digits.replace(",", "."))
     if not math.isfinite(number) or abs(number) > LARGEST:
-        raise ValueError(f'"{_short(cell)}" is too large a number; check its exponent')
+        raise ValueError(
+            said('"{cell}" is too large a number; check its exponent', cell=_short(cell))
+        )
     return number, rest
 
 

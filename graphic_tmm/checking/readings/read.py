@@ -13,6 +13,7 @@ from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, mill
 from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of
+from graphic_tmm.language.said import joined, said
 
 __all__ = ["read_readings", "template", "write_readings"]
 
@@ -22,9 +23,9 @@ _WANTED = ("plan", "position", "segment")
 _FIGURES = ("mm", "value", "x", "y")
 _KINDS = tuple((name, Taken._fields.index(name)) for name in ("mm", "value", "x"))
 _FOR = {
-    "plan": 'add it; its cells name the plan, such as velocities, or "results"',
-    "position": "add it; its cells name the position, and are empty for results",
-    "segment": "add it; its cells name what was measured, such as pb, or a point",
+    "plan": said('add it; its cells name the plan, such as velocities, or "results"'),
+    "position": said("add it; its cells name the position, and are empty for results"),
+    "segment": said("add it; its cells name what was measured, such as pb, or a point"),
 }
 
 
@@ -73,7 +74,19 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
     text = text_of(file)
     found = table(text)
     if found is None:
-        _refuse(file, [Fault("", 0, f"the file is empty; its first row names {', '.join(HEADS)}")])
+        _refuse(
+            file,
+            [
+                Fault(
+                    "",
+                    0,
+                    said(
+                        "the file is empty; its first row names {listed}",
+                        listed=joined(", ", HEADS),
+                    ),
+                )
+            ],
+        )
     head, following = found
     faults = _faults_of(head)
     if faults:
@@ -86,7 +99,7 @@ def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     columns = head.columns
     found = (_cells(row, head, columns, faults) for row in rows)
     cells = [one for one in found if one is not None and one.measured]
-    commas = head.separator == ";" or head.russian or _comma_seen(cells)
+    commas = head.separator == ";" or head.with_comma or _comma_seen(cells)
     taken = [_reading(one, head, commas, faults) for one in cells]
     _find_twice(taken, head, faults)
     if faults:
@@ -99,23 +112,31 @@ def _faults_of(head: Head) -> list[Fault]:
     if head.wrong:
         return [Fault("", head.line, _torn(head.wrong))]
     faults = [
-        Fault(title, head.line, "this column stands twice; take one out, or rename it")
+        Fault(title, head.line, said("this column stands twice; take one out, or rename it"))
         for title in head.twice
     ]
     missing = [name for name in _WANTED if name not in head.places]
     faults += [_missing(head, name, _FOR[name]) for name in missing]
     if ("x" in head.places) != ("y" in head.places):
         name = "y" if "x" in head.places else "x"
-        faults.append(_missing(head, name, "a point needs both x and y, in mm"))
+        faults.append(_missing(head, name, said("a point needs both x and y, in mm")))
     if not any(name in head.places for name in _FIGURES):
-        faults.append(_missing(head, "mm", "add it, or value and unit, or x and y"))
+        faults.append(_missing(head, "mm", said("add it, or value and unit, or x and y")))
     return faults
 
 
 def _missing(head: Head, name: str, remedy: str) -> Fault:
-    meant = f'; did you mean it by "{head.like(name)}"?' if head.like(name) else ""
-    said = f"the column {name} ({HEADS[name]}) is missing; {remedy}{meant}"
-    return Fault(name, head.line, f"{said} (the first row names: {head.spoken})")
+    column = next(one for one in HEADS if one == name)
+    like = head.like(name)
+    asks = said('; did you mean it by "{title}"?', title=like) if like else ""
+    says = said(
+        "the column {column} is missing; {remedy}{asks} (the first row names: {titles})",
+        column=column,
+        remedy=remedy,
+        asks=asks,
+        titles=head.spoken,
+    )
+    return Fault(name, head.line, says)
 
 
 def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) -> _Cells | None:
@@ -128,9 +149,11 @@ def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) 
         faults.append(Fault("", row.line, _too_many(len(cells), head)))
         return None
     if len(cells) == 1 < width and not cells[0].lstrip().startswith("#"):
-        separator = SEPARATORS[head.separator]
-        said = f"the row is a single cell; separate its cells by a {separator}, as in the first row"
-        faults.append(Fault("", row.line, said))
+        says = said(
+            "the row is a single cell; separate its cells by a {separator}, as in the first row",
+            separator=SEPARATORS[head.separator],
+        )
+        faults.append(Fault("", row.line, says))
         return None
     cells += [""] * (width + 1 - len(cells))
     cells[width] = ""
@@ -138,19 +161,25 @@ def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) 
     return _Cells(row.line, *[cell and " ".join(cell.split()) for cell in chosen])
 
 
-def _torn(said: str) -> str:
+def _torn(why: str) -> str:
     """Return what is wrong with a row that the csv reader cannot split."""
-    return (
-        f"the row cannot be split into cells ({said}); "
-        'a quoted cell ends with its quote, and a quote inside it is written twice: ""'
+    return said(
+        "the row cannot be split into cells ({why}); "
+        'a quoted cell ends with its quote, and a quote inside it is written twice: ""',
+        why=why,
     )
 
 
 def _too_many(count: int, head: Head) -> str:
-    said = f"the row has {count} cells, the first row {len(head.titles)}"
+    remedy = said("take the surplus ones out, or give their columns titles")
     if head.separator == ",":
-        return f'{said}; quote a number with a decimal comma, "17,5", or write 17.5'
-    return f"{said}; take the surplus ones out, or give their columns titles"
+        remedy = said('quote a number with a decimal comma, "17,5", or write 17.5')
+    return said(
+        "the row has {count} cells, the first row {titles}; {remedy}",
+        count=count,
+        titles=len(head.titles),
+        remedy=remedy,
+    )
 
 
 def _comma_seen(cells: Sequence[_Cells]) -> bool:
@@ -169,23 +198,25 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
     for name, cell in (("plan", one.plan), ("segment", one.segment)):
         if not cell:
             faults.append(
-                Fault(head.title(name), line, "the cell is empty, and the row has a figure")
+                Fault(head.title(name), line, said("the cell is empty, and the row has a figure"))
             )
     numbers: list[float | None] = []
     for name, cell in (("mm", one.mm), ("x", one.x), ("y", one.y)):
         try:
             numbers.append(millimetres(cell, commas=commas) if cell else None)
         except ValueError as error:
-            faults.append(Fault(head.title(name), line, str(error)))
+            faults.append(Fault(head.title(name), line, error.args[0]))
             numbers.append(None)
     try:
         value, unit = value_of(one.value, one.unit, commas=commas)
     except ValueError as error:
-        faults.append(Fault(head.title("value"), line, str(error)))
+        faults.append(Fault(head.title("value"), line, error.args[0]))
         value, unit = None, ""
     if bool(one.x) != bool(one.y):
         empty = "y" if one.x else "x"
-        faults.append(Fault(head.title(empty), line, "a point needs both x and y; this is empty"))
+        faults.append(
+            Fault(head.title(empty), line, said("a point needs both x and y; this is empty"))
+        )
     mm, x, y = numbers
     last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
     return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
@@ -200,9 +231,16 @@ def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None
                 continue
             earlier = seen.setdefault((*one[:3], name), one.line)
             if earlier != one.line:
-                place = f' at position "{one.position}"' if one.position else ""
-                said = f'"{one.segment}" of "{one.plan}"{place} stands in line {earlier} already'
-                faults.append(Fault(head.title(name), one.line, f"{said}; keep one of the two"))
+                place = said(' at position "{position}"', position=one.position)
+                says = said(
+                    '"{segment}" of "{plan}"{place} stands in line {line} already; keep one of the '
+                    "two",
+                    segment=one.segment,
+                    plan=one.plan,
+                    place=place if one.position else "",
+                    line=earlier,
+                )
+                faults.append(Fault(head.title(name), one.line, says))
 
 
 def _refuse(file: Path, faults: Sequence[Fault]) -> NoReturn:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.checking.cells import Cell
 from graphic_tmm.checking.records import Taken
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import UNITS, plain
 
 
@@ -39,6 +40,10 @@ def _factor(taken: Taken, cell: Cell) -> float:
     own, other = UNITS.get(plain(taken.unit)), UNITS.get(plain(cell.unit))
     if own is None or (other is not None and own.dimension != other.dimension):
         raise ValueError(
-            f'the unit "{taken.unit[:20]}" does not fit; write it in {cell.unit or "plain numbers"}'
+            said(
+                'the unit "{unit}" does not fit; write it in {due}',
+                unit=taken.unit[:20],
+                due=cell.unit or said("plain numbers"),
+            )
         )
     return float(own.factor) / (float(other.factor) if other is not None else 1.0)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from graphic_tmm.checking.readings.csv_cells import HEADS
+from graphic_tmm.checking.cells import RESULTS
+from graphic_tmm.checking.readings.csv_cells import heads
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Results
+from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.readers.columns import Column, empty
 
-RESULTS = "results"
-"""The plan of the results of the whole project, which have no position."""
-_SIGNS = {"en": (",", ".", ""), "ru": (";", ",", "\ufeff")}
-"""The separator, the decimal sign and what a file begins with, so that spreadsheets take it as it is."""
+_SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
+"""By the decimal sign: separator and what a file begins with, so that spreadsheets take it as it is."""
 _QUOTED = frozenset('"\r\n#')
 
 
@@ -81,7 +81,7 @@ def _given(column: Column) -> list[int]:
 
 
 def _row(one: Taken, language: str) -> Iterator[str]:
-    _, point, _ = _SIGNS[language]
+    point = decimal_sign(language)
     unit = one.unit if one.value is None else one.unit or "1"
     cells = (one.mm, one.value, unit, one.x, one.y)
     yield from (one.plan, one.position, one.segment)
@@ -93,9 +93,9 @@ def _row(one: Taken, language: str) -> Iterator[str]:
 
 
 def _text(rows: Iterable[Iterable[str]], language: str) -> str:
-    separator, _, start = _SIGNS[language]
-    heads = HEADS.values() if language == "ru" else HEADS
-    lines = (separator.join(_quoted(cell, separator) for cell in row) for row in (heads, *rows))
+    separator, start = _SIGNS[decimal_sign(language)]
+    table = (heads(language), *rows)
+    lines = (separator.join(_quoted(cell, separator) for cell in row) for row in table)
     return start + "".join(f"{line}\n" for line in lines)
 
 

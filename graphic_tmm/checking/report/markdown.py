@@ -7,6 +7,7 @@ whole is shorter than the template and its filters would be.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from graphic_tmm.checking.records import Report
 from graphic_tmm.checking.report.rows import FIGURES, Grid, grids, notes, summary, title, who
@@ -49,7 +50,7 @@ def opened(text: str) -> str:
     return OPENING.sub(r"\1\\\2", marked(text))
 
 
-def _pipes(grid: Grid, words: dict[str, str]) -> str:
+def _pipes(grid: Grid, words: Mapping[str, str]) -> str:
     rules = ["---:" if key in FIGURES else "---" for key in grid.columns]
     heads = [marked(words[key]) for key in grid.columns]
     rows = [heads, rules, *(map(marked, row) for row in grid.rows)]

@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Likely, Report
 from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown, unit_name
+from graphic_tmm.language.captions import HANDS
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.words import fixed, number
 
 SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
@@ -42,7 +44,9 @@ def title(report: Report) -> str:
 def who(report: Report) -> str:
     """Return which scene was checked against whose hand."""
     words = WORDS[report.language]
-    return words["who"].format(scene=shown(report.scene), hand=shown(report.hand))
+    return words["who"].format(
+        scene=shown(report.scene), hand=shown(HANDS[report.language].get(report.hand, report.hand))
+    )
 
 
 def summary(report: Report) -> str:
@@ -115,7 +119,7 @@ def mistake_grid(report: Report) -> Grid | None:
     words = WORDS[report.language]
     rows = [
         {
-            "mistake": _named(one, words),
+            "mistake": _named(one, report.language),
             "says": shown(one.says, LONGEST_SENTENCE),
             "count": f"{explained(report, one)} / {report.wrong}",
             "rest": fixed(100 * one.rest, 0, report.language),
@@ -222,10 +226,11 @@ def _grid(heading: str, rows: Sequence[dict[str, str]], verdicts: Sequence[str])
     return Grid(heading, columns, cells, tuple(verdicts))
 
 
-def _named(mistake: Likely, words: dict[str, str]) -> str:
-    name = shown(mistake.name)
-    like = ", ".join(shown(other) for other in mistake.like)
-    return words["the same"].format(name=name, like=like) if like else name
+def _named(mistake: Likely, language: str) -> str:
+    speech = speaking(language)
+    name = shown(speech(mistake.name))
+    like = ", ".join(shown(speech(other)) for other in mistake.like)
+    return WORDS[language]["the same"].format(name=name, like=like) if like else name
 
 
 def _mistakes(report: Report) -> str:
@@ -233,7 +238,7 @@ def _mistakes(report: Report) -> str:
     useful = [(one, explained(report, one)) for one in report.mistakes]
     useful = [(one, count) for one, count in useful if count]
     for one, count in useful[:NAMED]:
-        name = _named(one, words)
+        name = _named(one, report.language)
         told.append(words["explains"].format(name=name, count=count, wrong=report.wrong))
     rest = len(useful) - NAMED
     return "; ".join([*told, words["more"].format(count=rest)] if rest > 0 else told)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Report
@@ -55,14 +55,14 @@ class Fitting(NamedTuple):
     """A table that is laid out when the width of the terminal is known, so that nothing of it is cut off."""
 
     grid: Grid
-    words: dict[str, str]
+    words: Mapping[str, str]
 
     def __rich_console__(self, _: Any, options: Any) -> Iterator[Any]:
         """Yield what rich prints."""
         yield _table(self.grid, self.words, options.max_width)
 
 
-def _table(grid: Grid, words: dict[str, str], room: int) -> Any:
+def _table(grid: Grid, words: Mapping[str, str], room: int) -> Any:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
     from rich.text import Text
@@ -87,7 +87,7 @@ def _table(grid: Grid, words: dict[str, str], room: int) -> Any:
     return out
 
 
-def _whole(grid: Grid, words: dict[str, str], room: int) -> set[str]:
+def _whole(grid: Grid, words: Mapping[str, str], room: int) -> set[str]:
     """Return the columns that are not folded: figures and verdicts, if the terminal has room for them."""
     whole = {key for key in grid.columns if key in FIGURES or key == "verdict"}
     for column, key in enumerate(grid.columns):

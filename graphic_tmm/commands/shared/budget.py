@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from graphic_tmm.commands.shared.progress import progress
-from graphic_tmm.commands.shared.telling import say
+from graphic_tmm.commands.shared.telling import tell
+from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.records import Scene
@@ -19,10 +20,12 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def budgeted(command: F) -> F:
     """Give a command the option of an error to be kept within."""
-    said = (
-        "Largest error, such as 2%: take the cheapest setting that keeps every quantity within it."
-    )
-    return click.option("--budget", help=said)(command)
+    return click.option(
+        "--budget",
+        help=said(
+            "Largest error, such as 2%: take the cheapest setting that keeps every quantity within it."
+        ),
+    )(command)
 
 
 def within(scene: Scene, budget: str | None) -> Scene:
@@ -40,9 +43,9 @@ def within(scene: Scene, budget: str | None) -> Scene:
     from graphic_tmm.accuracy.budget import choose
 
     percent = _percentage(budget)
-    with progress() as tell:
-        taken = choose(scene, percent, tell)
-    say(f"graphic-tmm: {scene.source}: {taken.sentence}")
+    with progress() as on_the_way:
+        taken = choose(scene, percent, on_the_way)
+    tell(f"{scene.source}: {taken.sentence}")
     return taken.scene
 
 
@@ -52,5 +55,7 @@ def _percentage(budget: str) -> float:
     match = re.fullmatch(r"\s*(\d+(?:[.,]\d*)?|[.,]\d+)\s*%?\s*", budget)
     percent = float(match[1].replace(",", ".")) if match else 0.0
     if not percent > 0.0:
-        raise SheetError(f'--budget: "{budget}" is no percentage above 0; write --budget 2%')
+        raise SheetError(
+            said('--budget: "{budget}" is no percentage above 0; write --budget 2%', budget=budget)
+        )
     return percent

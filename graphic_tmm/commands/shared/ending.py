@@ -9,7 +9,15 @@ from typing import Any
 
 import click
 
-from graphic_tmm.commands.shared.telling import say
+from graphic_tmm.commands.shared.spoken import (
+    SpokenGroup,
+    click_speaking,
+    in_words_of,
+    language_asked,
+)
+from graphic_tmm.commands.shared.telling import tell
+from graphic_tmm.language.reader import reader, reading
+from graphic_tmm.language.said import said
 
 FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
 """Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
@@ -18,7 +26,7 @@ TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
 """The variable of the environment by which a fault of the program shows where it is."""
 
 
-class People(click.Group):
+class People(SpokenGroup):
     """The commands as a person calls them: every error is one message, and every end has its own status."""
 
     def main(self, *args: Any, **options: Any) -> Any:
@@ -26,12 +34,14 @@ class People(click.Group):
         from graphic_tmm.files import call
 
         options["standalone_mode"] = False
-        try:
-            with call():
-                ended = super().main(*args, **options)
-            sys.stdout.flush()
-        except (Exception, KeyboardInterrupt, SystemExit) as error:
-            ended = _ended(error)
+        given = options.get("args", args[0] if args else None)
+        with reading(language_asked(sys.argv[1:] if given is None else given)), click_speaking():
+            try:
+                with call():
+                    ended = super().main(*args, **options)
+                sys.stdout.flush()
+            except (Exception, KeyboardInterrupt, SystemExit) as error:
+                ended = _ended(error)
         sys.exit(ended if isinstance(ended, int) else FINE)
 
     def make_context(self, *args: Any, **options: Any) -> click.Context:
@@ -65,12 +75,13 @@ def _ended(error: BaseException) -> int:
     if isinstance(error, (KeyboardInterrupt, click.Abort)):
         return BROKEN_OFF
     if isinstance(error, click.ClickException):
-        error.show()
+        in_words_of(reader(), error).show()
     elif isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
-        say(f"graphic-tmm: {place}{error.strerror or error}: check the path and its rights")
+        what = str(error.strerror or error)
+        tell(said("{place}{what}: check the path and its rights", place=place, what=what))
     elif isinstance(error, TmmError):
-        say(f"graphic-tmm: {error}")
+        tell(error.told(reader()))
     else:
         return _own_fault(error)
     return BAD
@@ -84,8 +95,14 @@ def _own_fault(error: BaseException) -> int:
     if os.environ.get(TRACEBACK):
         traceback.print_exception(error)
     what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
-    remedy = f"set {TRACEBACK}=1 to see where, and report it"
-    say(f"graphic-tmm: a fault of the program, not of the input ({what[:200]}); {remedy}")
+    tell(
+        said(
+            "a fault of the program, not of the input ({what}); "
+            "set {variable}=1 to see where, and report it",
+            what=what[:200],
+            variable=TRACEBACK,
+        )
+    )
     return FAULT
 
 

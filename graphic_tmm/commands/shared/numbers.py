@@ -6,6 +6,8 @@ from typing import Any
 
 import click
 
+from graphic_tmm.language.said import said
+
 
 class Finite(click.FloatRange):
     """A number between bounds; what is not a number lies between none."""
@@ -14,5 +16,5 @@ class Finite(click.FloatRange):
         """Return the number; refuse nan, which no comparison finds out of bounds."""
         number = super().convert(value, param, ctx)
         if number != number:
-            self.fail(f"{value} is not a finite number", param, ctx)
+            self.fail(said("{value} is not a finite number", value=value), param, ctx)
         return number

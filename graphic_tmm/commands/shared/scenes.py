@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from graphic_tmm.language.catalogue import languages
+from graphic_tmm.language.reader import hear
+from graphic_tmm.language.said import said
+
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from graphic_tmm.scene.records import Scene
 
 F = TypeVar("F", bound=Callable[..., Any])
+LOOKED = 256_000
+"""So many characters of a scene are looked through for its language."""
+_LANGUAGE = re.compile(r"""^language\s*=\s*["'](\w+)["']""", re.MULTILINE)
 
 
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
@@ -19,23 +29,42 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
     from graphic_tmm.scenes import scene_path
 
     path = scene_path(name)
-    if not lettered:
-        return read(path)
-    from graphic_tmm.paper.lettering.letters import (
-        missing,
-    )
+    hear(language_of(path))
+    if lettered:
+        from graphic_tmm.paper.lettering.letters import missing
 
-    return read(path, missing=missing)
+        scene = read(path, missing=missing)
+    else:
+        scene = read(path)
+    hear(scene.language)
+    return scene
+
+
+def language_of(path: Path) -> str:
+    """Return the language that a scene's file asks for, however wrong the rest of it is; "" if none."""
+    from graphic_tmm.scene.read import FILE
+
+    file = path / FILE if path.is_dir() else path
+    if not file.is_file():
+        return ""
+    try:
+        with file.open(encoding="utf-8", errors="replace") as stream:
+            found = _LANGUAGE.search(stream.read(LOOKED))
+    except OSError:
+        return ""
+    return found[1] if found is not None and found[1] in languages() else ""
 
 
 def hands(command: F) -> F:
     """Give a command the options of the hand that draws."""
     for option in (
-        click.option("--seed", type=click.IntRange(0, 2**31), help="Which of the hand's drawings."),
+        click.option(
+            "--seed", type=click.IntRange(0, 2**31), help=said("Which of the hand's drawings.")
+        ),
         click.option(
             "--hand",
             type=click.Choice(["exact", "cad", "careful", "student"]),
-            help="Who draws; default: the scene's.",
+            help=said("Who draws; default: the scene's."),
         ),
     ):
         command = option(command)

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from graphic_tmm.language.reader import reader
+from graphic_tmm.language.said import said
+
 if TYPE_CHECKING:
     from graphic_tmm.drawn import DrawnScene
 
@@ -18,15 +21,20 @@ def say(text: str) -> None:
     click.echo("\n".join(printable(line) for line in text.split("\n")), err=True)
 
 
+def tell(text: str) -> None:
+    """Print a message of the program in the reader's language."""
+    say(f"graphic-tmm: {reader()(text)}")
+
+
 def warn(made: DrawnScene, *, sheets: bool = False) -> None:
     """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
     from graphic_tmm.readers.warnings import warnings
     from graphic_tmm.scene.remarks import unplaced
 
     told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
-    told += [text for drawn in made.boards for text in warnings(drawn)]
+    told += [text for drawn in made.boards for text in warnings(drawn, reader().language)]
     for text in told:
-        say(f"graphic-tmm: {made.scene.source}: warning: {text}")
+        tell(said("{source}: warning: {text}", source=made.scene.source, text=text))
 
 
 def terminal_width() -> int:

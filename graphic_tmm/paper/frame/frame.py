@@ -1,7 +1,7 @@
 """The frame of a sheet: margins, title block, columns in the margin and the 100 mm check line.
 
-ГОСТ 2.301 and 2.104 for Russian sheets, ISO 5457 and 7200 for English ones (see `titleblock` for
-the forms). Sheet coordinates: millimetres from the lower left corner of the paper, y upward.
+ГОСТ 2.301 and 2.104 for Russian sheets, ISO 5457 and 7200 for others, as the catalogue of the language says
+(see `titleblock` for the forms). Sheet coordinates: mm from the lower left corner of the paper, y upward.
 """
 
 from __future__ import annotations
@@ -12,6 +12,9 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import Speech, languages, speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
 from graphic_tmm.paper.frame.titleblock import (
     COLUMN_26,
@@ -35,9 +38,9 @@ SIZES: Mapping[str, tuple[float, float]] = MappingProxyType(
 """Width and height of the paper in mm: A1 lies unless it is asked to stand, A4 stands."""
 
 MARGINS: Mapping[str, tuple[float, float]] = MappingProxyType(
-    {"ru": (20.0, 5.0), "en": (20.0, 10.0)}
+    {"GOST": (20.0, 5.0), "ISO": (20.0, 10.0)}
 )
-"""The binding margin on the left and the other three margins in mm (ГОСТ 2.301; ISO 5457)."""
+"""By the standard: the binding margin on the left and the other three in mm (ГОСТ 2.301; ISO 5457)."""
 
 FIELDS: tuple[str, ...] = tuple(
     dict.fromkeys(
@@ -53,16 +56,11 @@ CHECK_LENGTH = 100.0
 CHECK_X, CHECK_START, CHECK_TICK, CHECK_SIZE = 5.5, 30.0, 1.25, 2.5
 """The check line: its x, how far below mid-height it begins, half a tick, its lettering, mm."""
 
-WORDS: Mapping[str, Mapping[str, str]] = MappingProxyType(
-    {
-        "ru": {
-            "title": "Рамка и основная надпись",
-            "check": "Проверка масштаба печати",
-            "mm": "мм",
-        },
-        "en": {"title": "Frame and title block", "check": "Print check", "mm": "mm"},
-    }
-)
+
+def standard(language: str) -> str:
+    """Return by which standards the sheets of a language are framed: ISO's, or what its catalogue says."""
+    _ = speaking(language)
+    return _("ISO", context="standard of the title block")
 
 
 class Area(NamedTuple):
@@ -101,36 +99,43 @@ def frame(
     unknown = sorted(set(fields) - set(FIELDS))
     if unknown:
         known = ", ".join(FIELDS)
-        raise SheetError(f"title block: no field {', '.join(unknown)}; the fields are {known}")
+        raise SheetError(
+            said(
+                "title block: no field {listed}; the fields are {known}",
+                listed=", ".join(unknown),
+                known=known,
+            )
+        )
     inner = _inner(format, language)
     entries = {**fields, **_numbers(language, number, count)}
-    if language == "ru" and "date" in fields:
+    gost, _ = standard(language) == "GOST", speaking(language)
+    if gost and "date" in fields:
         entries["date"] = _short(fields["date"])
     strokes, labels = _edges(format, inner), list[Label]()
     for block, at in _blocks(format, language, first):
         strokes += ruled(block, at)
-        labels += lettered(block, at, entries)
-    if language == "ru":
-        labels += _foot(format, inner)
+        labels += lettered(block, at, entries, _)
+    if gost:
+        labels += _foot(format, inner, _)
     check, words = check_line(format, language)
-    return Drawing("frame", WORDS[language]["title"], strokes + check, (*labels, *words))
+    return Drawing("frame", _("Frame and title block"), strokes + check, (*labels, *words))
 
 
 def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
     """Return the line of exactly 100 mm in the binding margin, and its words."""
-    middle = SIZES[format][1] / 2
+    _, middle = speaking(language), SIZES[format][1] / 2
     foot = complex(CHECK_X, middle - CHECK_START)
     top = foot + CHECK_LENGTH * 1j
     body = line("thin", foot, top)._replace(
-        title=f"{CHECK_LENGTH:g} {WORDS[language]['mm']}",
+        title=f"{CHECK_LENGTH:g} {unit('mm', language)}",
         data=(("check-line", f"{CHECK_LENGTH:g}"),),
     )
     ticks = tuple(line("thin", end - CHECK_TICK, end + CHECK_TICK) for end in (foot, top))
     x = CHECK_X + CHECK_SIZE / 2
     texts = (
-        (WORDS[language]["check"], foot.imag - 6, "end"),
+        (_("Print check"), foot.imag - 6, "end"),
         ("0", foot.imag - 1.5, "end"),
-        (f"{CHECK_LENGTH:g} {WORDS[language]['mm']}", top.imag + 1.5, "start"),
+        (f"{CHECK_LENGTH:g} {unit('mm', language)}", top.imag + 1.5, "start"),
     )
     labels = tuple(Label(text, complex(x, y), CHECK_SIZE, side, 90) for text, y, side in texts)
     return (body, *ticks), labels
@@ -139,10 +144,22 @@ def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[La
 def _inner(format: str, language: str) -> Box:
     """Return the rectangle of the frame."""
     if format not in SIZES:
-        raise SheetError(f"no frame for the format {format!r}: choose one of {', '.join(SIZES)}")
-    if language not in MARGINS:
-        raise SheetError(f"no frame in {language!r}: choose one of {', '.join(MARGINS)}")
-    (width, height), (binding, other) = SIZES[format], MARGINS[language]
+        raise SheetError(
+            said(
+                "no frame for the format {format!r}: choose one of {listed}",
+                format=format,
+                listed=", ".join(SIZES),
+            )
+        )
+    if language not in languages():
+        raise SheetError(
+            said(
+                "no frame in {language!r}: choose one of {listed}",
+                language=language,
+                listed=", ".join(languages()),
+            )
+        )
+    (width, height), (binding, other) = SIZES[format], MARGINS[standard(language)]
     return Box(binding, other, width - other, height - other)
 
 
@@ -150,7 +167,7 @@ def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, compl
     """Return the blocks of a sheet, each with the place of its lower left corner."""
     inner = _inner(format, language)
     corner = complex(inner.right, inner.bottom)
-    if language == "en":
+    if standard(language) == "ISO":
         block = ISO_FIRST if first else ISO_NEXT
         return ((block, corner - block.width),)
     block = FORM_1 if first else FORM_2A
@@ -188,8 +205,10 @@ def _edges(format: str, inner: Box) -> tuple[Stroke, ...]:
 def _numbers(language: str, number: int, count: int) -> dict[str, str]:
     """Return the number of the sheet and how many there are, as the forms write them."""
     if not 1 <= number <= count:
-        raise SheetError(f"sheet {number} of {count}: number the sheets from 1")
-    if language == "en":
+        raise SheetError(
+            said("sheet {number} of {count}: number the sheets from 1", number=number, count=count)
+        )
+    if standard(language) == "ISO":
         return {"sheet": f"{number}/{count}", "language": language}
     return {"sheet": str(number) if count > 1 else "", "sheets": str(count)}
 
@@ -200,11 +219,12 @@ def _short(date: str) -> str:
     return re.sub(r"(\d\d?\.\d\d\.)\d\d(\d\d)", r"\1\2", words)
 
 
-def _foot(format: str, inner: Box) -> tuple[Label, ...]:
+def _foot(format: str, inner: Box, speech: Speech) -> tuple[Label, ...]:
     """Return the captions under the frame: who copied, and the format."""
     strip = Box(inner.right - 120, 0.4, inner.right - 50, inner.bottom - 0.3)
     end = strip._replace(left=inner.right - 50, right=inner.right)
-    captions = (("Копировал", strip), (f"Формат {format.split()[0]}", end))
+    form = speech(said("Format {format}"), format=format.split()[0])
+    captions = ((speech(said("Copied by")), strip), (form, end))
     return tuple(
         label
         for text, box in captions

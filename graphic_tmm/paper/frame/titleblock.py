@@ -10,6 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Label, Stroke, line
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.ruled import Box, Slot, set_text
@@ -38,15 +40,21 @@ def _upright(pen: str, bottom: float, top: float, *places: float) -> tuple[Rulin
 
 
 SMALL, TEXT = (2.5, 1.8), (3.5, 2.5, 1.8)
-CHANGES = ("Изм.", "Лист", "№ докум.", "Подп.", "Дата")
+CHANGES = (
+    said("Rev.", context="title block"),
+    said("Sheet", context="title block"),
+    said("Doc. No.", context="title block"),
+    said("Sign.", context="title block"),
+    said("Date", context="title block"),
+)
 EDGES = (0, 7, 17, 40, 55, 65)
 ROLES = (
-    ("Разраб.", "drawn_by"),
-    ("Пров.", "checked_by"),
-    ("Т. контр.", "technical_by"),
+    (said("Drawn", context="title block"), "drawn_by"),
+    (said("Checked", context="title block"), "checked_by"),
+    (said("Techn. check", context="title block"), "technical_by"),
     ("", ""),
-    ("Н. контр.", "standards_by"),
-    ("Утв.", "approved_by"),
+    (said("Std. check", context="title block"), "standards_by"),
+    (said("Approved", context="title block"), "approved_by"),
 )
 
 
@@ -87,11 +95,23 @@ FORM_1 = Block(
     (
         *_changes(30),
         *_roles()[0],
-        Slot("Лит.", Box(135, 35, 150, 40), SMALL),
-        Slot("Масса", Box(150, 35, 167, 40), SMALL),
-        Slot("Масштаб", Box(167, 35, 185, 40), SMALL),
-        Slot("Лист", Box(135, 15, 146, 20), SMALL, anchor="start", pad=1),
-        Slot("Листов", Box(155, 15, 171, 20), SMALL, anchor="start", pad=1),
+        Slot(said("Letter", context="title block"), Box(135, 35, 150, 40), SMALL),
+        Slot(said("Mass", context="title block"), Box(150, 35, 167, 40), SMALL),
+        Slot(said("Scale", context="title block"), Box(167, 35, 185, 40), SMALL),
+        Slot(
+            said("Sheet", context="title block"),
+            Box(135, 15, 146, 20),
+            SMALL,
+            anchor="start",
+            pad=1,
+        ),
+        Slot(
+            said("Sheets", context="title block"),
+            Box(155, 15, 171, 20),
+            SMALL,
+            anchor="start",
+            pad=1,
+        ),
     ),
     (
         Slot("designation", Box(65, 40, 185, 55), (7, 5, 3.5, 2.5), 2, pad=2),
@@ -119,7 +139,7 @@ FORM_2A = Block(
         *_level("main", 175, 185, 8),
         *_upright("main", 0, 15, 0, 7, 17, 40, 55, 65, 175),
     ),
-    (*_changes(0), Slot("Лист", Box(175, 8, 185, 15), SMALL)),
+    (*_changes(0), Slot(said("Sheet", context="title block"), Box(175, 8, 185, 15), SMALL)),
     (
         Slot("designation", Box(65, 0, 175, 15), (7, 5, 3.5, 2.5), 2, pad=2),
         Slot("sheet", Box(175, 0, 185, 8), (5, 3.5, 2.5, 1.8)),
@@ -146,13 +166,16 @@ COLUMN_26_UPRIGHT = Block(
 """The designation read from the left, at the upper right corner: larger sheets that stand."""
 
 ARCHIVE = (
-    ("Инв. № подл.", 0, 25),
-    ("Подп. и дата", 25, 60),
-    ("Взам. инв. №", 60, 85),
-    ("Инв. № дубл.", 85, 110),
-    ("Подп. и дата", 110, 145),
+    (said("Inv. No.", context="title block"), 0, 25),
+    (said("Sign. and date", context="title block"), 25, 60),
+    (said("Replaces inv. No.", context="title block"), 60, 85),
+    (said("Dupl. inv. No.", context="title block"), 85, 110),
+    (said("Sign. and date", context="title block"), 110, 145),
 )
-FIRST_USE = (("Справ. №", 167, 227), ("Перв. примен.", 227, 287))
+FIRST_USE = (
+    (said("Ref. No.", context="title block"), 167, 227),
+    (said("First use", context="title block"), 227, 287),
+)
 
 
 def _margin(rows: Sequence[tuple[str, float, float]]) -> Block:
@@ -203,21 +226,63 @@ ISO_FIRST = Block(
         *_upright("thin", 0, 9, 132, 155, 165),
     ),
     *_fields(
-        _field("Responsible department", "department", Box(0, 30, 36, 40), TEXT, 2),
-        _field("Technical reference", "technical_by", Box(36, 30, 72, 40), TEXT, 2),
-        _field("Creator", "drawn_by", Box(72, 30, 108, 40), TEXT, 2),
-        _field("Checked by", "checked_by", Box(108, 30, 144, 40), TEXT, 2),
-        _field("Approval person", "approved_by", Box(144, 30, 180, 40), TEXT, 2),
-        _field("Legal owner", "organisation", Box(0, 0, 48, 30), TEXT, 4),
-        _field("Document type", "document_type", Box(48, 20, 120, 30), TEXT, 2),
-        _field("Document status", "status", Box(120, 20, 155, 30), TEXT, 2),
-        _field("Scale", "scale", Box(155, 20, 180, 30), TEXT, 2),
-        _field("Title, supplementary title", "name", Box(48, 0, 120, 20), (5, 3.5, 2.5), 3),
-        _field("Identification number", "designation", Box(120, 9, 180, 20), (5, 3.5, 2.5, 1.8), 2),
-        _field("Rev.", "revision", Box(120, 0, 132, 9), SMALL),
-        _field("Date of issue", "date", Box(132, 0, 155, 9), SMALL),
-        _field("Lang.", "language", Box(155, 0, 165, 9), SMALL),
-        _field("Sheet", "sheet", Box(165, 0, 180, 9), SMALL),
+        _field(
+            said("Responsible department", context="title block"),
+            "department",
+            Box(0, 30, 36, 40),
+            TEXT,
+            2,
+        ),
+        _field(
+            said("Technical reference", context="title block"),
+            "technical_by",
+            Box(36, 30, 72, 40),
+            TEXT,
+            2,
+        ),
+        _field(said("Creator", context="title block"), "drawn_by", Box(72, 30, 108, 40), TEXT, 2),
+        _field(
+            said("Checked by", context="title block"), "checked_by", Box(108, 30, 144, 40), TEXT, 2
+        ),
+        _field(
+            said("Approval person", context="title block"),
+            "approved_by",
+            Box(144, 30, 180, 40),
+            TEXT,
+            2,
+        ),
+        _field(
+            said("Legal owner", context="title block"), "organisation", Box(0, 0, 48, 30), TEXT, 4
+        ),
+        _field(
+            said("Document type", context="title block"),
+            "document_type",
+            Box(48, 20, 120, 30),
+            TEXT,
+            2,
+        ),
+        _field(
+            said("Document status", context="title block"), "status", Box(120, 20, 155, 30), TEXT, 2
+        ),
+        _field(said("Scale", context="title block"), "scale", Box(155, 20, 180, 30), TEXT, 2),
+        _field(
+            said("Title, supplementary title", context="title block"),
+            "name",
+            Box(48, 0, 120, 20),
+            (5, 3.5, 2.5),
+            3,
+        ),
+        _field(
+            said("Identification number", context="title block"),
+            "designation",
+            Box(120, 9, 180, 20),
+            (5, 3.5, 2.5, 1.8),
+            2,
+        ),
+        _field(said("Rev.", context="title block"), "revision", Box(120, 0, 132, 9), SMALL),
+        _field(said("Date of issue", context="title block"), "date", Box(132, 0, 155, 9), SMALL),
+        _field(said("Lang.", context="title block"), "language", Box(155, 0, 165, 9), SMALL),
+        _field(said("Sheet", context="title block"), "sheet", Box(165, 0, 180, 9), SMALL),
     ),
 )
 """The first English sheet: 180 × 40, the data fields of ISO 7200 in an arrangement of our own."""
@@ -231,12 +296,20 @@ ISO_NEXT = Block(
         *_upright("thin", 0, 10, 55, 120, 132, 155, 165),
     ),
     *_fields(
-        _field("Legal owner", "organisation", Box(0, 0, 55, 10), TEXT, 2),
-        _field("Identification number", "designation", Box(55, 0, 120, 10), TEXT, 2),
-        _field("Rev.", "revision", Box(120, 0, 132, 10), SMALL),
-        _field("Date of issue", "date", Box(132, 0, 155, 10), SMALL),
-        _field("Lang.", "language", Box(155, 0, 165, 10), SMALL),
-        _field("Sheet", "sheet", Box(165, 0, 180, 10), SMALL),
+        _field(
+            said("Legal owner", context="title block"), "organisation", Box(0, 0, 55, 10), TEXT, 2
+        ),
+        _field(
+            said("Identification number", context="title block"),
+            "designation",
+            Box(55, 0, 120, 10),
+            TEXT,
+            2,
+        ),
+        _field(said("Rev.", context="title block"), "revision", Box(120, 0, 132, 10), SMALL),
+        _field(said("Date of issue", context="title block"), "date", Box(132, 0, 155, 10), SMALL),
+        _field(said("Lang.", context="title block"), "language", Box(155, 0, 165, 10), SMALL),
+        _field(said("Sheet", context="title block"), "sheet", Box(165, 0, 180, 10), SMALL),
     ),
 )
 """The following English sheets: 180 × 10."""
@@ -260,16 +333,24 @@ def ruled(block: Block, at: complex) -> tuple[Stroke, ...]:
     )
 
 
-def lettered(block: Block, at: complex, fields: Mapping[str, str]) -> tuple[Label, ...]:
-    """Return the captions of a block and the entries of ``fields`` that it has a place for.
+def lettered(
+    block: Block, at: complex, fields: Mapping[str, str], speech: Speech
+) -> tuple[Label, ...]:
+    """Return the captions of a block in a language, and the entries of ``fields`` that it has a place for.
 
     Raises SheetError, naming the field, for a character that has no glyph.
     """
     for slot in block.entries:
         bad = letters.missing("".join(fields.get(slot.text, "").split()))
         if bad:
-            raise SheetError(f"title block, {slot.text}: no glyph for {bad!r}; write it otherwise")
-    texts = [(slot.text, slot) for slot in block.captions]
+            raise SheetError(
+                said(
+                    "title block, {text}: no glyph for {bad!r}; write it otherwise",
+                    text=slot.text,
+                    bad=bad,
+                )
+            )
+    texts = [(speech(slot.text), slot) for slot in block.captions]
     texts += [(fields.get(slot.text, ""), slot) for slot in block.entries]
     labels: list[Label] = []
     for text, slot in texts:

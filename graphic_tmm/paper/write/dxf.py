@@ -12,6 +12,7 @@ import math
 from typing import Any
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import Pen, pens
@@ -58,7 +59,9 @@ def dxf(sheet: Sheet) -> str:
         from ezdxf._options import options
         from ezdxf.filemanagement import new
     except ImportError as error:
-        raise SheetError("dxf needs the package ezdxf: pip install 'graphic-tmm[dxf]'") from error
+        raise SheetError(
+            said("dxf needs the package ezdxf: pip install 'graphic-tmm[dxf]'")
+        ) from error
     kept = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True  # nothing from the clock
     try:

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import clean, svg
 
@@ -78,7 +79,7 @@ def _compiled(
         import typst
     except ImportError as error:
         raise SheetError(
-            f"{form} needs the package typst: pip install 'graphic-tmm[pdf]'"
+            said("{form} needs the package typst: pip install 'graphic-tmm[pdf]'", form=form)
         ) from error
     with TemporaryDirectory() as folder:
         home = Path(folder)

@@ -145,6 +145,10 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
     np.testing.assert_allclose(
         values(over_angle, "V") * omega, values(over_time, "V"), rtol=1e-9, atol=1e-9
     )
+    # a derivative by the angle is told as what it is, and not compared with the plan's velocity
+    assert {chart.unit for chart in kinematic(over_angle).charts.values()} == {"m"}
+    assert "V" in kinematic(over_time).planned
+    assert not kinematic(over_angle).planned
 
 
 def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:

@@ -15,8 +15,8 @@ from graphic_tmm.board.charts import HEIGHT
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
-from graphic_tmm.language.words import sentence
 from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.readers.sentences import sentence
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import fitted, sheets

@@ -21,6 +21,7 @@ from graphic_tmm.chapters.kinematics.extremes import OPPOSITE
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Side
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.project import Project, draw_project
@@ -187,8 +188,8 @@ def test_a_coupler_point_is_found_by_refining_and_says_so() -> None:
     )
     assert operations(project) == ["refine", "advance"]
     (step,) = [s for s in project.construction.steps if s.op.name == "refine"]
-    assert "E" in step.op.en
-    assert "E" in step.op.ru
+    for language in ("en", "ru"):
+        assert " E " in speaking(language)(step.op.sentence)
 
 
 @pytest.mark.parametrize(("e", "at"), [(0.0, "top"), (-0.018, "top"), (-0.018, "bottom")])

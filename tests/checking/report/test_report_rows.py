@@ -31,7 +31,8 @@ def test_the_summary_counts_and_names_what_explains(language: str) -> None:
     every = told(explaining(2, 3, 5, 7))
     three = "(3 of 3)" if language == "en" else "(3 из 3)"
     assert every.startswith(counted)
-    assert every.endswith(f"ω/r for ω·r {three}.")
+    name = "ω/r for ω·r" if language == "en" else "ω/r вместо ω·r"
+    assert every.endswith(f"{name} {three}.")
     part = told(explaining(2, like=("slip",)), explaining(3, name="other"))
     one = "(1 of 3)" if language == "en" else "(1 из 3)"
     assert all(text in part for text in (f"other {one}", "slip", words["at lines"].format(lines=7)))

@@ -1,0 +1,82 @@
+"""How accurate an engine's moment is: with a rod of two masses, judged by the kinetostatics of the rod."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from graphic_tmm.chapters.engine.formulas import KGF
+from graphic_tmm.chapters.engine.plan import ENGINE
+from graphic_tmm.chapters.engine.task import ASKED
+from graphic_tmm.chapters.forces.accuracy import MOMENT
+from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
+from graphic_tmm.chapters.forces.task import ForcesOrder
+from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
+from graphic_tmm.chapters.kinematics.plan import ALL, POSITIONS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.project import Project
+from graphic_tmm.readers.quantity import Quantity, Reference, Value
+from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.scene.records import Scene
+
+TURNING = "M_engine"
+
+
+def _quantities(project: Project) -> Iterator[Quantity]:
+    made = ENGINE.on(project)
+    value = Value(made.values["M"], KGF if made.order.unit == "kgf" else 1.0)
+    # what drives is the opposite of what balances
+    balance = Reference(_of_the_rod, 0, frozenset({POSITIONS, FORCES.chapter}), MOMENT, -1.0)
+    yield Quantity(TURNING, "N·m", (value,), project.count, reference=balance)
+
+
+def _of_the_rod(scene: Scene) -> Scene | None:
+    """Return the scene asking for the moment that balances the crank, in place of its forces."""
+    order = ASKED.of(scene)
+    if order is None:
+        return None
+    forces = ForcesOrder(ALL, inertia=True, gas=order.indicator, balance="moment")
+    return FORCES_ASKED.put(scene, forces)
+
+
+def _rods(scene: Scene) -> Iterator[tuple[str, Scene]]:
+    """Yield the rod's mass as the scene shares it, and by the lever rule; the error is that of two masses."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    if order.share is not None or order.mass is not None:
+        yield "scene", scene
+    yield "lever rule", ASKED.put(scene, replace(order, share=None, mass=None))
+
+
+def _series(scene: Scene) -> Iterator[tuple[str, Scene]]:
+    """Yield the inertia force by the plan of accelerations, and by the series of two terms."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield "plan", ASKED.put(scene, replace(order, series=False))
+        yield "series", ASKED.put(scene, replace(order, series=True))
+
+
+def _at_count(scene: Scene, count: int) -> Scene:
+    order = ASKED.of(scene)
+    if order is None:
+        return scene
+    return ASKED.put(scene, replace(order, indicator=at_count(order.indicator, count)))
+
+
+def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
+    order = ASKED.of(scene)
+    if order is None:
+        return scene
+    indicator = enlarged(order.indicator, times)
+    return ASKED.put(scene, replace(order, indicator=indicator, base=order.base * times))
+
+
+ACCURACY = Accuracy(
+    quantities=_quantities,
+    places=(ENGINE.chapter,),
+    axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
+    at_count=_at_count,
+    enlarged=_enlarged,
+)

@@ -1,0 +1,91 @@
+"""How accurate a flywheel is: its moment of inertia by both methods, known only where the row is fine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.project import Project
+from graphic_tmm.readers.quantity import Quantity, Reference, Value
+from graphic_tmm.readers.varied import Accuracy
+from graphic_tmm.scene.records import Scene
+
+FINE = 12_288
+"""Positions of a row that has converged."""
+INERTIA, ENERGY_MASS = "J_fly", "J_fly_energy_mass"
+
+
+def _quantities(project: Project) -> Iterator[Quantity]:
+    made, due = FLYWHEEL.on(project), Reference(_exactly, FINE)
+    yield Quantity(INERTIA, "kg·m²", (Value(made.inertia),), reference=due)
+    if made.energy_mass is not None:
+        value = Value(made.energy_mass.inertia)
+        yield Quantity(ENERGY_MASS, "kg·m²", (value,), reference=due)
+
+
+def _exactly(scene: Scene) -> Scene | None:
+    """Return the scene with works that are areas, and tangents of the curve itself."""
+    order = ASKED.of(scene)
+    if order is None:
+        return None
+    tangents = "curve" if order.tangents is not None else None
+    return ASKED.put(scene, replace(order, integration="areas", tangents=tangents))
+
+
+def _at_count(scene: Scene, count: int) -> Scene:
+    order = ASKED.of(scene)
+    if order is None or order.indicator is None:
+        return scene
+    return ASKED.put(scene, replace(order, indicator=at_count(order.indicator, count)))
+
+
+def _poles(scene: Scene) -> tuple[str, ...]:
+    return (INERTIA, ENERGY_MASS) if ASKED.of(scene) is not None else ()
+
+
+def _farther(project: Project, times: float) -> dict[Mark, object]:
+    """Return the distance of the pole of the works, or their scale; ΔT has that of the works."""
+    found: dict[Mark, object] = {}
+    for chart in FLYWHEEL.on(project).charts:
+        if chart.view == VIEWS["work"] and chart.chosen:
+            found[chart.mu] = np.asarray(project.given[chart.mu]) * times
+    for mark, value in project.given.items():
+        if mark.role == roles.POLE_DISTANCE and mark.view == VIEWS["work"]:
+            found[mark] = np.asarray(value) * times
+    return found
+
+
+def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
+    order = ASKED.of(scene)
+    if order is None:
+        return scene
+    mu = {view: scale.value / times for view, scale in drawn.scales.items()}
+    pole = order.A.pole * times if order.A.pole is not None else None
+    work = None if pole is not None else mu.get(VIEWS["work"], order.A.mu)
+    larger = replace(
+        order,
+        indicator=enlarged(order.indicator, times) if order.indicator is not None else None,
+        A=ScaleOrder(work, pole),
+        base=order.base * times,
+        mu_M=mu.get(VIEWS["moment"], order.mu_M),
+    )
+    return ASKED.put(scene, larger)
+
+
+ACCURACY = Accuracy(
+    quantities=_quantities,
+    places=(FLYWHEEL.chapter,),
+    at_count=_at_count,
+    enlarged=_enlarged,
+    poles=_poles,
+    farther=_farther,
+)

@@ -1,0 +1,25 @@
+"""How an indicator diagram changes with the number of positions and with the size of a drawing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.chapters.kinematics.accuracy import resampled
+
+
+def at_count(order: IndicatorOrder, count: int) -> IndicatorOrder:
+    """Return the same diagram for a row of so many positions."""
+
+    def gas(side: Gas) -> Gas:
+        pressures = side.pressures
+        return replace(side, pressures=resampled(pressures, count)) if pressures else side
+
+    shaft = gas(order.shaft) if order.shaft is not None else None
+    return replace(order, cover=gas(order.cover), shaft=shaft)
+
+
+def enlarged(order: IndicatorOrder, times: float) -> IndicatorOrder:
+    """Return the same diagram so many times larger."""
+    mu = None if order.mu is None else order.mu / times
+    return replace(order, base=order.base * times, height=order.height * times, mu=mu)

@@ -1,0 +1,106 @@
+"""How accurate plans are: vectors as read; what another row of positions changes; where extremes are tried."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from graphic_tmm.board.operations.locus import REFINE
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.kinematics.plan import (
+    ACCELERATIONS,
+    ALL,
+    KINEMATICS,
+    POSITIONS,
+    VELOCITIES,
+)
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.mechanism.records import Extreme, Row
+from graphic_tmm.project import Project
+from graphic_tmm.readers.quantity import Quantity, Value
+from graphic_tmm.readers.varied import Accuracy, Trial
+from graphic_tmm.scene.records import Scales, Scene
+
+
+def _quantities(project: Project) -> Iterator[Quantity]:
+    made = KINEMATICS.on(project)
+    for name, unit, plan in (("v", "m/s", VELOCITIES), ("a", "m/s²", ACCELERATIONS)):
+        motion = made.motion(plan)
+        if motion is None:
+            continue
+        steps = project.construction.steps
+        read = [s.it for s in steps if s.it.view == plan and s.op.reads and s.it.kind is Length]
+        values = tuple(Value(mark, motion.mu) for mark in read)
+        if values:
+            yield Quantity(name, unit, values, made.count, due=values, places=(plan,))
+
+
+def _whole(scene: Scene) -> Scene:
+    return replace(scene, row=replace(scene.row, accelerations=ALL), main=None)
+
+
+def _at_count(scene: Scene, count: int) -> Scene | None:
+    row = scene.row
+    accelerations = renamed(row.accelerations, row, count)
+    main = renamed((scene.main,) if scene.main is not None else (), row, count)
+    if accelerations is None or main is None:
+        return None
+    row = replace(row, accelerations=accelerations)
+    return replace(scene, row=row, main=main[0] if main else None)
+
+
+def renamed(names: Sequence[str], row: Row, count: int) -> tuple[str, ...] | None:
+    """Return how positions are called in a row of another count; None if one of them is not there."""
+    if tuple(names) == ALL:
+        return ALL
+    found = []
+    for name in names:
+        if not name.isdigit():
+            return None
+        place = (int(name) - row.first) * count
+        if place % row.count:
+            return None
+        found.append(str(place // row.count + row.first))
+    return tuple(found)
+
+
+def resampled(values: Sequence[float], count: int) -> tuple[float, ...]:
+    """Return values of a closed row at ``count`` even positions, straight between those given.
+
+    >>> resampled((0.0, 2.0), 4)
+    (0.0, 1.0, 2.0, 1.0)
+    """
+    closed = [*values, values[0]]
+    at = np.arange(count) * (len(values) / count)
+    return tuple(float(x) for x in np.interp(at, np.arange(len(closed)), closed))
+
+
+def _tried(project: Project) -> dict[Mark, Trial]:
+    """Return what is tried where an extreme position is found by trying."""
+    zero = project.scene.row.zero
+    steps = [step.it for step in project.construction.steps if step.op.name == REFINE]
+    if not steps or not isinstance(zero, Extreme):
+        return {}
+    small = KINEMATICS.on(project).tried
+    along = "x" if zero.at in ("left", "right") else "y"
+    trial = Trial(small.construction, small.positions.phi, small.axes[zero.point, along])
+    return dict.fromkeys(steps, trial)
+
+
+def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
+    mu = {plan: scale.value / times for plan, scale in drawn.scales.items()}
+    own = Scales(mu_l=mu.get(POSITIONS), mu_v=mu.get(VELOCITIES), mu_a=mu.get(ACCELERATIONS))
+    return replace(scene, scales=own)
+
+
+ACCURACY = Accuracy(
+    quantities=_quantities,
+    places=(VELOCITIES, ACCELERATIONS),
+    whole=_whole,
+    at_count=_at_count,
+    tried=_tried,
+    enlarged=_enlarged,
+)

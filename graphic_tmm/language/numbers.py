@@ -1,0 +1,45 @@
+"""Numbers as a sheet writes them: − for minus, powers of ten raised, the decimal sign of the language.
+
+Babel's forms are others (a hyphen for minus, E for powers, thousands apart), so the catalogue gives the decimal
+sign and the rest is done here.
+"""
+
+from __future__ import annotations
+
+import math
+
+from graphic_tmm.language.catalogue import speaking
+
+_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+def decimal_sign(language: str) -> str:
+    """Return what stands between the whole and the rest."""
+    _ = speaking(language)
+    return _(".", context="decimal sign")
+
+
+def number(value: float, language: str, digits: int = 4) -> str:
+    """Return a number to ``digits`` significant figures, with the decimal sign of the language.
+
+    >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en")
+    ('0,1366', '−4', '2.5·10⁻⁷')
+    """
+    if not math.isfinite(value):
+        return "—"
+    text = f"{value:.{digits}g}"
+    mantissa, _, exponent = text.partition("e")
+    if exponent:
+        power = int(exponent)
+        text = f"{value:.0f}" if 0 < power < 7 else f"{mantissa}·10{str(power).translate(_RAISED)}"
+    text = "0" if text in ("-0", "0") else text.replace("-", "−", 1)
+    return text.replace(".", decimal_sign(language))
+
+
+def fixed(value: float | None, places: int, language: str) -> str:
+    """Return a number with a fixed count of decimals; a dash where there is none."""
+    if value is None or not math.isfinite(value):
+        return "—"
+    text = f"{value:.{places}f}"
+    text = text.lstrip("-") if float(text) == 0 else text.replace("-", "−")
+    return text.replace(".", decimal_sign(language))

@@ -1,0 +1,107 @@
+"""How marks are called in each language: what stands in an index is a word, and words have a language.
+
+A mark's name is mark-up (P_{i3}, y_{Pi3}); what is made of another's name holds it, in braces or without. So
+names reach sheets, tables and protocols by this one way.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import cache
+
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import Said, said
+
+_SHAPES = (
+    # the log tells the sizes of the rim and reduced quantities by one letter
+    (r"\bm_r\b", "m_F"),
+    (r"\bD_m\b", "D_{mean}"),
+    (r"\bM_r\b", "M_{red}"),
+    (r"\bJ_(r|\{red\})(?![a-z])", "J_{red}"),
+    (r"\bc_F\b", "c"),
+    (r"\bd_F\b", "d"),
+    (r"\by_F\b", "y_{TF}"),
+    (r"\bm_F\b", "m_{F}"),
+)
+"""What is written otherwise on a sheet than in the log, whatever the language."""
+_B, _I, _FLYWHEEL = (
+    said("b", context="index: balancing"),
+    said("i", context="index: inertia"),
+    said("F", context="index: flywheel"),
+)
+_C, _S = said("c", context="index: cover side"), said("s", context="index: shaft side")
+_MEAN = said("mean", context="index")
+_WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
+    (r"([PM])_\{bl\}", r"\1_{%s}^{%s}", (_B, said("Zh", context="index: Zhukovsky"))),
+    (r"([PM])_\{?b\}?(?![a-z])", r"\1_{%s}", (_B,)),
+    (r"(?<=[yh]_\{[PM])b(?=[}^])", "%s", (_B,)),
+    (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1%s", (_I,)),
+    (r"(P_\{?|[yh]_\{P)in", r"\1%s", (said("in", context="index: inertia"),)),
+    (r",ser\}", ",%s}", (said("ser", context="index: series"),)),
+    (r"M_\{f", "M_{%s", (said("f", context="index: friction"),)),
+    (r"\bT_\{(\d+)t\}", r"T_{\1%s}", (said("t", context="index: translation"),)),
+    (r"\bT_\{(\d+)r\}", r"T_{\1%s}", (said("r", context="index: rotation"),)),
+    (r"\bT_\{?L\}?", "T_{%s}", (said("L", context="index: links"),)),
+    (r"\bT_\{?F\}?", "T_{%s}", (_FLYWHEEL,)),
+    (r"\by_\{TF\}", "y_{T%s}", (_FLYWHEEL,)),
+    (r"\bJ_F\b", "J_{%s}", (_FLYWHEEL,)),
+    (r"\bm_\{F\}", "m_{%s}", (_FLYWHEEL,)),
+    (r"\{mean\}", "{%s}", (_MEAN,)),
+    (r"\{red\}", "{%s}", (said("red", context="index: reduced"),)),
+    (r"_\{dr\}", "_{%s}", (said("dr", context="index: drawn"),)),
+    (r"(?<=[φΦNnuαβO]_)r(?=[\])]?$)", "%s", (said("r", context="index: rise"),)),
+    (r"(?<=[φΦNnuαβO]_)f(?=[\])]?$)", "%s", (said("f", context="index: return"),)),
+    (r"(?<=[ph]_\{[kv])m(?=\})", ",%s", (_MEAN,)),
+    (r"(?<=[pPFDdnfhc]_)k(?=0?$)|(?<=[ph]_\{)k(?=,)", "%s", (_C,)),
+    (r"(?<=[pPFDdnfhc]_)v(?=0?$)|(?<=[ph]_\{)v(?=,)", "%s", (_S,)),
+)
+"""Where a word stands in an index. The log's own letter is left where a language has the same."""
+_NOT_ITS_OWN = frozenset({_C, _S, _MEAN, _WORDS[0][2][1]})
+"""Words for which the log has another letter, so that they are put in English too."""
+_RULES = tuple((re.compile(pattern), put, words) for pattern, put, words in _WORDS)
+
+
+@cache
+def symbol(name: str, language: str) -> str:
+    """Return the name of a mark as mark-up in a language.
+
+    >>> symbol("P_b", "ru"), symbol("y_{Pi3}", "ru"), symbol("P_{bl}", "en"), symbol("v_A", "ru")
+    ('P_{ур}', 'y_{Pи3}', 'P_{b}^{Zh}', 'v_A')
+    """
+    for shape, put in _SHAPES:
+        name = re.sub(shape, put, name)
+    speech = speaking(language)
+    for pattern, put, words in _RULES:
+        told = tuple(speech(word) for word in words)
+        if told != words or _NOT_ITS_OWN.intersection(words):
+            name = pattern.sub(put % told, name)
+    return name
+
+
+RESULTS = {
+    "alpha_w": "α_{w}",
+    "delta_y": "Δy",
+    "contact_ratio": "ε_{α}",
+    "contact_ratio_drawn": "ε_{dr}",
+    "contact_ratio_difference": "Δε",
+    "arc_of_engagement1": "c_{1}d_{1}",
+    "arc_of_engagement2": "c_{2}d_{2}",
+    "overall_ratio": "U_{0}",
+    "rim_width": "b",
+}
+"""Results whose machine name is no letter of theirs."""
+_INDEXED = re.compile(r"(?:planetary_)?([A-Za-z])_?(\w*)")
+
+
+def result_symbol(name: str, language: str) -> str:
+    """Return the letter of a result by its machine name, as mark-up.
+
+    >>> result_symbol("r_b1", "en"), result_symbol("planetary_z3", "ru"), result_symbol("a", "en")
+    ('r_{b1}', 'z_{3}', 'a')
+    """
+    known = RESULTS.get(name)
+    found = _INDEXED.fullmatch(name)
+    if known is None and found is not None:
+        known = f"{found[1]}_{{{found[2]}}}" if found[2] else found[1]
+    return symbol(known or name, language)

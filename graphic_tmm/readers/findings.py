@@ -1,0 +1,79 @@
+"""What was found on the way, as sentences: what could not be drawn, what is in doubt, what is left out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from graphic_tmm.board.findings import Finding
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.names import plain, spoken
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
+from graphic_tmm.readers.sentences import letters_of
+
+_WHY = {
+    "touching": said("the figures touch"),
+    "doubtful": said("the point is uncertain, digits that are sure: {digits}"),
+    "lost": said("rounding leaves no digit that is sure; left out: {letters}"),
+    "idle": said("all forces are zero: there is nothing to draw, and no scale"),
+}
+
+
+def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
+    """Return a finding as a sentence: plan, step, letter, why, positions."""
+    _ = speaking(language)
+    return _(
+        "{plan}, step {number} '{it}': {why}; positions {places}",
+        plan=_in_sentence(found.step.it.view, language),
+        number=found.number,
+        it=spoken(found.step.it, language),
+        why=_why(found, _),
+        places=", ".join(names[i] for i in found.positions),
+    )
+
+
+def _why(found: Finding, speech: Speech) -> str:
+    if found.kind == "undrawn":
+        return _undrawn(found, speech)
+    sure = max(0, math.floor(-math.log10(found.amount))) if 0.0 < found.amount < 1.0 else 0
+    return speech(_WHY[found.kind], digits=sure, letters=_letters_of(found))
+
+
+def _undrawn(found: Finding, speech: Speech) -> str:
+    why = speech(found.step.op.fails)
+    if found.gap is None:
+        return why
+    language = speech.language
+    words = letters_of(found.step, lambda mark: spoken(mark, language))
+    text = speech(found.gap.says).format(**words)
+    return f"{why} ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
+
+
+def _in_sentence(view: str, language: str) -> str:
+    """Return what a view is called within a sentence: small, but for a man's name."""
+    name = CAPTIONS[language].get(view, view)
+    return name if name.startswith("Zhukovsky") else name[:1].lower() + name[1:]
+
+
+def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) -> Iterator[str]:
+    """Yield, as sentences, the figures of which no digit is sure, together those of the same positions."""
+    _ = speaking(language)
+    for places in dict.fromkeys(one.positions for one in found):
+        some = [one for one in found if one.positions == places]
+        told = []
+        for plan in dict.fromkeys(one.step.it.view for one in some):
+            letters = ", ".join(_letters_of(one) for one in some if one.step.it.view == plan)
+            told.append(f"{_in_sentence(plan, language)} {letters}")
+        yield _(
+            "rounding leaves no digit that is sure, left out are: {figures}; positions {places}",
+            figures="; ".join(told),
+            places=", ".join(names[i] for i in places),
+        )
+
+
+def _letters_of(found: Finding) -> str:
+    """Return the letters that are left out, each once, however often it is primed."""
+    return ", ".join(dict.fromkeys(plain(mark.letter).rstrip("′") for mark in found.marks))

@@ -1,0 +1,115 @@
+"""The protocol of one plan: its steps in order, each a sentence and a calculation, with remarks, equations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.equations import equations
+from graphic_tmm.readers.sentences import calculation, sentence
+
+
+class Line(NamedTuple):
+    """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none).
+
+    ``first``: the number of the first of the steps that the line tells, where it tells several.
+    """
+
+    number: int
+    text: str
+    calculation: str = ""
+    first: int = 0
+
+    @property
+    def label(self) -> str:
+        """The number of the step, or the numbers of the steps: 8, 8–9."""
+        return f"{self.first}–{self.number}" if 0 < self.first < self.number else str(self.number)
+
+
+def protocol(
+    construction: Construction,
+    plan: str,
+    reading: Reading,
+    place: int,
+    language: str,
+    *,
+    turned: bool = False,
+    elsewhere: Sequence[tuple[int, str]] = (),
+) -> Iterator[Line]:
+    """Yield the numbered protocol of one plan in one position, with equations and the calculation note.
+
+    ``place``: the index of the position in ``reading``; ``turned``: the plan is turned by 90°. ``elsewhere``:
+    other positions by index and name; what has no value in the first is told in one of them.
+    """
+    told, own = place, {place: "", **dict(elsewhere)}
+    solved = {e.group: e for e in equations(construction, plan, turned=turned)}
+    steps = [step for step in construction.steps if step.it.view == plan]
+    sums = _sums(steps)
+    first = 0
+    for counted, step in enumerate(steps, 1):
+        for note in filter(None, step.note.split("\n")):
+            yield Line(0, _remark(note, language))
+            if note in solved:
+                yield Line(0, f"{solved[note].text};  {plain(solved[note].directions)}")
+        first = first or counted
+        terms = sums.get(step.it, ())
+        if step.it in sums and not terms:
+            continue  # told with the sum that it is a part of
+        at = next((k for k in own if defined(reading, step.it, k)), place)
+        if at != told and own.get(at) and not _still(reading, step.it):
+            yield Line(0, f"{CAPTIONS[language]['position']} {own[at]}")
+            told = at
+        note = calculation(step, reading, at, language, terms)
+        yield Line(counted, sentence(step, language, reading, at), note, first)
+        first = 0
+
+
+def defined(reading: Reading, mark: Mark, place: int) -> bool:
+    """Whether a mark has a value in a position (an index); a curve is of all positions."""
+    if mark.kind is Curve:
+        return True
+    row = undefined(reading[mark])[0]
+    return not row[place if row.size > 1 else 0]
+
+
+def _still(reading: Reading, mark: Mark) -> bool:
+    """Whether a mark is the same in all positions."""
+    return mark.kind is Curve or undefined(reading[mark]).shape[1] == 1
+
+
+def _sums(steps: Sequence[Step]) -> dict[Mark, tuple[Mark, ...]]:
+    """Return the terms of each sum that was added up in several steps; none for the sums on the way to it."""
+    found: dict[Mark, tuple[Mark, ...]] = {}
+    before: Step | None = None
+    for step in steps:
+        both = before is not None and before.it.role == step.it.role == roles.SUM
+        if both and before is not None and before.it == step.uses[0]:
+            found[step.it] = (*(found.get(before.it) or before.uses), *step.uses[1:])
+            found[before.it] = ()
+        before = step
+    return found
+
+
+_EXTREMES = {
+    "left": said("extreme left position of {point}"),
+    "right": said("extreme right position of {point}"),
+    "top": said("extreme upper position of {point}"),
+    "bottom": said("extreme lower position of {point}"),
+}
+
+
+def _remark(note: str, language: str) -> str:
+    """Return a remark of the log in words: "D: left" is the extreme left position of D."""
+    words = CAPTIONS[language]
+    if f"phase {note}" in words:
+        return words[f"phase {note}"]
+    letter, _, way = note.partition(": ")
+    return speaking(language)(_EXTREMES[way], point=letter) if way in _EXTREMES else plain(note)

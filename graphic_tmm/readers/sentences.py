@@ -1,0 +1,121 @@
+"""A step in words: what is done, as a sentence, and its calculation with the numbers put in.
+
+The sentences live on the operations and in the catalogues; here letters and numbers are put into them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Angle, Length, Side
+from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import spoken, view_name
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import unit
+
+
+def letters_of(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
+    """Return what stands for the arguments of a step, and for the mark that it leaves."""
+    letters = {
+        argument: name(mark) for argument, mark in zip(step.op.arguments, step.uses, strict=True)
+    }
+    return letters | {"it": name(step.it)}
+
+
+_JOINED = re.compile(r"\{(\w+)\}(?=\{)")
+
+
+def _segments(text: str, words: Mapping[str, str]) -> str:
+    """Return a sentence with a dash in each segment whose ends would run into one another: 5–1, i–i+1.
+
+    Letters of one sign and their figures are told apart as they are: OA, aa3.
+    """
+
+    def dashed(found: re.Match[str]) -> str:
+        behind = text[found.end() + 1 :].partition("}")[0]
+        ends = words[found[1]], words[behind]
+        return found[0] + ("" if all(_END.fullmatch(end) for end in ends) else "–")
+
+    return _JOINED.sub(dashed, text)
+
+
+_END = re.compile(r"[^\W\d_]\d*′?")
+
+
+def _value(reading: Reading, mark: Mark, place: int) -> float:
+    row = reading.figure(mark)[0]
+    return float(row[place if row.size > 1 else 0])
+
+
+def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
+    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+    _ = speaking(language)
+    sides = _(step.op.sides[0]), _(step.op.sides[1])
+
+    def name(mark: Mark) -> str:
+        if mark.kind is Side:
+            plus, minus = sides
+            return plus if _value(reading, mark, place) > 0 else minus
+        called = spoken(mark, language) or _with_unit(mark, reading, place, language)
+        if mark.view != step.it.view and mark.name in elsewhere:
+            called += CAPTIONS[language]["of view"].format(view=view_name(mark.view, language))
+        return called
+
+    here = [mark for mark in (step.it, *step.uses) if mark.view == step.it.view]
+    elsewhere = {mark.name for mark in here if mark.kind is not Side}
+    words = letters_of(step, name)
+    if step.op.formula:
+        return f"{CAPTIONS[language]['calculate']} {words['it']}."
+    words |= {key: sides[0 if choice > 0 else 1] for key, choice in step.choice.items()}
+    return _segments(_(step.op.sentence), words).format(**words)
+
+
+def calculation(
+    step: Step, reading: Reading, place: int, language: str, summed: tuple[Mark, ...] = ()
+) -> str:
+    """Return a formula with its numbers put in, v_A = ω_1·l_OA = 39,79·0,1366 = 5,434 м/с, or a reading.
+
+    ``summed``: all terms of a sum that was added up in several steps.
+    """
+    if not (step.op.reads or step.op.formula):
+        return ""
+    it = spoken(step.it, language)
+    if not np.isfinite(_value(reading, step.it, place)):
+        return f"{it}: {CAPTIONS[language]['undrawn']}"
+    result = _with_unit(step.it, reading, place, language)
+    if step.op.reads:
+        return f"{it} = {result}"
+
+    def put(mark: Mark) -> str:
+        text = number(_value(reading, mark, place), language)
+        text += "°" if mark.kind is Angle else ""
+        return f"({text})" if text.startswith("−") else text
+
+    letters = letters_of(step, lambda mark: spoken(mark, language) or put(mark))
+    numbers = letters_of(step, put)
+    formula = step.op.formula
+    if summed:
+        terms = [spoken(m, language) for m in summed], [put(m) for m in summed]
+        formulas = [" + ".join(of) for of in terms]
+    else:
+        formulas = [formula.format(**letters), formula.format(**numbers)]
+    return " = ".join(dict.fromkeys([it, *formulas, result]))
+
+
+def _with_unit(mark: Mark, reading: Reading, place: int, language: str) -> str:
+    figure = number(_value(reading, mark, place), language)
+    if mark.kind is Angle:
+        return f"{figure}°"
+    return f"{figure} {_unit_of(mark, language)}".rstrip()
+
+
+def _unit_of(mark: Mark, language: str) -> str:
+    if mark.kind is Length:
+        return unit("mm", language)
+    return unit("°" if mark.kind is Angle else mark.unit, language)
