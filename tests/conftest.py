@@ -4,6 +4,7 @@ import os
 import sys
 from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -20,6 +21,14 @@ settings.register_profile("everyday", deadline=None, max_examples=15)
 
 def pytest_addoption(parser):
     parser.addoption("--redraw", action="store_true", help="accept the sheets as drawn now")
+    parser.addoption("--measured", action="store_true", help="as many as the README's tables tell")
+
+
+@pytest.fixture
+def many(request):
+    """How many random cases: as many as the tables of `tests/README.md` tell, if asked for; else fewer."""
+    measured = request.config.getoption("--measured")
+    return lambda told, usual: told if measured else usual
 
 
 def pytest_configure(config):

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
-from graphic_tmm.work import record
 from support.effects import LOADS, PLACED, named, needs, only, steps
 from support.gallery import SHEETS
 
+from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 

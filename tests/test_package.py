@@ -1,4 +1,4 @@
-"""The rooms of the tree: public names, sizes of files, the top level, words on every operation."""
+"""The package as a whole: public names, words on every operation, the command line as a process."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import os
 import string
 import subprocess
 import sys
-from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -43,8 +42,6 @@ from graphic_tmm.chapters.gears import formulas as gearing
 from graphic_tmm.chapters.gears import rack, rolling
 from graphic_tmm.chapters.planetary import formulas as trains
 
-TOP = {"pyproject.toml", "graphic_tmm", "sheets", "tests", "README.md", "LICENSE"}
-
 
 def test_public_names_are_sorted_complete_and_there() -> None:
     assert graphic_tmm.__all__ == sorted(graphic_tmm.__all__)
@@ -53,25 +50,6 @@ def test_public_names_are_sorted_complete_and_there() -> None:
         assert getattr(graphic_tmm, name).__name__ == name
     with pytest.raises(AttributeError):
         _ = graphic_tmm.nonsense
-
-
-def test_no_room_is_longer_than_400_lines() -> None:
-    long = {
-        path.name: count
-        for path in (ROOT / "graphic_tmm").rglob("*.py")
-        if (count := len(path.read_text(encoding="utf-8").splitlines())) > 400
-    }
-    assert not long
-
-
-def test_the_top_level_is_as_agreed() -> None:
-    listed = subprocess.run(
-        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=False
-    )
-    if listed.returncode:
-        pytest.skip("not a checkout")
-    tops = {line.split("/")[0] for line in listed.stdout.splitlines()}
-    assert {top for top in tops if not top.startswith(".")} == TOP
 
 
 def _placeholders(text: str) -> set[str]:
@@ -227,9 +205,3 @@ def test_a_name_in_no_encoding_is_told_without_a_traceback(tmp_path: Path) -> No
     done = outcome("draw", "engine", "-o", place)
     assert (done.returncode, done.stderr) == (0, b"")
     assert done.stdout == bytes(tmp_path) + b"/\xff/engine.svg\n"
-
-
-def test_no_two_files_of_tests_have_one_name() -> None:
-    """pytest refuses to collect the second of them, and only when both are collected."""
-    names = Counter(path.name for path in (ROOT / "tests").rglob("test_*.py"))
-    assert [name for name, count in names.items() if count > 1] == []

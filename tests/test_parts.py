@@ -8,18 +8,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from graphic_tmm.parts import draw_parts
+from support.boards import parts
 from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
-from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.protocol import part_protocol
+from graphic_tmm.readers.table import table
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import part_warnings, sheets, table
+from graphic_tmm.studio import make, sheets
 
 GIVEN = """teeth      = [25, "?", "?"]     # z1 is given, the others are found: 32 and 89
 satellites = 3 """
@@ -69,9 +71,8 @@ def test_the_planetary_results() -> None:
     assert found["planetary_ratio"] == pytest.approx(4.56)
     assert found["planetary_ratio_drawn"] == pytest.approx(4.56, rel=1e-9)
     assert found["overall_ratio"] == pytest.approx(7.6)
-    (part,) = draw_parts(read(SHEETS / "planetary"))
-    assert isinstance(part.made, Planetary)
-    assert part.made.order.teeth == (25, None, None)  # the others were found
+    (part,) = parts(made("planetary"))
+    assert PLANETARY_TRAIN.on(part).order.teeth == (25, None, None)  # the others were found
 
 
 @pytest.mark.slow
@@ -79,17 +80,17 @@ def test_the_planetary_results() -> None:
 @pytest.mark.parametrize("language", ["ru", "en"])
 def test_a_part_speaks_both_languages(name: str, language: str) -> None:
     scene = replace(read(SHEETS / name), language=language)
-    parts = draw_parts(scene)
-    lines = list(part_protocol(parts, (KINDS[name],), language))
+    (part,) = parts(make(scene))
+    lines = list(part_protocol(part, (KINDS[name],), None, language))
     assert len(lines) > 60
     assert not [line for line in lines if "{" in line or "}" in line]
-    assert list(part_protocol(parts, ("positions",), language)) == []
+    assert list(part_protocol(part, ("positions",), None, language)) == []
     assert sheets(scene)[1]
 
 
 @pytest.mark.parametrize("name", KINDS)
 def test_every_unit_of_a_part_has_its_russian_name(name: str) -> None:
-    for part in draw_parts(read(SHEETS / name)):
+    for part in parts(made(name)):
         log = part.construction
         assert all(known(m.unit) for m in (*log.given, *(s.it for s in log.steps)))
         assert all(s.it.view in CAPTIONS["en"] for s in log.steps)
@@ -111,7 +112,7 @@ def test_a_part_stands_beside_a_mechanism() -> None:
         cam=cam.tasks["cam"]
     )
     made, paper = sheets(both)
-    assert made.work is not None
+    assert made.mechanism is not None
     assert len(paper) == 2
     text = table(made, "json")
     assert isinstance(text, str)
@@ -160,8 +161,8 @@ def test_what_cannot_be_made_is_one_message(
 @pytest.mark.slow
 def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None:
     scene = read(scene_of(tmp_path, "cam", ('"52.1 mm"', '"40 mm"')))
-    (part,) = draw_parts(scene)
-    told = part_warnings(part)
+    (part,) = parts(make(scene))
+    told = warnings(part)
     assert any("pressure angle reaches" in text and "φ" in text for text in told)
     done = invoke("table", tmp_path / "scene.toml")
     assert "pressure angle reaches" in done.stderr

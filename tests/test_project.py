@@ -9,28 +9,30 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from graphic_tmm.work import work
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.assemblies import ranges
+from support.boards import drawn_of, recorded
 from support.linkages import coulisse, four_bar, slider_crank
-from support.mechanisms import Drawn, mechanisms
+from support.mechanisms import Sampled, mechanisms
 from support.oracle import poses_from_points, solve_fast
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import StructureError, TmmError
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
-from graphic_tmm.project import Project, draw_project
+from graphic_tmm.project import Project
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import sheets, warnings
+from graphic_tmm.studio import sheets
 
 Pose = tuple[float, float, float]
 
 
 def places(project: Project, letter: str) -> np.ndarray:
     """Places (m) of a letter in all positions."""
-    mark = project.positions.point(letter)
-    given_ = project.given | {project.mu_l: 1.0}
+    mark = KINEMATICS.on(project).positions.point(letter)
+    given_ = project.given | {KINEMATICS.on(project).mu_l: 1.0}
     return np.ravel(execute(project.construction, given_, [mark])[mark])
 
 
@@ -45,7 +47,7 @@ def scene(mechanism: Mechanism, row: Row | None = None) -> Scene:
 
 def test_the_drawable_positions_are_drawn_and_the_others_named() -> None:
     lengths = (0.3, 0.22, 0.25, 0.35)
-    made = work(scene(four_bar(*lengths)), exact=True)
+    made = drawn_of(scene(four_bar(*lengths)), exact=True)
     low, high = ranges(*lengths)[0]
     inside = {str(k) for k in range(12) if any(low <= 30 * k + turn <= high for turn in (0, 360))}
     assert {made.project.names[i] for i in made.undrawn} == {str(k) for k in range(12)} - inside
@@ -60,7 +62,7 @@ def test_the_drawable_positions_are_drawn_and_the_others_named() -> None:
 
 def test_the_sheet_of_a_mechanism_that_assembles_in_part_is_inked() -> None:
     whole, paper = sheets(scene(four_bar(0.3, 0.22, 0.25, 0.35)))
-    made = whole.work
+    made = whole.mechanism
     assert made is not None
     assert made.undrawn
     assert paper
@@ -69,7 +71,7 @@ def test_the_sheet_of_a_mechanism_that_assembles_in_part_is_inked() -> None:
 def test_a_row_wholly_outside_the_range_is_an_error_with_the_range() -> None:
     mechanism = four_bar(0.3, 0.22, 0.25, 0.35)
     with pytest.raises(StructureError, match=r"none of the positions.*assembles for crank angles"):
-        work(scene(mechanism, Row(1, zero=180.0, accelerations=("0",))))
+        drawn_of(scene(mechanism, Row(1, zero=180.0, accelerations=("0",))))
 
 
 # through change points
@@ -146,7 +148,7 @@ def test_the_right_flips_follow_the_mechanism_through_its_change_points(
     make: Callable[[float], Mechanism], zero: float, speed: float
 ) -> None:
     mechanism = make(speed)
-    project = draw_project(mechanism, Row(12, zero=zero), plans=["positions"])
+    project = recorded(mechanism, Row(12, zero=zero), plans=["positions"])
     letters = sorted({letter for link in mechanism.links for letter in link.points})
     drawn = {letter: places(project, letter) for letter in letters}
     start = {letter: complex(np.resize(row, 12)[0]) for letter, row in drawn.items()}
@@ -160,9 +162,7 @@ def test_the_right_flips_follow_the_mechanism_through_its_change_points(
 
 
 def test_no_flips_are_taken_at_their_word() -> None:
-    project = draw_project(
-        slider_crank(0.1, 0.1, flips=()), Row(12, zero=15.0), plans=["positions"]
-    )
+    project = recorded(slider_crank(0.1, 0.1, flips=()), Row(12, zero=15.0), plans=["positions"])
     phi = np.radians(15 + 30 * np.arange(12))
     due = 0.1 * (np.cos(phi) + np.abs(np.cos(phi)))
     assert np.abs(places(project, "B") - due).max() < 1e-12
@@ -173,8 +173,8 @@ def test_no_flips_are_taken_at_their_word() -> None:
 
 def test_an_extreme_within_the_range_is_found() -> None:
     mechanism = four_bar(0.3, 0.22, 0.25, 0.35)
-    project = draw_project(mechanism, Row(12, zero=Extreme("A", "right")), plans=["positions"])
-    assert project.assembly.ranges
+    project = recorded(mechanism, Row(12, zero=Extreme("A", "right")), plans=["positions"])
+    assert KINEMATICS.on(project).assembly.ranges
     assert project.angles[0] == pytest.approx(0.0, abs=1e-9)
 
 
@@ -184,11 +184,11 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
         for letter in ("A", "B"):
             row = Row(12, zero=Extreme(letter, way))
             try:
-                project = draw_project(mechanism, row, plans=["positions", "velocities"])
+                project = recorded(mechanism, row, plans=["positions", "velocities"])
             except StructureError as error:
                 assert "does not come to an extreme position" in str(error)  # noqa: PT017
                 continue
-            low, high = project.assembly.ranges[0]
+            low, high = KINEMATICS.on(project).assembly.ranges[0]
             angle = project.angles[0]
             assert any(low + 1e-3 < angle + turn < high - 1e-3 for turn in (0, 360)), (letter, way)
 
@@ -200,7 +200,7 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
 @settings(max_examples=40, deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), way=st.sampled_from(["left", "right", "top", "bottom"]))
 def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(
-    drawn: Drawn, way: str
+    drawn: Sampled, way: str
 ) -> None:
     letter = sorted(set(drawn.points) - set(drawn.mechanism.frame.points))[-1]
     for row in (
@@ -208,7 +208,7 @@ def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(
         Row(6, 1, Extreme(letter, way), ("other extreme", 105.0), ("all",)),
     ):
         try:
-            made = work(scene(drawn.mechanism, row))
+            made = drawn_of(scene(drawn.mechanism, row))
         except TmmError as error:
             assert str(error)  # noqa: PT017
             continue
@@ -223,14 +223,14 @@ def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(
 def test_a_path_that_closes_after_two_turns_is_not_drawn_as_if_it_closed_after_one() -> None:
     over = coulisse(0.1, 0.1 + 0j, flips=(0.0,))
     with pytest.raises(StructureError, match=r"trajectories: .*group 2-3 flips an odd number"):
-        draw_project(over, Row(12, zero=15.0), trajectories=["D"])
+        recorded(over, Row(12, zero=15.0), trajectories=["D"])
     whole = coulisse(0.1, 0.1 + 0j, flips=())
-    assert draw_project(whole, Row(12, zero=15.0), trajectories=["D"]).names
+    assert recorded(whole, Row(12, zero=15.0), trajectories=["D"]).names
 
 
 def test_the_other_extreme_of_a_mechanism_that_comes_back_after_two_turns_is_refused() -> None:
     over = coulisse(0.1, 0.1 + 0j, flips=(0.0,))
     with pytest.raises(StructureError, match="may lie in the second turn"):
-        draw_project(over, Row(12, zero=Extreme("A", "left"), extra=("other extreme",)))
-    project = draw_project(over, Row(12, zero=Extreme("A", "left")), plans=["positions"])
+        recorded(over, Row(12, zero=Extreme("A", "left"), extra=("other extreme",)))
+    project = recorded(over, Row(12, zero=Extreme("A", "left")), plans=["positions"])
     assert project.angles[0] == pytest.approx(180.0)

@@ -8,30 +8,32 @@ from functools import cache
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import NAMES, scene
 from support.oracle import Motion, State, solve_from_points
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.structure import Group, dissect
-from graphic_tmm.studio import warnings
+from graphic_tmm.readers.warnings import warnings
 
 RATIO = 1e-9
 
 
 @cache
-def work_of(name: str) -> Work:
-    return work(scene(name), exact=True)
+def work_of(name: str) -> Drawn:
+    return drawn_of(scene(name), exact=True)
 
 
-def _points(made: Work, place: int) -> dict[str, complex]:
+def _points(made: Drawn, place: int) -> dict[str, complex]:
     """Places (m, sheet's axes) of all letters at a position, as the plan of positions has them."""
     project = made.project
-    origin = made.scene.mechanism.frame.points[project.structure.pivot]
+    origin = made.scene.mechanism.frame.points[KINEMATICS.on(project).structure.pivot]
     mu = made.scales["positions"].value
     found = {}
-    for body in project.positions.bodies.values():
+    for body in KINEMATICS.on(project).positions.bodies.values():
         for letter in body.link.points:
             row = np.ravel(made.reading[body.marks[letter]])
             found[letter] = origin + mu * complex(row[place % row.size])
@@ -86,7 +88,7 @@ def test_a_scene_is_drawn_at_every_position(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> None:
     made = work_of(name)
-    plan = made.project.velocities
+    plan = KINEMATICS.on(made).velocities
     mechanism = made.scene.mechanism
     assert plan is not None
     turn = 1j * math.copysign(1.0, mechanism.drive.speed) if made.scene.turned else 1.0
@@ -94,7 +96,7 @@ def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> No
     for place, state in enumerate(states(name)):
         points = _points(made, place)
         speed = max(abs(mechanism.drive.speed) * state.size, _largest(state, "v"))
-        for number, body in made.project.positions.bodies.items():
+        for number, body in KINEMATICS.on(made).positions.bodies.items():
             for letter in body.link.points:
                 due: Motion = state.points[letter, number]
                 assert abs(points[letter] - due.r) <= RATIO * state.size, (place, letter)
@@ -111,26 +113,26 @@ def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> No
 @pytest.mark.parametrize("name", NAMES)
 def test_every_acceleration_equals_the_vector_loops(name: str) -> None:
     made = work_of(name)
-    plan = made.project.accelerations
+    plan = KINEMATICS.on(made).accelerations
     drive = made.scene.mechanism.drive
     if "accelerations" not in {p for sheet in made.scene.sheets for p in sheet.place}:
-        assert made.accelerated is None
+        assert not KINEMATICS.on(made).accelerated
         return
     assert plan is not None
-    assert made.accelerated is not None
+    assert made.of("accelerations") is not None
     mu = made.scales["accelerations"].value
-    for index, place in enumerate(made.project.accelerated):
+    for index, place in enumerate(KINEMATICS.on(made).accelerated):
         state = states(name)[place]
         pull = max(drive.speed**2 * state.size, _largest(state, "a"))
-        for number, body in made.project.positions.bodies.items():
+        for number, body in KINEMATICS.on(made).positions.bodies.items():
             for letter in body.link.points:
                 image = plan.images.by_letter[number][letter]
-                seen = _at(made.accelerated[image], index) * mu
+                seen = _at(made.of("accelerations")[image], index) * mu
                 due = state.points[letter, number].a
                 assert abs(seen - due) <= RATIO * pull, (place, letter, number)
         for number, epsilon in state.epsilon.items():
             mark = plan.rates.get(number)
-            drawn = _at(made.accelerated[mark], index).real if mark is not None else 0.0
+            drawn = _at(made.of("accelerations")[mark], index).real if mark is not None else 0.0
             least = max(drive.speed**2, *map(abs, state.epsilon.values()))
             assert abs(drawn - epsilon) <= RATIO * least, (place, number)
 

@@ -16,9 +16,11 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import shapely
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import NAMES, SHEETS, paper
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
 from graphic_tmm.paper.drawing import Drawing, Sheet
@@ -26,9 +28,11 @@ from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
-from graphic_tmm.studio import packaged, scene_name, scene_path, sheet_files, sheets, warnings
+from graphic_tmm.scenes import packaged, scene_name, scene_path
+from graphic_tmm.studio import sheet_files, sheets
 
 SMALL = ("crank-rocker", "oscillating-cylinder")
 SVG = "{http://www.w3.org/2000/svg}"
@@ -116,7 +120,8 @@ def test_no_letter_stands_on_another(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
-    (_, made, _), papers = paper(name)
+    whole, papers = paper(name)
+    made = whole.mechanism
     plans = {view.name: view for sheet in papers for view in sheet.drawings}
     placed = {plan for order in made.scene.sheets for plan in order.place}
     due = {"positions"} if "positions" in placed else set()
@@ -125,7 +130,7 @@ def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
         common = made.scene.common_pole
         due |= {"velocities"} if common else {f"velocities-{k}" for k in names}
     if "accelerations" in placed:
-        due |= {f"accelerations-{made.project.names[k]}" for k in made.project.accelerated}
+        due |= {f"accelerations-{made.project.names[k]}" for k in KINEMATICS.on(made).accelerated}
     assert due <= set(plans)
     for view in due:
         symbol = {"p": "μ_l", "v": "μ_v", "a": "μ_a"}[view[0]]
@@ -134,7 +139,8 @@ def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
-    (_, made, _), papers = paper(name)
+    whole, papers = paper(name)
+    made = whole.mechanism
     due = [order.format for order in made.scene.sheets]
     due += ["A4"] * (name == "slider-diagrams")  # three diagrams take two sheets
     assert [sheet.format for sheet in papers] == due
@@ -197,11 +203,11 @@ def scene(**changes: Any) -> Scene:
     return replace(made, **changes)
 
 
-def drawn_length(made: Work, view: str, letter: str) -> float:
+def drawn_length(made: Drawn, view: str, letter: str) -> float:
     """The drawn distance, mm, of a point of a plan from the plan's pole or pivot, at position 1."""
     log = made.project.construction
     mark = next(step.it for step in log.steps if (step.it.view, step.it.letter) == (view, letter))
-    reading = made.accelerated if view == "accelerations" else made.reading
+    reading = made.of("accelerations") if view == "accelerations" else made.reading
     assert reading is not None
     row = np.ravel(reading[mark])
     return float(abs(row[min(1, row.size - 1)]))
@@ -209,7 +215,7 @@ def drawn_length(made: Work, view: str, letter: str) -> float:
 
 def test_scale_factors_that_a_scene_fixes_are_kept() -> None:
     fixed = Scales(mu_l=0.004, mu_v=0.03, mu_a=0.7)
-    made = work(scene(scales=fixed), exact=True)
+    made = drawn_of(scene(scales=fixed), exact=True)
     assert [scale.value for scale in made.scales.values()] == [0.004, 0.03, 0.7]
     assert math.isclose(drawn_length(made, "positions", "A"), 25.0)
     assert math.isclose(drawn_length(made, "velocities", "a"), 1.0 / 0.03)
@@ -218,7 +224,7 @@ def test_scale_factors_that_a_scene_fixes_are_kept() -> None:
 
 
 def test_segments_that_a_scene_fixes_come_out_so_long() -> None:
-    made = work(scene(scales=Scales(OA=37.0, pa=41.0, pi_a=53.0)), exact=True)
+    made = drawn_of(scene(scales=Scales(OA=37.0, pa=41.0, pi_a=53.0)), exact=True)
     assert math.isclose(drawn_length(made, "positions", "A"), 37.0)
     assert math.isclose(drawn_length(made, "velocities", "a"), 41.0)
     assert math.isclose(drawn_length(made, "accelerations", "a"), 53.0)
@@ -227,7 +233,7 @@ def test_segments_that_a_scene_fixes_come_out_so_long() -> None:
 @pytest.mark.parametrize("speed", [10.0, -10.0])
 def test_mu_l_omega_makes_pa_as_long_as_the_crank(speed: float) -> None:
     mechanism = replace(four_bar(), drive=Drive(1, speed))
-    made = work(scene(mechanism=mechanism, scales=Scales(mu_v_is_mu_l_omega=True)), exact=True)
+    made = drawn_of(scene(mechanism=mechanism, scales=Scales(mu_v_is_mu_l_omega=True)), exact=True)
     crank = drawn_length(made, "positions", "A")
     assert math.isclose(drawn_length(made, "velocities", "a"), crank)
     assert made.scales["velocities"].value > 0
@@ -235,7 +241,7 @@ def test_mu_l_omega_makes_pa_as_long_as_the_crank(speed: float) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_chosen_scale_factors_are_standard(name: str) -> None:
-    made = paper(name)[0].work
+    made = paper(name)[0].mechanism
     wanted = made.scene.scales
     fixed = {
         "positions": wanted.mu_l or wanted.OA,
@@ -249,7 +255,7 @@ def test_chosen_scale_factors_are_standard(name: str) -> None:
 
 
 def test_the_ruler_rounds_readings_and_exact_does_not() -> None:
-    made, exact = work(scene(ruler=0.5)), work(scene(ruler=0.5), exact=True)
+    made, exact = drawn_of(scene(ruler=0.5)), drawn_of(scene(ruler=0.5), exact=True)
     log = made.project.construction
     reads = [s.it for s in log.steps if s.op.reads and s.it.view == "velocities"]
     assert reads
@@ -264,31 +270,31 @@ def test_the_ruler_rounds_readings_and_exact_does_not() -> None:
 
 
 def test_a_plan_that_is_not_asked_for_is_not_recorded() -> None:
-    made = work(scene(row=Row(6), sheets=(SheetOrder("A4", ("positions",)),)))
-    assert made.project.velocities is None
-    assert made.project.accelerations is None
-    assert made.accelerated is None
+    made = drawn_of(scene(row=Row(6), sheets=(SheetOrder("A4", ("positions",)),)))
+    assert KINEMATICS.on(made).velocities is None
+    assert KINEMATICS.on(made).accelerations is None
     assert list(made.scales) == ["positions"]
     assert not made.project.marks("velocities")
+    assert not made.project.marks("accelerations")
 
 
 def test_no_acceleration_plan_without_positions_for_it() -> None:
-    made = work(scene(row=Row(6)))
-    assert made.project.velocities is not None
-    assert made.project.accelerations is None
+    made = drawn_of(scene(row=Row(6)))
+    assert KINEMATICS.on(made).velocities is not None
+    assert KINEMATICS.on(made).accelerations is None
 
 
 # warnings
 
 
 def test_a_whole_turn_gives_no_warning() -> None:
-    assert warnings(work(scene())) == ()
+    assert warnings(drawn_of(scene())) == ()
 
 
 def test_positions_that_cannot_be_drawn_are_named_and_the_others_are_drawn() -> None:
     rocking = four_bar(r=0.3, d=0.5)  # d + r > AB + BC: no whole turn
     whole, papers = sheets(scene(mechanism=rocking, row=Row(8, accelerations=("0",))))
-    made = whole.work
+    made = whole.mechanism
     assert made is not None
     reach = math.degrees(math.acos((0.3**2 + 0.5**2 - 0.7**2) / (2 * 0.3 * 0.5)))
     gone = [str(k) for k in range(8) if reach < 45 * k < 360 - reach]
@@ -305,14 +311,14 @@ def test_positions_that_cannot_be_drawn_are_named_and_the_others_are_drawn() -> 
 def test_no_position_at_all_is_an_error() -> None:
     rocking = four_bar(r=0.3, d=0.5)
     with pytest.raises(StructureError, match="none of the positions"):
-        work(scene(mechanism=rocking, row=Row(1, zero=180.0)))
+        drawn_of(scene(mechanism=rocking, row=Row(1, zero=180.0)))
 
 
 def test_an_unknown_point_or_position_is_refused_in_words() -> None:
     with pytest.raises(StructureError, match="no point Q"):
-        work(scene(trajectories=("Q",)))
+        drawn_of(scene(trajectories=("Q",)))
     with pytest.raises(StructureError, match=r"no position 9; there are 0, 1, 2, 3, 4, 5"):
-        work(scene(row=Row(6, accelerations=("9",))))
+        drawn_of(scene(row=Row(6, accelerations=("9",))))
 
 
 # scenes by name

@@ -8,13 +8,15 @@ import pytest
 import shapely
 from support.gallery import SHEETS
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import SceneError
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import fitted, sheets
+from graphic_tmm.studio import sheets
 
 
 def views(scene: Scene) -> dict[str, Drawing]:
@@ -25,11 +27,11 @@ def test_the_main_position_is_the_one_asked_for() -> None:
     scene = replace(read(SHEETS / "engine"), sheets=(SheetOrder("A1", ("positions",)),))
     for name in ("3", "11"):
         made, paper = sheets(replace(scene, main=name))
-        work = made.work
+        work = made.mechanism
         assert work is not None
-        pin = work.project.positions.bodies[1].marks["A"]
+        pin = KINEMATICS.on(work).positions.bodies[1].marks["A"]
         due = complex(work.reading[pin][0, work.project.names.index(name)])
-        pivot = complex(work.reading[work.project.positions.bodies[1].marks["O"]][0, 0])
+        pivot = complex(work.reading[KINEMATICS.on(work).positions.bodies[1].marks["O"]][0, 0])
         (view,) = (d for d in paper[0].drawings if d.name == "positions")
         (sheet_pivot,) = (
             complex(*s.path[0][:2])
@@ -74,7 +76,7 @@ def test_tables_can_be_placed_one_by_one() -> None:
 def test_a_scene_without_a_mechanism_draws_but_has_no_tables() -> None:
     scene = read(SHEETS / "lettering")
     made, paper = sheets(scene)
-    work = made.work
+    work = made.mechanism
     assert work is None
     assert len(paper) == 1
     with pytest.raises(SceneError, match=r"no mechanism.*\[frame\]"):

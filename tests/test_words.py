@@ -15,6 +15,7 @@ from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.readers.findings import finding
 from graphic_tmm.readers.narration import protocol
@@ -176,10 +177,12 @@ def calculations(name: str) -> Iterator[str]:
     """Every calculation of a scene, of all plans in all their positions."""
     work = drawn(name)
     for plan in ("positions", "extremes", "velocities", "accelerations"):
-        reading = work.accelerated if plan == "accelerations" else work.reading
+        reading = work.of("accelerations") if plan == "accelerations" else work.reading
         if reading is None:
             continue
-        count = len(work.project.accelerated if plan == "accelerations" else work.project.names)
+        count = len(
+            KINEMATICS.on(work).accelerated if plan == "accelerations" else work.project.names
+        )
         for place in range(count):
             for line in protocol(work.project.construction, plan, reading, place, "ru"):
                 if line.calculation:
@@ -213,7 +216,7 @@ def test_every_reading_and_result_has_its_unit(name: str) -> None:
 def test_every_protocol_is_numbered_from_one_and_has_no_markup(name: str, language: str) -> None:
     work = drawn(name)
     for plan in ("positions", "extremes", "velocities", "accelerations"):
-        reading = work.accelerated if plan == "accelerations" else work.reading
+        reading = work.of("accelerations") if plan == "accelerations" else work.reading
         if reading is None:
             continue
         lines = list(protocol(work.project.construction, plan, reading, 0, language))

@@ -84,7 +84,8 @@ def _corners(text: str) -> list[tuple[float, float]]:
     if len(found) != 4 or any(len(pair) != 2 for pair in found):
         raise SheetError(
             said(
-                '--corners: write the four corners of the frame in dots of the photograph, "10,12 3000,15 ..."'
+                '--corners: write the four corners of the frame in dots of the photograph, "10,12 '
+                '3000,15 ..."'
             )
         )
     return [(x, y) for x, y in found]

@@ -46,7 +46,8 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
         points = said("its points are {points}", points=", ".join(link.points))
     raise StructureError(
         said(
-            'link {number} has a mass, but nothing says which point is its mass centre: write centre = "{meant}" in its [[link]] ({points})',
+            "link {number} has a mass, but nothing says which point is its mass centre: write "
+            'centre = "{meant}" in its [[link]] ({points})',
             number=link.number,
             meant=meant,
             points=points,

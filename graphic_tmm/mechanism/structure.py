@@ -100,7 +100,8 @@ def dissect(mechanism: Mechanism) -> Structure:
         remedy = said("a pair is missing") if mobility > 1 else said("a pair is too many")
         raise StructureError(
             said(
-                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among {listed}",
+                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among "
+                "{listed}",
                 links=n,
                 p=p,
                 w=w,
@@ -117,7 +118,9 @@ def dissect(mechanism: Mechanism) -> Structure:
             names = ", ".join(map(str, left))
             raise StructureError(
                 said(
-                    "links {names} make a group of class III or higher, or are tied to each other only: this board draws groups of class II (two links, three pairs); check the letters and slides of these links",
+                    "links {names} make a group of class III or higher, or are tied to each other "
+                    "only: this board draws groups of class II (two links, three pairs); check the "
+                    "letters and slides of these links",
                     names=names,
                 ),
                 *(f"link {number}" for number in left),
@@ -151,7 +154,8 @@ def _pivot(mechanism: Mechanism) -> str:
     if len(shared) != 1 or crank.slides:
         raise StructureError(
             said(
-                "the driving link {number} must turn about one letter that it shares with the frame (it shares {listed})",
+                "the driving link {number} must turn about one letter that it shares with the "
+                "frame (it shares {listed})",
                 number=crank.number,
                 listed=", ".join(shared) or said("none"),
             ),
@@ -240,7 +244,8 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
             if len(shared) > 1:
                 raise StructureError(
                     said(
-                        "links {first} and {second} share {listed}: they cannot move against each other; make them one link",
+                        "links {first} and {second} share {listed}: they cannot move against each "
+                        "other; make them one link",
                         first=first,
                         second=second,
                         listed=", ".join(shared),
@@ -303,7 +308,8 @@ def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:
     if kinds == ("P", "P"):
         raise StructureError(
             said(
-                "links {first} and {second} are joined by three sliding pairs: they make no Assur group (a turning pair is needed)",
+                "links {first} and {second} are joined by three sliding pairs: they make no Assur "
+                "group (a turning pair is needed)",
                 first=first,
                 second=second,
             ),

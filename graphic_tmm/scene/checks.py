@@ -134,7 +134,7 @@ def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
     try:
         geometry.sense(slide.side, line, fixed=fixed)
     except ValueError as error:
-        yield Found((*path, "side"), str(error))
+        yield Found((*path, "side"), error.args[0])
 
 
 def _row(drive: Drive) -> Iterator[Found]:

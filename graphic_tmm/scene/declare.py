@@ -67,7 +67,7 @@ class Kind:
         try:
             return self.read(value, names)
         except ValueError as error:
-            found.append(Found(at, str(error)))
+            found.append(Found(at, error.args[0]))
             return FAULTY
 
     def schema(self, tables: dict[str, Schema]) -> Schema:

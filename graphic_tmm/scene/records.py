@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import joined
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.scene.drawing import Scales as Scales
 from graphic_tmm.scene.drawing import SheetOrder as SheetOrder
@@ -55,14 +56,14 @@ class Scene:
         """Return what a plan refuses with the file, and the keys and the line of which it speaks."""
         told = [key for key in error.keys if key in self.told] or list(error.keys[:1])
         if not told:
-            return StructureError(f"{self.source}: {error}")
+            return StructureError(joined(": ", (self.source, error.args[0])))
         above = (told[0], told[0].rpartition(", ")[0], told[0].rpartition(".")[0])
         line = next((self.told[key] for key in above if key in self.told), 0)
-        says, place = str(error), f"{self.source}:{line}" if line else self.source
+        says, place = error.args[0], f"{self.source}:{line}" if line else self.source
         section, _, key = re.sub(r" \d+, ", ".", told[0]).partition(".")
         for known in (f"{section}: ", f"{section}, ", f"{key}: "):
-            says = says.removeprefix(known)
-        return StructureError(f"{place}: {', '.join(told)}: {says}", *told)
+            says = says.removeprefix(known) if says.startswith(known) else says
+        return StructureError(joined(": ", (place, ", ".join(told), says)), *told)
 
     @property
     def shown(self) -> frozenset[str]:

@@ -194,7 +194,7 @@ def _task(doc: Document, found: list[Found]) -> tuple[Any, dict[str, float]]:
     try:
         return task, dict(rocker_lengths(task.K_v, task.stroke, task.OB))
     except (ValueError, TmmError) as error:
-        found.append(Found(("task",), str(error)))
+        found.append(Found(("task",), error.args[0]))
         return task, dict.fromkeys(_FOUND_BY_TASK, math.nan)
 
 
@@ -216,7 +216,7 @@ def _named_lengths(
             names[name] = quantities.parse(value, "length")
         except ValueError as error:
             names[name] = math.nan
-            found.append(Found(("lengths", name), str(error)))
+            found.append(Found(("lengths", name), error.args[0]))
     return names
 
 

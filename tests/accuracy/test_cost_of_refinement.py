@@ -6,6 +6,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from support.boards import recorded
 from support.gallery import SHEETS
 from support.logs import FourBar
 
@@ -17,7 +18,6 @@ from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.mechanism.records import Extreme, Row
-from graphic_tmm.project import draw_project
 from graphic_tmm.scene.read import read
 
 
@@ -70,7 +70,7 @@ def test_the_refined_extreme_of_a_mechanism_is_counted() -> None:
     assert mechanism is not None
     inner = mechanism.links[1]
     letter = next(p for p in inner.points if p not in ("A", "B"))
-    project = draw_project(mechanism, Row(8, zero=Extreme(letter, "top")), plans=("positions",))
+    project = recorded(mechanism, Row(8, zero=Extreme(letter, "top")), plans=("positions",))
     names = [step.op.name for step in project.construction.steps]
     work = count(project.construction, varying(project.given), positions=8)
     assert names.count("refine") == len(work.untold) == 1

@@ -13,7 +13,7 @@ from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import at_count
 from graphic_tmm.board.execute import execute
-from graphic_tmm.studio import scene_columns, scene_results
+from graphic_tmm.readers.table import scene_columns, scene_results
 
 
 @pytest.mark.parametrize(

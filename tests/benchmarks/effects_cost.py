@@ -9,7 +9,7 @@ from clock import ROOT, Row, in_turns, show
 
 import effects  # isort: skip
 
-from graphic_tmm.work import work
+from support.boards import drawn_of
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.scene.read import read
@@ -20,7 +20,7 @@ SCENES = ("windrower", "crank-press")
 
 def running(scene: Scene) -> tuple[int, Any]:
     """Return the number of a scene's steps, and a call that runs its log."""
-    made = work(scene)
+    made = drawn_of(scene)
     log = made.project.construction
     program = prepare(log)
     return len(log.steps), partial(program.run, made.given, hand=made.hand)

@@ -18,9 +18,9 @@ from graphic_tmm.board.blocks import Room  # isort: skip
 from graphic_tmm.board.execute import prepare  # isort: skip
 from graphic_tmm.board.hand import HANDS  # isort: skip
 from graphic_tmm.board.values import Number  # isort: skip
-from graphic_tmm.paper.compose import compose
-from graphic_tmm.work import work
+from support.boards import drawn_of
 
+from graphic_tmm.fitting.compose import compose
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import fitted
@@ -52,7 +52,7 @@ def positions() -> Row:
 
 def trials() -> Row:
     """Return the line of the windrower by trials."""
-    made = work(
+    made = drawn_of(
         read(ROOT / "sheets" / "windrower").asking(diagrams=None, flywheel=None, forces=None)
     )
     log = made.project.construction

@@ -7,7 +7,7 @@ import time
 
 import numpy as np
 from clock import ROOT, Row, show
-from graphic_tmm.work import work
+from support.boards import drawn_of
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import HANDS, Slip, Slipping
@@ -20,7 +20,7 @@ ROUNDS = 7
 
 def rows() -> list[Row]:
     """Return the lines of the table."""
-    made = work(read(ROOT / "sheets" / "windrower").asking(diagrams=None))
+    made = drawn_of(read(ROOT / "sheets" / "windrower").asking(diagrams=None))
     log = made.project.construction
     wanted = [
         step.it

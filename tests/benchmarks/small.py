@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 from clock import ROOT, Row, in_turns, process, show
-from graphic_tmm.work import work
+from support.boards import drawn_of
 
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.hand import Hand
@@ -42,7 +42,7 @@ def closed_form(phi: np.ndarray) -> np.ndarray:
 
 def warm() -> list[Row]:
     """Return the lines of a dozen positions: all steps of the three plans, everything kept."""
-    made = work(
+    made = drawn_of(
         read(ROOT / "sheets" / "windrower").asking(diagrams=None, flywheel=None, forces=None)
     )
     log = made.project.construction

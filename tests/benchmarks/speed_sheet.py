@@ -11,8 +11,8 @@ from xml.etree import ElementTree
 
 import svgwrite
 from clock import ROOT, Row, in_turns, show
-from graphic_tmm.paper.compose import compose
 
+from graphic_tmm.fitting.compose import compose
 from graphic_tmm.paper import placing
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.write.svg import svg

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
 from hypothesis import example, given
 from hypothesis import strategies as st
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.board.execute import Reading, execute
@@ -20,6 +20,7 @@ from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure, meet, parallel, ray, strike
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
 
 MANY = 40_000
@@ -146,8 +147,8 @@ def test_a_mark_shared_by_all_positions_slips_once_a_trial() -> None:
 
 
 @cache
-def rocker() -> Work:
-    return work(read(SHEETS / "crank-rocker"))
+def rocker() -> Drawn:
+    return drawn_of(read(SHEETS / "crank-rocker"))
 
 
 def _same(one: Reading, other: Reading, marks: Any, columns: Any = slice(None)) -> bool:
@@ -213,7 +214,7 @@ def test_the_student_is_as_far_off_as_published_examples_are() -> None:
     Their 49 figures leave each share uncertain: the bounds are those of a sample quantile of 49 at two sigma
     (order statistics 18–32, 39–48, 43–49 of the measured set, about a quarter of the figure either way).
     """
-    made = work(read(SHEETS / "windrower"))
+    made = drawn_of(read(SHEETS / "windrower"))
     project = made.project
     hand = HANDS["student"]._replace(trials=300, seed=1)
     marks = [

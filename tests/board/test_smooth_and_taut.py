@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.flywheels import crank, scene_of, slopes
 from support.scenes import written
 
 from graphic_tmm.board.operations import graph_curves as c
 from graphic_tmm.board.operations.graphs import erect
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
 
 Motion = Callable[[np.ndarray], np.ndarray]
@@ -112,7 +113,7 @@ def test_a_given_peak_is_met(tmp_path: Path) -> None:
     assert abs(read["taut_graph"].imag[0, 0]) == pytest.approx(105.8, abs=0.1)
 
 
-def curves(made: Work) -> dict[str, str]:
+def curves(made: Drawn) -> dict[str, str]:
     log = made.project.construction
     names = {"taut_graph", "closed_graph", "open_graph", "graph_of_rays", "graph_of_differences"}
     return {
@@ -129,7 +130,7 @@ def test_what_drives_is_taut_and_what_moves_is_smooth(tmp_path: Path) -> None:
         '"flywheel"]', '"flywheel", "engine diagrams", "diagrams"]'
     )
     file = written(tmp_path, text)
-    found = curves(work(read(file), exact=True))
+    found = curves(drawn_of(read(file), exact=True))
     smooth = {"diagram V (v–v)", "diagram a (a′–a′)", "energy (l–l)", "engine P (f–f)"}
     taut = {"moment (k–k)", "engine P (p–p)", "engine P (p′–p′)"}
     taut |= {f"engine {x} ({x.lower()}–{x.lower()})" for x in "NQTK"} | {"engine M (z–z)"}
@@ -147,7 +148,7 @@ def test_a_constant_pressure_over_three_positions_is_a_level_line(tmp_path: Path
     level = "cover = [" + ", ".join(["9e5"] * 3 + ["5e5", "3e5", "2e5", "1e5"] + ["1e5"] * 5)
     text = text.replace(row, level).replace("[hand]", '[engine]\npoint = "B"\n[hand]')
     file = written(tmp_path, text.replace('"flywheel"', '"engine diagrams"'))
-    made = work(read(file), exact=True)
+    made = drawn_of(read(file), exact=True)
     step = next(
         s for s in made.project.construction.steps
         if s.it.view == "engine P" and s.op.name == "taut_graph"

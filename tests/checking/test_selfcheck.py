@@ -16,9 +16,11 @@ from graphic_tmm.checking.cells import cells, position_names
 from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, WRONG, Report
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.words import fixed, number
+from graphic_tmm.readers.table import scene_columns, scene_results, table
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import Made, make, scene_columns, scene_results, table
+from graphic_tmm.studio import make
 
 HANDS = ("cad", "careful", "student")
 RULERS = (0.1, 0.5, 1.0)
@@ -34,7 +36,7 @@ def typed(figure: str) -> str:
     return figure.translate(RAISED).replace("·10", "e").replace("—", "")
 
 
-def printed(made: Made) -> Iterator[list[str]]:
+def printed(made: DrawnScene) -> Iterator[list[str]]:
     """Every figure with the digits that the table prints for people."""
     names = position_names(made)
     for column in scene_columns(made):
@@ -47,13 +49,13 @@ def printed(made: Made) -> Iterator[list[str]]:
     yield from results(made)
 
 
-def results(made: Made) -> Iterator[list[str]]:
+def results(made: DrawnScene) -> Iterator[list[str]]:
     for name, (value, unit) in scene_results(made).items():
         if value == value:
             yield ["results", "", name, "", typed(number(value, "en", 6)), unit or "1"]
 
 
-def exported(made: Made) -> Iterator[list[str]]:
+def exported(made: DrawnScene) -> Iterator[list[str]]:
     """Every figure as the table is written for machines."""
     for row in csv.DictReader(io.StringIO(str(table(made, "csv")))):
         yield [row[head] or ("1" if head == "unit" else "") for head in HEAD]

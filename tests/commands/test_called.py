@@ -6,11 +6,13 @@ import re
 from pathlib import Path
 
 import pytest
-from graphic_tmm.work import record
+from support.boards import parts
 from support.command import invoke, printed, rows, warned
 from support.gallery import FOLDERS
 from support.scenes import MECHANISM, SECTIONS, calling
 
+from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.remarks import unplaced
 from graphic_tmm.studio import make, sheets
@@ -78,7 +80,7 @@ def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
 def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> None:
     head = 'title = "T"\nlanguage = "ru"\n'
     made, paper = sheets(read(calling(tmp_path, section, sheet="", head=head)))
-    assert made.work is None
+    assert made.mechanism is None
     assert paper
 
 
@@ -145,21 +147,21 @@ def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> Non
 def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
     scene = read(calling(tmp_path, "forces", "load", "gears"))
     made = make(scene, wanted=scene.shown)
-    assert made.work is not None
-    assert made.work.project.forces is None
-    assert made.parts == ()
-    assert make(scene).work.project.forces is not None  # type: ignore[union-attr]
-    assert [part.kind for part in make(scene).parts] == ["gears"]
+    assert made.mechanism is not None
+    assert FORCES.of(made.mechanism) is None
+    assert parts(made) == ()
+    assert FORCES.of(make(scene).mechanism) is not None  # type: ignore[union-attr]
+    assert [part.board for part in parts(make(scene))] == ["gears"]
 
 
 def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None:
     sheet = '[[sheet]]\nplace = ["positions", "velocities"]\n'
     scene = read(calling(tmp_path, "forces", "load", "effects", sheet=sheet))
     drawn, tabled = make(scene, wanted=scene.shown), make(scene)
-    assert drawn.work is not None
-    assert tabled.work is not None
+    assert drawn.mechanism is not None
+    assert tabled.mechanism is not None
     for plan in ("positions", "velocities"):
-        assert drawn.work.scales[plan] == tabled.work.scales[plan]
+        assert drawn.mechanism.scales[plan] == tabled.mechanism.scales[plan]
 
 
 def test_positions_named_for_accelerations_reach_the_table(tmp_path: Path) -> None:

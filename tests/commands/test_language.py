@@ -60,11 +60,12 @@ def test_without_a_scene_it_is_the_terminals(
 
 
 def test_a_scene_that_cannot_be_read_is_refused_in_its_language(tmp_path: Path) -> None:
-    for language, told in (("ru", "вид файла"), ("en", "choose from")):
+    faults = "".join(f"fault{k} = 1\n" for k in range(60))
+    for language, told in (("ru", "и ещё"), ("en", "more faults; put these right first")):
         scene = tmp_path / f"{language}.toml"
-        scene.write_text(SCENE.format(language=language), encoding="utf-8")
-        assert invoke("draw", scene, "-f", "bmp").exit_code == 2
-        done = invoke("draw", "crank-rocker", "-f", "bmp", "-l", language)
+        scene.write_text(SCENE.format(language=language) + faults, encoding="utf-8")
+        done = invoke("draw", scene)
+        assert done.exit_code == 2
         assert told in done.stderr
 
 

@@ -15,7 +15,6 @@ from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower
-from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearOrder
 from graphic_tmm.errors import StructureError
 
@@ -140,7 +139,7 @@ def test_teeth_about_the_shift_that_makes_them_pointed(z: tuple[int, int], off: 
     x = pointed(*z) + off
     of = pair(GearOrder(*z, 0.01, x, 0.0))
     due, alpha_w = _tip(z, (x, 0.0))
-    found = gear_results(of.gear, of.reading)["s_a1"][0]
+    found = of.results()["s_a1"][0]
     # some forty roundings; the working angle is found from its involute function, whose slope is tan² α_w
     bound = 64 * EPS * 0.01 * sum(z) / float(mp.tan(alpha_w)) ** 2
     assert abs(found - due) <= bound
@@ -158,7 +157,7 @@ def test_wheels_of_six_teeth(x: tuple[float, float], m: float) -> None:
         assert (("undercut", wheel) in of.failed()) == (shift < least)
     due, alpha_w = _tip((6, 6), x, m)
     bound = 64 * EPS * 12 * m / float(mp.tan(alpha_w)) ** 2
-    assert abs(gear_results(of.gear, of.reading)["s_a1"][0] - due) <= bound
+    assert abs(of.results()["s_a1"][0] - due) <= bound
     assert (("contact ratio", 0) in of.failed()) == (x[0] > 0.5)
 
 
@@ -175,7 +174,7 @@ def test_shifts_near_the_least_sum_have_an_angle_or_are_refused(off: float) -> N
     except StructureError as error:
         assert "x1" in str(error) or "angle" in str(error) or "circle" in str(error)  # noqa: PT017
         return
-    found = gear_results(of.gear, of.reading)["alpha_w"][0]
+    found = of.results()["alpha_w"][0]
     with mp.workdps(50):
         due = (mp.tan(alpha) - alpha) + 2 * 2 * mp.mpf(order.x1) / 80 * mp.tan(alpha)
         true = mp.degrees(mp.findroot(lambda a: mp.tan(a) - a - due, mp.cbrt(3 * due)))

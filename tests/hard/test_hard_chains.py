@@ -10,31 +10,9 @@ from support import oracle
 from support.drawn import board
 from support.each import each
 from support.hard_judge import DIGITS, Verdict, exact_of, judge, named, right
-from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+from support.hard_mechanisms import FRAMES, Frame, chain, coulisse, four_bar, put, slider_crank
 
-from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
-
-
-def chain(groups: int) -> Mechanism:
-    """A crank and rockers in a row, the last of eight groups a slider: each hangs on the one before."""
-    pivots = {"O": 0j} | {f"C{k}": complex(3.0 * k, -0.1 * k) for k in range(1, groups)}
-    guide = Guide("x", complex(0, 1.9), 0.0)
-    links = [Link(1, {"O": 0j, "A": 1 + 0j})]
-    before = "A"
-    for k in range(1, groups):
-        pin, first = f"B{k}", 2 * k
-        coupler = 2.9 + 0.03 * k
-        links += [
-            Link(first, {before: 0j, pin: complex(coupler, 0)}, side=Side(1, (before, f"C{k}"))),
-            Link(first + 1, {f"C{k}": 0j, pin: complex(2.0 + 0.05 * (k % 2), 0)}),
-        ]
-        before = pin
-    last = 2 * groups
-    links += [
-        Link(last, {before: 0j, "D": 4 + 0j}),
-        Link(last + 1, {"D": 0j}, slides=(Slide(0, guide, side=Side(1)),)),
-    ]
-    return Mechanism(Link(0, pivots, (guide,)), tuple(links), Drive(1, 2.0, 3.0))
+from graphic_tmm.mechanism.records import Mechanism
 
 
 def _solved(mechanism: Mechanism, degrees: float) -> Verdict:

@@ -10,16 +10,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import mpmath as mp  # type: ignore[import-untyped]
-import numpy as np
 import pytest
-from support import dynamics, oracle
-from support.drawn import board
+from support import dynamics
 from support.hard_judge import DIGITS, Verdict, exact_of, judge
 from support.loaded import Solved, errors, order_of, places, solve, weighed
-from support.mechanisms import Drawn, sample
+from support.locks import locks, solved_at
+from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
 
 from graphic_tmm.board.findings import DOUBTFUL, Finding, examine
@@ -29,44 +27,6 @@ from graphic_tmm.mechanism.structure import dissect
 
 OFFS = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 """How far from locking, rad."""
-
-
-def locks(mechanism: Mechanism, start: float) -> float | None:
-    """Return up to which crank angle (degrees) a mechanism assembles from ``start`` on; None if it turns."""
-    sheet = board(mechanism)
-
-    def there(angles: list[float]) -> Any:
-        found = sheet.read([angles])["r"].values()
-        return np.logical_and.reduce(
-            [np.isfinite(np.broadcast_to(v, (len(angles),))) for v in found]
-        )
-
-    rows = [start + k for k in range(360)]
-    bad = np.flatnonzero(~there(rows))
-    if not bad.size:
-        return None
-    low, high = rows[bad[0] - 1], rows[bad[0]]
-    for _ in range(44):
-        middle = (low + high) / 2
-        low, high = (middle, high) if there([middle])[0] else (low, middle)
-    return low
-
-
-def solved_at(mechanism: Mechanism, degrees: float) -> tuple[dict[int, Any], Any] | None:
-    """Return poses (floats) and rates in digits, near to where the board stands; None where it does not."""
-    read = board(mechanism).read([[degrees]])["r"]
-    at = {letter: complex(z[0]) for (letter, _), z in read.items()}
-    if not np.isfinite(list(at.values())).all():
-        return None
-    start = oracle.poses_from_points(mechanism, degrees, at)
-
-    def phi() -> Any:
-        return mp.mpf(degrees) * mp.pi / 180
-
-    try:
-        return dict(start), oracle.solve_digits(mechanism, phi, start, dps=DIGITS)
-    except oracle.OracleError:
-        return None
 
 
 def moved(mechanism: Mechanism, degrees: float) -> Verdict | None:
@@ -86,7 +46,9 @@ def rubbing(mechanism: Mechanism, f: float) -> Friction:
     )
 
 
-def forced(drawn: Drawn, degrees: float, seed: int, f: float = 0.0) -> tuple[float, Solved] | None:
+def forced(
+    drawn: Sampled, degrees: float, seed: int, f: float = 0.0
+) -> tuple[float, Solved] | None:
     """Draw all forces of a position; return the largest error, as a share of the largest force.
 
     It is infinite where no forces are in equilibrium.
@@ -126,7 +88,7 @@ def named(solved: Solved) -> tuple[Finding, ...]:
     return examine(solved.log, given, [step.it for step in solved.log.steps])
 
 
-def near(count: int, seed: int, most: int = 2) -> list[tuple[Drawn, float, float]]:
+def near(count: int, seed: int, most: int = 2) -> list[tuple[Sampled, float, float]]:
     """Return random mechanisms that lock, each with a crank angle so many rad before."""
     found = []
     for k, drawn in enumerate(sample(count, seed=seed, dyads=(1, most))):
@@ -167,7 +129,7 @@ def test_forces_with_friction_that_are_not_named_are_right() -> None:
     _forces_right(near(9, 300, most=1), 0.1)
 
 
-def _forces_right(cases: list[tuple[Drawn, float, float]], share: float) -> None:
+def _forces_right(cases: list[tuple[Sampled, float, float]], share: float) -> None:
     counts = [0, 0]
     for k, (drawn, angle, off) in enumerate(cases):
         found = forced(drawn, angle, k, share * math.sqrt(off))

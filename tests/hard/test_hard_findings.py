@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from support.drawn import board
 from support.hard_judge import judge
-from support.hard_mechanisms import coulisse, slider_crank
-from test_hard_chains import chain
+from support.hard_mechanisms import chain, coulisse, slider_crank
 
 from graphic_tmm.board.execute import BLOCK
 from graphic_tmm.board.findings import examine

@@ -27,6 +27,7 @@ from support.hard_mechanisms import (
     put,
     side_at,
     slider_crank,
+    weighed,
 )
 from support.loaded import Solved, errors, order_of, places, solve
 
@@ -35,18 +36,6 @@ from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.mechanism.records import Mechanism
-
-
-def weighed(mechanism: Mechanism) -> Loaded:
-    """Masses on every link, at a letter of its own; a force on the last one."""
-    size = oracle.system_of(mechanism).size
-    links = tuple(
-        replace(link, mass=2.0 + k, inertia=0.01 * (k + 1) * size**2, centre=list(link.points)[-1])
-        for k, link in enumerate(mechanism.links)
-    )
-    last = links[-1]
-    letter = next(iter(last.points)) if last.slides else list(last.points)[-1]
-    return Loaded(replace(mechanism, links=links), [(last.number, letter, 40.0 + 30.0j)], [])
 
 
 def poses(mechanism: Mechanism, degrees: float) -> tuple[dict[int, Any], Any]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.command import invoke
 from support.drawn import board
 from support.gallery import NAMES, SHEETS
@@ -16,6 +16,8 @@ from support.hard_mechanisms import four_bar, slider_crank
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.scene.read import read
@@ -84,21 +86,21 @@ def test_a_million_positions() -> None:
 # trials, some of which fail
 
 
-def _rod(made: Work) -> tuple[Any, float]:
+def _rod(made: Drawn) -> tuple[Any, float]:
     """The rod's real length: its mark and its usual value."""
     log = made.project.construction
     rod = next(m for m in log.given if m.letter == "l_{AB}" and m.view == "positions")
     return rod, float(np.ravel(np.asarray(made.given[rod]))[0])
 
 
-def _varied(made: Work, lengths: np.ndarray) -> dict[Any, Any]:
+def _varied(made: Drawn, lengths: np.ndarray) -> dict[Any, Any]:
     """What was given to a work, the rod's length anew for every trial."""
     return dict(made.given) | {_rod(made)[0]: lengths[:, None]}
 
 
 @pytest.mark.parametrize("name", ["slider-diagrams", "offset-slider"])
 def test_a_trial_that_fails_leaves_the_others_what_they_were(name: str) -> None:
-    made = work(read(SHEETS / name), exact=True)
+    made = drawn_of(read(SHEETS / name), exact=True)
     log = made.project.construction
     rod, usual = _rod(made)
     lengths = usual * np.array([1.0, 0.01, 1.01, 0.3, 0.99])
@@ -118,16 +120,16 @@ def test_a_trial_that_fails_leaves_the_others_what_they_were(name: str) -> None:
 
 
 def test_quantiles_of_the_trials_that_can_be_drawn_know_nothing_of_the_others() -> None:
-    made = work(read(SHEETS / "offset-slider"), exact=True)
+    made = drawn_of(read(SHEETS / "offset-slider"), exact=True)
     log = made.project.construction
     _, usual = _rod(made)
     lengths = usual * (1.0 + 0.01 * np.random.default_rng(5).standard_normal(400))
     bad = np.arange(400) % 7 == 3
     given = _varied(made, np.where(bad, 0.01 * usual, lengths))
     fine = _varied(made, lengths[~bad])
-    velocities = made.project.velocities
+    velocities = KINEMATICS.on(made).velocities
     assert velocities is not None
-    mark = velocities.readings[made.project.positions.closings[0].legs[1].link]
+    mark = velocities.readings[KINEMATICS.on(made).positions.closings[0].legs[1].link]
     some, all_ = execute(log, given, [mark])[mark], execute(log, fine, [mark])[mark]
     assert np.isnan(some[bad]).any(axis=1).all()
     assert np.isfinite(some[~bad]).all()
@@ -168,7 +170,7 @@ def test_no_step_of_a_scene_that_can_be_drawn_makes_numpy_complain(name: str) ->
 
     Steps that leave something undefined on purpose, and say why, are those whose result is not finite.
     """
-    made = work(read(SHEETS / name), exact=True)
+    made = drawn_of(read(SHEETS / name), exact=True)
     log, loud = made.project.construction, []
     values = {m: made.reading[m] for m in log.given if m in made.reading}
     for step in log.steps:

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from support.each import each
-from support.mechanisms import KINDS, Drawn, mechanisms, sample, sides, sides_kept
+from support.mechanisms import KINDS, Sampled, mechanisms, sample, sides, sides_kept
 from support.oracle import (
     OracleError,
     Rates,
@@ -161,7 +161,7 @@ def test_rocker_has_its_closed_form(phi: float, owner: int) -> None:
     assert relative.imag == pytest.approx(0, abs=1e-10)
 
 
-def at_time(drawn: Drawn, step: float, start: State) -> Rates:
+def at_time(drawn: Sampled, step: float, start: State) -> Rates:
     """The position `step` seconds later, 45 digits; positions know the drive's rates only so."""
     drive = drawn.mechanism.drive
 
@@ -174,7 +174,7 @@ def at_time(drawn: Drawn, step: float, start: State) -> Rates:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("drawn", sample(8, seed=2), ids=lambda drawn: "-".join(drawn.kinds))
-def test_rates_are_differences_of_positions(drawn: Drawn) -> None:
+def test_rates_are_differences_of_positions(drawn: Sampled) -> None:
     state = solve(drawn.mechanism, drawn.phi, drawn.poses)
     step = 2.0**-36
     with mpmath.workdps(50):
@@ -188,7 +188,7 @@ def test_rates_are_differences_of_positions(drawn: Drawn) -> None:
 
 
 @each("drawn", sample(40, seed=3))
-def test_the_jacobian_is_the_complex_step_of_the_equations(drawn: Drawn) -> None:
+def test_the_jacobian_is_the_complex_step_of_the_equations(drawn: Sampled) -> None:
     """Loops are written a second time, with complex numbers, and differentiated by a tiny step."""
     mechanism, size = drawn.mechanism, system_of(drawn.mechanism).size
     state = solve_fast(mechanism, drawn.phi, drawn.poses)
@@ -274,7 +274,7 @@ def test_the_other_assembly_breaks_the_side(kind: str) -> None:
 
 @settings(max_examples=40, deadline=None)
 @given(mechanisms())
-def test_the_strategy_draws_what_the_oracle_solves(drawn: Drawn) -> None:
+def test_the_strategy_draws_what_the_oracle_solves(drawn: Sampled) -> None:
     state = solve_from_points(drawn.mechanism, drawn.phi, drawn.points, tolerance=1e-9)
     for letter, place in drawn.points.items():
         assert abs(state.points[letter].r - place) < 1e-10 * state.size
@@ -292,7 +292,7 @@ def test_digits_and_float64_agree() -> None:
             np.testing.assert_allclose(found, exact, rtol=0, atol=near)
 
 
-def energy(drawn: Drawn, state: State) -> float:
+def energy(drawn: Sampled, state: State) -> float:
     """Kinetic energy of all links, J."""
     return sum(
         float(link.mass or 0) / 2 * abs(state.points[str(link.centre)].v) ** 2

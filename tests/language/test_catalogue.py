@@ -33,11 +33,15 @@ RUSSIAN_BY_NATURE = {
     "checking/readings/figures.py": "input: мм behind a figure",
     "scene/quantities.py": "input: units as Russian task sheets write them",
     "scene/values.py": "input: Russian synonyms of choices",
-    "scene/order_values.py": "input: Russian synonyms of choices",
-    "scene/force_values.py": "input: Russian synonyms of choices",
     "scene/letters.py": "input: letters of points may be Cyrillic; which of them look alike",
     "scene/syntax.py": "a message quotes a Cyrillic key as an example",
-    "scene/models.py": "the example of a title",
+    "scene/drawing.py": "input: Russian synonyms of choices; the example of a title",
+    "scene/mechanism.py": "input: Russian synonyms of choices",
+    "chapters/diagrams/task.py": "input: Russian synonyms of choices",
+    "chapters/engine/task.py": "input: Russian synonyms of choices",
+    "chapters/flywheel/task.py": "input: Russian synonyms of choices",
+    "chapters/forces/kinds.py": "input: Russian synonyms of choices",
+    "chapters/indicator/task.py": "input: Russian synonyms of choices",
 }
 """Files whose code holds Cyrillic text, with the reason."""
 

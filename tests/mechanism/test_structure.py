@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.gallery import SHEETS
-from support.mechanisms import KINDS, Drawn, mechanisms, sample
+from support.mechanisms import KINDS, Sampled, mechanisms, sample
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
@@ -89,7 +89,7 @@ def test_the_kind_of_a_group_is_told_by_its_pairs(kind: str) -> None:
 @pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(drawn=mechanisms(), seed=st.integers(0, 1000))
-def test_the_order_of_links_is_irrelevant(drawn: Drawn, seed: int) -> None:
+def test_the_order_of_links_is_irrelevant(drawn: Sampled, seed: int) -> None:
     given_order = drawn.mechanism
     links = list(given_order.links)
     random.Random(seed).shuffle(links)
@@ -270,7 +270,7 @@ def test_side_does_not_enter_the_structure() -> None:
 @pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), data=st.data())
-def test_a_pair_taken_away_is_always_refused(drawn: Drawn, data: st.DataObject) -> None:
+def test_a_pair_taken_away_is_always_refused(drawn: Sampled, data: st.DataObject) -> None:
     """Whatever letter or slide is taken off a link, the answer is a structure or a StructureError."""
     links = list(drawn.mechanism.links)
     place = data.draw(st.integers(0, len(links) - 1))

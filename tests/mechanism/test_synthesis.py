@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.boards import recorded
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import TmmError
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.mechanism.synthesis import rocker, rocker_lengths
-from graphic_tmm.project import Project, draw_project
+from graphic_tmm.project import Project
 
 
 def coulisse(OA: float, BC: float, OB: float, *, speed: float = 1.0) -> Mechanism:
@@ -35,7 +37,7 @@ def coulisse(OA: float, BC: float, OB: float, *, speed: float = 1.0) -> Mechanis
 
 def drawn(lengths: dict[str, float], *, speed: float = 1.0) -> Project:
     row = Row(12, 0, Extreme("C", "left"), (OTHER,))
-    return draw_project(coulisse(**lengths, speed=speed), row, plans=["positions"])
+    return recorded(coulisse(**lengths, speed=speed), row, plans=["positions"])
 
 
 def ratio_and_stroke(project: Project) -> tuple[float, float]:
@@ -43,8 +45,8 @@ def ratio_and_stroke(project: Project) -> tuple[float, float]:
     from graphic_tmm.board.execute import execute
 
     log = project.construction
-    mark = project.positions.point("C")
-    reading = execute(log, project.given | {project.mu_l: 1.0}, [mark])
+    mark = KINEMATICS.on(project).positions.point("C")
+    reading = execute(log, project.given | {KINEMATICS.on(project).mu_l: 1.0}, [mark])
     places = np.ravel(reading[mark]).real
     stroke = abs(places[-1] - places[0])
     travelled = (project.angles[-1] - project.angles[0]) % 360.0
@@ -102,7 +104,7 @@ def test_the_mechanism_found_gives_back_stroke_and_ratio(
         ),
         Drive(1, speed),
     )
-    project = draw_project(small, Row(12, 0, Extreme("C", "left"), (OTHER,)), plans=["positions"])
+    project = recorded(small, Row(12, 0, Extreme("C", "left"), (OTHER,)), plans=["positions"])
     ratio, found = ratio_and_stroke(project)
     assert math.isclose(ratio, K_v, rel_tol=1e-9)
     assert math.isclose(found, stroke, rel_tol=1e-9)

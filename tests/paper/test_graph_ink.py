@@ -8,12 +8,13 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from graphic_tmm.work import Work
 from support.each import each
 from support.gallery import SHEETS
 
 from graphic_tmm.board.values import Curve
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.graph import Names, axes_of, draw_graph
 from graphic_tmm.paper.placing import box, flat, shape
@@ -28,21 +29,21 @@ CASES = [
 
 
 @cache
-def drawn(name: str, start: str, method: str) -> Work:
+def drawn(name: str, start: str, method: str) -> Drawn:
     order = KinematicOrder(POINTS[name], start=start, method=method)
     sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
     scene = replace(read(SHEETS / name), sheets=sheets).asking(diagrams=order, flywheel=None)
     return fitted(scene, exact=True)
 
 
-def graph(work: Work, symbol: str, *, lettered: bool = True) -> Drawing:
+def graph(work: Drawn, symbol: str, *, lettered: bool = True) -> Drawing:
     names = Names(work.project.names, symbol, "t")
     log, row = work.project.construction, work.project.count
     view = f"diagram {symbol}"
     return draw_graph(log, work.reading, view, row, names, "X", lettered=lettered)
 
 
-def length(work: Work, symbol: str) -> float:
+def length(work: Drawn, symbol: str) -> float:
     marks = axes_of(work.project.construction, f"diagram {symbol}")
     return float(work.reading[marks.length][0, 0])
 
@@ -54,8 +55,8 @@ def test_the_curve_stands_over_the_base_and_passes_through_the_readings(
     case: tuple[str, str, str], symbol: str
 ) -> None:
     work = drawn(*case)
-    assert work.project.kinematic is not None
-    chart = work.project.kinematic.charts[symbol]
+    assert DIAGRAMS.of(work) is not None
+    chart = DIAGRAMS.on(work).charts[symbol]
     pieces = [s for s in graph(work, symbol).strokes if isinstance(s, Bezier)]
     assert pieces
     x = [z.real for piece in pieces for z in piece.controls]

@@ -22,15 +22,17 @@ from support.scenes import calling, written
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import plain, spoken
 from graphic_tmm.paper.lettering.markup import plain as lettered
 from graphic_tmm.readers.narration import Line, protocol
-from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.protocol import protocol as told
+from graphic_tmm.readers.protocol import steps_of
+from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import Made, make, scene_columns, sheets, table
+from graphic_tmm.studio import make, sheets
 
 PACKAGED = sorted(
     p.name for p in SHEETS.iterdir() if (p / "scene.toml").exists() and p.name != "lettering"
@@ -61,22 +63,19 @@ MACHINE = re.compile(r"[#{}\\∃]|∠[A-Z]|′′|\(1\) (?:или|or)|&(?:lt|gt|
 class Told(NamedTuple):
     """A scene told in a language: its protocol, the names of its marks, those of its tables."""
 
-    made: Made
+    made: DrawnScene
     lines: tuple[str, ...]
 
 
 @cache
 def scene(name: str, language: str) -> Told:
     found = made(name)
-    lines = list(told(found.work, PLANS, None, language)) if found.work is not None else []
-    return Told(found, (*lines, *part_protocol(found.parts, PLANS, language)))
+    return Told(found, tuple(steps_of(found, PLANS, None, language)))
 
 
-def logs(made: Made) -> Iterator[tuple[Construction, Reading]]:
-    if made.work is not None:
-        yield made.work.project.construction, made.work.reading
-    for part in made.parts:
-        yield part.construction, part.reading
+def logs(made: DrawnScene) -> Iterator[tuple[Construction, Reading]]:
+    for board in made.boards:
+        yield board.construction, board.reading
 
 
 def names(log: Construction, language: str) -> set[str]:
@@ -242,9 +241,9 @@ def test_other_machines_are_told_in_names_of_the_field(what: str, tmp_path: Path
         assert not {n: list(russian_faults(n)) for n in names(log, "ru") if any(russian_faults(n))}
         assert not {n for n in names(log, "en") if any(faults(n))}
         assert {(op, n) for op, n in _collisions(log) if op != "measure_along"} == set()
-    assert made.work is not None
+    assert made.mechanism is not None
     for language in ("ru", "en"):
-        for line in told(made.work, PLANS, None, language):
+        for line in told(made.mechanism, PLANS, None, language):
             assert not MACHINE.search(line), line
 
 
@@ -317,8 +316,8 @@ positions = [1]
 def test_loads_of_one_link_are_told_apart_and_directions_by_their_value(tmp_path: Path) -> None:
     path = written(tmp_path, TWO_LOADS)
     made = make(read(path))
-    assert made.work is not None
-    lines = "\n".join(told(made.work, PLANS, "1", "ru"))
+    assert made.mechanism is not None
+    lines = "\n".join(told(made.mechanism, PLANS, "1", "ru"))
     assert "Из B провести луч (F_3(2)) под углом −33,5° к оси x." in lines
     assert "Из B провести луч (F_3(3)) под углом 90° к оси x." in lines
     assert "F_3 = |F_3|·sgn(pb/pa) = 120·sgn(" in lines
@@ -352,9 +351,9 @@ def test_the_protocol_says_which_moment_varies_as_the_sheet_does() -> None:
     for constant, what in (("driving", "сил сопротивления"), ("resisting", "движущих сил")):
         changed = scene_of.asking(flywheel=replace(scene_of.tasks["flywheel"], constant=constant))
         made, paper = sheets(changed)
-        assert made.work is not None
+        assert made.mechanism is not None
         title = f"Приведённый момент {what}"
-        assert f"{title}, положение 2" in list(told(made.work, ("flywheel",), "2", "ru"))
+        assert f"{title}, положение 2" in list(told(made.mechanism, ("flywheel",), "2", "ru"))
         texts = {label.text for sheet in paper for view in sheet.drawings for label in view.labels}
         assert title in texts
         assert not any("Приведённый момент" in text and what not in text for text in texts)

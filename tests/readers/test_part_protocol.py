@@ -7,16 +7,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from graphic_tmm.parts import Part
 from support.command import invoke
 from support.parts import PARTS, part_of
 
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.readers.protocol import part_protocol
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.protocol import part_protocol, plans
 
 
-def lines(part: Part, language: str, position: str | None = None) -> list[str]:
-    return list(part_protocol((part,), (part.kind,), language, position))
+def lines(part: Drawn, language: str, position: str | None = None) -> list[str]:
+    return list(part_protocol(part, plans(), position, language))
 
 
 @pytest.mark.slow

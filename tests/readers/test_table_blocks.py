@@ -21,10 +21,11 @@ from support.scenes import calling, source, written
 
 from graphic_tmm.checking.readings.decoding import text_of
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, decimals_of
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make, scene_columns, table
+from graphic_tmm.studio import make
 
 SCENES = ("windrower", "engine", "crank-press", "cam", "gear-pair", "planetary")
 
@@ -154,7 +155,7 @@ def test_csv_tells_lengths_to_the_ruler_and_quantities_to_what_that_stands_for(
 
 
 def _names(made: Any, column: Column) -> list[str]:
-    return [name for name, _ in column.at] or list(made.work.project.names)
+    return [name for name, _ in column.at] or list(made.mechanism.project.names)
 
 
 def test_csv_has_no_noise_of_the_last_bits() -> None:

@@ -13,14 +13,16 @@ from typing import Any
 
 import pytest
 from rich.console import Console
+from support import gallery
 from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.readers.columns import Column, columns, segment_name
+from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
-from graphic_tmm.studio import table, table_columns
 
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
@@ -39,7 +41,7 @@ COLUMN = Column("velocities", "pb", "pb", "m/s", (1.0, -0.0, None), (0.25, -0.0,
 
 @cache
 def printed_of(name: str) -> dict[str, Any]:
-    text = table(drawn(name), "json")
+    text = table(gallery.made(name), "json")
     assert isinstance(text, str)
     return json.loads(text)
 
@@ -118,7 +120,7 @@ def test_a_value_is_its_segment_times_mu(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_accelerations_are_null_where_they_have_no_plan_and_nothing_else_is(name: str) -> None:
-    made, places = printed_of(name), drawn(name).project.accelerated
+    made, places = printed_of(name), KINEMATICS.on(drawn(name)).accelerated
     for one in made["columns"]:
         if one["plan"] in GRAPHS:
             continue  # test_chart_tables.py
@@ -138,12 +140,12 @@ def test_every_turning_link_has_its_rates_with_their_sign() -> None:
 
 @pytest.mark.slow
 def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
-    exact = table(drawn("windrower", exact=True), "json")
-    assert isinstance(exact, str)
-    rows = [one for one in json.loads(exact)["columns"] if one["plan"] == "velocities"]
+    text = table(gallery.exact("windrower"), "json")
+    assert isinstance(text, str)
+    rows = [one for one in json.loads(text)["columns"] if one["plan"] == "velocities"]
     found = {one["segment"]: one["mm"] for one in rows}
     assert found["pd"][0] == found["pd"][-1] == 0
-    assert not re.search(r"-0\.0\b", exact)
+    assert not re.search(r"-0\.0\b", text)
     every = [abs(mm) for one in rows for mm in one["mm"] if mm]
     assert min(every) > 1e-12 * max(every)
 
@@ -178,8 +180,8 @@ def test_twelve_digits_are_kept() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_csv_holds_what_json_holds(name: str) -> None:
-    exact = drawn(name, exact=True)
-    text, whole = table(exact, "csv"), table(exact, "json")
+    drawing = gallery.exact(name)
+    text, whole = table(drawing, "csv"), table(drawing, "json")
     assert isinstance(text, str)
     assert isinstance(whole, str)
     rows = list(csv.DictReader(io.StringIO(text)))
@@ -237,10 +239,10 @@ def test_a_table_for_people_shows_only_positions_that_have_a_plan() -> None:
 
 
 def test_text_and_figures_of_a_scene_agree() -> None:
-    parts = table(drawn("engine"), "text")
+    parts = table(gallery.made("engine"), "text")
     assert isinstance(parts, list)
     text = printed(*parts)
-    due = next(c for c in table_columns(drawn("engine")) if c.segment == "pb").mm
+    due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").mm
     row = next(line for line in text.splitlines() if line.split()[1:2] == ["pb"])
     cells = [cell.strip() for cell in row.strip("│").split("│")][2:]
     assert cells == [f"{mm:.1f}".replace(".", ",") for mm in due if mm is not None]

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from support.drawn import board
-from support.mechanisms import Drawn
+from support.mechanisms import Sampled
 from support.oracle import solve_fast
 
 
-def errors(drawn: Drawn, *, turned: bool) -> dict[str, float]:
+def errors(drawn: Sampled, *, turned: bool) -> dict[str, float]:
     """Largest relative errors of points r, v, a and rates omega, epsilon in the drawn position."""
     read = board(drawn.mechanism, turned=turned).read([[drawn.phi]])
     state = solve_fast(drawn.mechanism, drawn.phi, drawn.poses)

@@ -6,10 +6,9 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
-from graphic_tmm.work import record
-
 from graphic_tmm.chapters.engine import CHAPTER as ENGINE
 from graphic_tmm.chapters.forces import CHAPTER as FORCES
+from graphic_tmm.project import record
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 Steps = Counter[tuple[str, str]]

@@ -13,20 +13,23 @@ from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
-from graphic_tmm.work import Work, work
-from test_hard_doubt import locks, solved_at
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
+from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import ForcesOrder
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import table_columns
 from support import dynamics, oracle
+from support.boards import drawn_of
 from support.dynamics import Loaded
 from support.hard_judge import DIGITS, exact_of
 from support.loaded import order_of, places, weighed
-from support.mechanisms import Drawn
+from support.locks import locks, solved_at
+from support.mechanisms import Sampled
 
 SHOWN = ("positions", "velocities", "accelerations", "forces", "lever", "force table")
 READ = (measure, measure_along)
@@ -77,13 +80,13 @@ def scene_of(mechanism: Mechanism, order: ForcesOrder, angles: Sequence[float]) 
     )
 
 
-def drawn_at(one: Loaded, angles: Sequence[float]) -> tuple[Work, list[Column]]:
+def drawn_at(one: Loaded, angles: Sequence[float]) -> tuple[Drawn, list[Column]]:
     order = order_of(one, gravity=True, inertia=True, balance="force")
-    made = work(scene_of(one.mechanism, order, angles), exact=True)
-    return made, table_columns(made)
+    made = drawn_of(scene_of(one.mechanism, order, angles), exact=True)
+    return made, columns_of(made)
 
 
-def figures(one: Loaded, angles: Sequence[float]) -> tuple[Work, list[Told]]:
+def figures(one: Loaded, angles: Sequence[float]) -> tuple[Drawn, list[Told]]:
     """Draw a row; return its figures of which the truth is known."""
     made, columns = drawn_at(one, angles)
     found = []
@@ -98,7 +101,7 @@ def figures(one: Loaded, angles: Sequence[float]) -> tuple[Work, list[Told]]:
     return made, found
 
 
-def truth(made: Work, one: Loaded, angle: float) -> dict[Key, tuple[Any, Any]] | None:
+def truth(made: Drawn, one: Loaded, angle: float) -> dict[Key, tuple[Any, Any]] | None:
     """Return what is due at an angle, and the largest of its kind, by plan and segment."""
     found = solved_at(one.mechanism, angle)
     if found is None:
@@ -107,12 +110,12 @@ def truth(made: Work, one: Loaded, angle: float) -> dict[Key, tuple[Any, Any]] |
         return {**_motion(made, one.mechanism, found[1]), **_forces(made, one, angle, *found)}
 
 
-def _motion(made: Work, mechanism: Mechanism, rates: Any) -> dict[Key, tuple[Any, Any]]:
+def _motion(made: Drawn, mechanism: Mechanism, rates: Any) -> dict[Key, tuple[Any, Any]]:
     exact = exact_of(mechanism, rates)
     project, found = made.project, dict[Key, tuple[Any, Any]]()
     plans = (
-        ("velocities", project.velocities, 1, "omega", exact.omega),
-        ("accelerations", project.accelerations, 2, "epsilon", exact.epsilon),
+        ("velocities", KINEMATICS.on(project).velocities, 1, "omega", exact.omega),
+        ("accelerations", KINEMATICS.on(project).accelerations, 2, "epsilon", exact.epsilon),
     )
     fastest = max(abs(w) for w in exact.omega.values())
     for plan, motion, n, rate, turns in plans:
@@ -137,9 +140,9 @@ def _motion(made: Work, mechanism: Mechanism, rates: Any) -> dict[Key, tuple[Any
 
 
 def _forces(
-    made: Work, one: Loaded, angle: float, poses: Any, rates: Any
+    made: Drawn, one: Loaded, angle: float, poses: Any, rates: Any
 ) -> dict[Key, tuple[Any, Any]]:
-    assert made.project.forces is not None
+    assert FORCES.of(made) is not None
     try:
         state = oracle.solve_fast(one.mechanism, angle, poses)
     except oracle.OracleError:
@@ -153,14 +156,14 @@ def _forces(
         gravity=True,
         inertia=True,
         balance="force",
-        at=places(made.project.structure, made.project.positions),
+        at=places(KINEMATICS.on(made).structure, KINEMATICS.on(made).positions),
         digits=True,
     )
     sizes = {k: abs(v) for k, v in judge.reactions.items()}
     largest = max([*sizes.values(), abs(judge.balance)])
     found = {
         ("forces", f"R{i}{j}"): (sizes[i, j], largest)
-        for reaction in made.project.forces.reactions
+        for reaction in FORCES.on(made).reactions
         for i, j in [reaction.links]
     }
     for way in ("forces", "lever"):
@@ -168,7 +171,7 @@ def _forces(
     return found
 
 
-def rows(drawn: Sequence[Drawn]) -> Iterator[tuple[Loaded, tuple[float, ...]]]:
+def rows(drawn: Sequence[Sampled]) -> Iterator[tuple[Loaded, tuple[float, ...]]]:
     """Yield loaded mechanisms and their angles: as they were drawn, a little on, before they lock if they do.
 
     The distances from the lock take turns.

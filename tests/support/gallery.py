@@ -7,11 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from graphic_tmm.work import Work
-
+from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import Made, make, sheets
+from graphic_tmm.studio import make, sheets
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
@@ -47,24 +46,24 @@ def scene(name: str) -> Scene:
 
 
 @cache
-def made(name: str, *, exact: bool = False) -> Made:
+def made(name: str, *, exact: bool = False) -> DrawnScene:
     """Return all that a scene of the package calls for, drawn; it is shared: change nothing of it."""
     return make(scene(name), exact=exact)
 
 
-def exact(name: str) -> Made:
+def exact(name: str) -> DrawnScene:
     """Return the same by the exact hand and without a ruler."""
     return made(name, exact=True)
 
 
-def drawn(name: str, *, exact: bool = False) -> Work:
+def drawn(name: str, *, exact: bool = False) -> Drawn:
     """Return the mechanism of a scene of the package, drawn."""
-    work = made(name, exact=exact).work
-    assert work is not None
-    return work
+    found = made(name, exact=exact).mechanism
+    assert found is not None
+    return found
 
 
 @cache
-def paper(name: str) -> tuple[Made, tuple[Sheet, ...]]:
+def paper(name: str) -> tuple[DrawnScene, tuple[Sheet, ...]]:
     """Return a scene of the package on its sheets, and what of it was drawn for them."""
     return sheets(scene(name))

@@ -16,8 +16,9 @@ from typing import Any, NamedTuple
 import mpmath as mp  # type: ignore[import-untyped]
 
 from graphic_tmm.chapters.kinematics.positions import side_values
-from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side
-from support import linkages
+from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
+from support import linkages, oracle
+from support.loaded import Loaded
 
 DRIVE = (2.0, 3.0)
 four_bar = partial(linkages.four_bar, drive=DRIVE)
@@ -164,3 +165,37 @@ def side_at(mechanism: Mechanism, degrees: float) -> int:
         slide.side for link in mechanism.links for slide in link.slides if slide.side
     ]
     return int(float(side_values(kept[0], degrees)))  # type: ignore[arg-type]
+
+
+def chain(groups: int) -> Mechanism:
+    """A crank and rockers in a row, the last of eight groups a slider: each hangs on the one before."""
+    pivots = {"O": 0j} | {f"C{k}": complex(3.0 * k, -0.1 * k) for k in range(1, groups)}
+    guide = Guide("x", complex(0, 1.9), 0.0)
+    links = [Link(1, {"O": 0j, "A": 1 + 0j})]
+    before = "A"
+    for k in range(1, groups):
+        pin, first = f"B{k}", 2 * k
+        coupler = 2.9 + 0.03 * k
+        links += [
+            Link(first, {before: 0j, pin: complex(coupler, 0)}, side=Side(1, (before, f"C{k}"))),
+            Link(first + 1, {f"C{k}": 0j, pin: complex(2.0 + 0.05 * (k % 2), 0)}),
+        ]
+        before = pin
+    last = 2 * groups
+    links += [
+        Link(last, {before: 0j, "D": 4 + 0j}),
+        Link(last + 1, {"D": 0j}, slides=(Slide(0, guide, side=Side(1)),)),
+    ]
+    return Mechanism(Link(0, pivots, (guide,)), tuple(links), Drive(1, 2.0, 3.0))
+
+
+def weighed(mechanism: Mechanism) -> Loaded:
+    """Masses on every link, at a letter of its own; a force on the last one."""
+    size = oracle.system_of(mechanism).size
+    links = tuple(
+        replace(link, mass=2.0 + k, inertia=0.01 * (k + 1) * size**2, centre=list(link.points)[-1])
+        for k, link in enumerate(mechanism.links)
+    )
+    last = links[-1]
+    letter = next(iter(last.points)) if last.slides else list(last.points)[-1]
+    return Loaded(replace(mechanism, links=links), [(last.number, letter, 40.0 + 30.0j)], [])

@@ -24,8 +24,11 @@ from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocitie
 from graphic_tmm.mechanism.structure import Structure, dissect
 from support import dynamics
 from support.dynamics import Loaded, Statics, put_loads
-from support.mechanisms import Drawn
+from support.mechanisms import Sampled
 from support.oracle import State, solve_fast
+
+RATIO = 1e-9
+"""How far forces may be off, of the largest."""
 
 
 class Solved(NamedTuple):
@@ -165,7 +168,7 @@ def _worse(worst: float, value: float) -> float:
     return float("inf") if np.isnan(value) else max(worst, value)
 
 
-def weighed(drawn: Drawn, seed: int) -> Loaded:
+def weighed(drawn: Sampled, seed: int) -> Loaded:
     """Loads for a mechanism; a mass stands at a letter."""
     pick = random.Random(seed)
     found = put_loads(lambda most: pick.randint(0, most), drawn.mechanism)

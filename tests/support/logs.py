@@ -17,9 +17,7 @@ Log = tuple[Construction, Mapping[Mark, object]]
 @cache
 def logs(name: str) -> tuple[Log, ...]:
     made = gallery.exact(name)
-    found = [(part.construction, part.given) for part in made.parts]
-    if made.work is not None:
-        found.append((made.work.project.construction, made.work.given))
+    found = [(board.construction, board.given) for board in made.boards]
     return tuple(found)
 
 

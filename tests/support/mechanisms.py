@@ -29,7 +29,7 @@ KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
 LETTERS = "BCDEFGHKLMRTUVXYZNJ"  # O and A stand on the crank; P, Π are poles, S centres of mass
 
 
-class Drawn(NamedTuple):
+class Sampled(NamedTuple):
     """A mechanism and the position it was drawn in.
 
     ``phi`` is the crank's angle (degrees), ``points`` the places (m) of all letters, ``poses``
@@ -309,7 +309,7 @@ def _start(pick: Callable[[int], int], dyads: int) -> _Hand:
 
 def assemble(
     pick: Callable[[int], int], dyads: tuple[int, int] = (1, 3), kinds: Sequence[str] = KINDS
-) -> Drawn:
+) -> Sampled:
     """Draw a mechanism of W = 1 by choices ``pick(n)`` of whole numbers 0 ... n.
 
     It is a crank (link 1: O on the frame, A) and dyads (least, most; at most 3). A dyad may stand
@@ -332,7 +332,7 @@ def assemble(
     grounded = {letter: points[letter] for letter in frame.letters}
     links = [_link(plane, body, hand.between(0.1, 10)) for body in plane.bodies[1:]]
     speed = hand.sign() * hand.between(0.5, 50)
-    return Drawn(
+    return Sampled(
         Mechanism(
             Link(frame.number, grounded, tuple(frame.guides)),
             tuple(hand.shuffled(links)),
@@ -353,20 +353,20 @@ def _choices(most: int) -> st.SearchStrategy[int]:
 @st.composite
 def mechanisms(
     draw: st.DrawFn, *, dyads: tuple[int, int] = (1, 3), kinds: Sequence[str] = KINDS
-) -> Drawn:
+) -> Sampled:
     """Strategy of mechanisms as `assemble` makes them: number of dyads (least, most), kinds."""
     return assemble(lambda most: draw(_choices(most)), dyads, kinds)
 
 
 def sample(
     count: int, seed: int = 0, *, dyads: tuple[int, int] = (1, 3), kinds: Sequence[str] = KINDS
-) -> list[Drawn]:
+) -> list[Sampled]:
     """Draw many mechanisms without hypothesis (no shrinking, but below a millisecond each)."""
     source = random.Random(seed)
     return [assemble(lambda most: source.randint(0, most), dyads, kinds) for _ in range(count)]
 
 
-def sides(drawn: Drawn, poses: Mapping[int, Pose]) -> list[tuple[str, float]]:
+def sides(drawn: Sampled, poses: Mapping[int, Pose]) -> list[tuple[str, float]]:
     """By dyad with a side: its kind, and how far (m or m²) it is on the side its record asks for.
 
     RRR: the inner pin to the left of ``left_of``; RRP: from the foot of the outer pivot to the pin,
@@ -395,6 +395,6 @@ def sides(drawn: Drawn, poses: Mapping[int, Pose]) -> list[tuple[str, float]]:
     return found
 
 
-def sides_kept(drawn: Drawn, poses: Mapping[int, Pose]) -> bool:
+def sides_kept(drawn: Sampled, poses: Mapping[int, Pose]) -> bool:
     """Whether all dyads stand on the sides their records ask for."""
     return all(reach > 0 for _, reach in sides(drawn, poses))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from graphic_tmm.parts import Part, draw_parts
-
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
+from support.boards import parts
 from support.scenes import written
 
 HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'
@@ -41,9 +42,9 @@ PARTS = {
 }
 
 
-def part_of(folder: Path, what: str) -> Part:
+def part_of(folder: Path, what: str) -> Drawn:
     """Return a part of PARTS, drawn."""
     kind, text = PARTS[what]
     path = written(folder, HEAD.format(kind=kind) + text)
-    (part,) = draw_parts(read(path))
+    (part,) = parts(make(read(path)))
     return part

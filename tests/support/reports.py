@@ -10,6 +10,9 @@ from typing import Any
 from rich.console import Console
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Likely, Report, Taken
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.checking.report.text import text_report
 
 LANGUAGES = ("ru", "en")
@@ -99,3 +102,7 @@ def printed(made: Report, width: int, *, colours: bool = False) -> str:
     for part in text_report(made):
         console.print(part)
     return out.getvalue()
+
+
+FORMS = [markdown_report, html_report, json_report, lambda made: printed(made, 100)]
+"""Every form of a report."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
-from graphic_tmm.project import Project, draw_project
+from graphic_tmm.project import Project
+from support.boards import recorded
 
 
 def project_of(
@@ -14,14 +16,16 @@ def project_of(
 ) -> Project:
     """Draw the positions of a row that begins where ``point`` is extreme."""
     wanted = Row(row.get("count", 12), row.get("first", 0), Extreme(point, at), extra)
-    return draw_project(mechanism, wanted, plans=["positions"])
+    return recorded(mechanism, wanted, plans=["positions"])
 
 
 def places(project: Project, letter: str) -> np.ndarray:
     """Return the places of a point over the positions, m."""
-    mark = project.positions.point(letter)
+    mark = KINEMATICS.on(project).positions.point(letter)
     return np.ravel(
-        execute(project.construction, project.given | {project.mu_l: 1.0}, [mark])[mark]
+        execute(project.construction, project.given | {KINEMATICS.on(project).mu_l: 1.0}, [mark])[
+            mark
+        ]
     )
 
 

@@ -11,8 +11,9 @@ import math
 from functools import cached_property
 
 import shapely
-from graphic_tmm.work import Work
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Link, Slide
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
 from graphic_tmm.paper.placing import box
@@ -30,8 +31,8 @@ GAP = 1.25
 class Seen:
     """The plan of positions of a sheet, and the poses of the links by the vector loops (mm on that sheet)."""
 
-    def __init__(self, work: Work, paper: tuple[Sheet, ...]) -> None:
-        self.work, self.mechanism = work, work.project.mechanism
+    def __init__(self, work: Drawn, paper: tuple[Sheet, ...]) -> None:
+        self.work, self.mechanism = work, KINEMATICS.on(work).mechanism
         self.view: Drawing = next(d for s in paper for d in s.drawings if d.name == "positions")
         self.mu = work.scales["positions"].value
         names = work.project.names
@@ -43,8 +44,8 @@ class Seen:
     def pose(self, place: int) -> dict[int, Pose]:
         """Solve the vector loops from what the plan shows, which must be where they close."""
         start = {}
-        origin = self.mechanism.frame.points[self.work.project.structure.pivot]
-        for body in self.work.project.positions.bodies.values():
+        origin = self.mechanism.frame.points[KINEMATICS.on(self.work).structure.pivot]
+        for body in KINEMATICS.on(self.work).positions.bodies.values():
             for letter in body.link.points:
                 row = self.work.reading[body.marks[letter]][0]
                 start[letter] = origin + row[place if row.size > 1 else 0] * self.mu
@@ -55,7 +56,7 @@ class Seen:
     @cached_property
     def shift(self) -> complex:
         """Where the crank's pivot stands on the sheet: in the middle of the crank circle."""
-        structure = self.work.project.structure
+        structure = KINEMATICS.on(self.work).structure
         crank = self.mechanism.by_number[structure.driver].points
         radius = abs(crank[structure.pin] - crank[structure.pivot]) / self.mu
         (found,) = {

@@ -8,14 +8,20 @@ import numpy as np
 import shapely
 from shapely import affinity
 
-from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
-from graphic_tmm.chapters.gears.plan import Gear, draw_gear, gear_scales
+from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
+from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearOrder
 from graphic_tmm.chapters.gears.teeth import Flank
+from graphic_tmm.drawn import Drawn, Numbers
+from graphic_tmm.fitting.scales import Fitting
+from graphic_tmm.project import Project, record
+from graphic_tmm.scene.records import Scene
 
 FINE = 32
 """Chords to an arc of a curve, at most 1/8 mm long on the gears of the tests."""
@@ -24,10 +30,32 @@ FINE = 32
 class Pair(NamedTuple):
     """A gear pair drawn and executed."""
 
-    gear: Gear
-    log: Construction
+    project: Project
     given: dict[Mark, Any]
     reading: Reading
+
+    @property
+    def gear(self) -> Gear:
+        return GEARS.on(self.project)
+
+    @property
+    def log(self) -> Construction:
+        return self.project.construction
+
+    def results(self) -> dict[str, tuple[float, str]]:
+        """The results as a table tells them."""
+        by = Drawn(
+            self.project,
+            self.given,
+            {},
+            Numbers(self.reading, {}),
+            EXACT,
+            Doubts((), {}),
+            (),
+            {},
+            {},
+        )
+        return gear_results(by)
 
     def one(self, mark: Mark) -> complex:
         return complex(self.reading[mark][0, 0])
@@ -51,11 +79,10 @@ class Pair(NamedTuple):
 
 
 def pair(order: GearOrder, **options: Any) -> Pair:
-    draft = Draft()
-    gear = draw_gear(draft, order)
-    given = {**draft.given, **gear_scales(draft, gear)}
-    log = draft.board.construction()
-    return Pair(gear, log, given, execute(log, given, **options))
+    project = record(Scene("", "T", "en").asking(gears=order), GEARS.chapter)
+    fitting = Fitting(project, {}, Doubts((), {}), {}, dict(project.given))
+    given = {**project.given, **gear_scales(fitting)}
+    return Pair(project, given, execute(project.construction, given, **options))
 
 
 def dense(curve: Curve, trial: int = 0) -> np.ndarray:

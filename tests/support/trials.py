@@ -17,6 +17,7 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging.judge import judge
@@ -26,7 +27,9 @@ from graphic_tmm.checking.mistakes.alterations import Figures
 from graphic_tmm.checking.mistakes.catalogue import CATALOGUE, EVERYWHERE, READING
 from graphic_tmm.checking.mistakes.likely import likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
-from graphic_tmm.studio import Made, drawings
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.studio import drawings
+from support.boards import parts
 from support.gallery import exact
 
 FRESH = 1 << 20
@@ -232,10 +235,10 @@ def blamed(name: str, trials: int, seed: int = FRESH) -> Blamed:
     return Blamed(total, ray, some)
 
 
-def _rays(scene: Made) -> Iterator[Step]:
-    if scene.work is None:
+def _rays(scene: DrawnScene) -> Iterator[Step]:
+    if scene.mechanism is None:
         return
-    for step in scene.work.project.construction.steps:
+    for step in scene.mechanism.project.construction.steps:
         if step.it.view in ("velocities", "accelerations") and step.op.name in (
             "parallel",
             "square",
@@ -243,10 +246,10 @@ def _rays(scene: Made) -> Iterator[Step]:
             yield step
 
 
-def _turned(scene: Made, step: Step) -> Made:
+def _turned(scene: DrawnScene, step: Step) -> DrawnScene:
     """Return the scene whose log turns one ray by the slip."""
-    assert scene.work is not None
-    project, right = scene.work.project, step.op.run
+    assert scene.mechanism is not None
+    project, right = scene.mechanism.project, step.op.run
 
     def run(*values: Any, **choice: Any) -> Line:
         line = right(*values, **choice)
@@ -255,17 +258,18 @@ def _turned(scene: Made, step: Step) -> Made:
     wrong = step._replace(op=step.op._replace(run=run))
     log = project.construction
     log = log._replace(steps=tuple(wrong if one is step else one for one in log.steps))
-    return scene._replace(work=replace(scene.work, project=replace(project, construction=log)))
+    board = replace(scene.mechanism, project=replace(project, construction=log))
+    return scene._replace(boards=(board, *parts(scene)))
 
 
-def _long(drawn: Made, step: Step) -> Iterable[str]:
+def _long(drawn: DrawnScene, step: Step) -> Iterable[str]:
     """Yield the positions where a point marked on a ray is far from where the ray begins."""
-    assert drawn.work is not None
-    work = drawn.work
+    assert drawn.mechanism is not None
+    work = drawn.mechanism
     project = work.project
     accelerated = step.it.view == "accelerations"
-    reading = work.accelerated if accelerated else work.reading
-    places = project.accelerated if accelerated else tuple(range(len(project.names)))
+    reading = work.of("accelerations") if accelerated else work.reading
+    places = KINEMATICS.on(project).accelerated if accelerated else tuple(range(len(project.names)))
     ends = [
         one.it
         for one in project.construction.steps

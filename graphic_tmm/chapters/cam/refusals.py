@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.bounds import POSITIVE, OrderError
 from graphic_tmm.chapters.cam.task import LAWS, CamOrder, FlatFollower, Law, RockerFollower
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
 TURN = 360.0
@@ -31,13 +32,19 @@ def refuse(order: CamOrder) -> None:
     told = " + ".join(f"{angle:g}" for angle in phases)
     moving = sum(phases[:3])
     if moving <= TURN and abs(moving + order.lower_dwell - TURN) > 1e-6:
-        says = f"the phases {told} make {sum(phases):g}°, not 360°: change the lower dwell"
-        says += f" to {TURN - moving:g}°"
+        says = said(
+            "the phases {told} make {sum:g}°, not 360°: change the lower dwell to {dwell:g}°",
+            told=told,
+            sum=sum(phases),
+            dwell=TURN - moving,
+        )
         raise OrderError("cam", "lower_dwell", says)
     for name in ("rise", "upper_dwell", "fall"):
         _bounded(name, getattr(order, name))
     if moving > TURN + 1e-6:
-        says = f"the phases {told} make {sum(phases):g}°, not 360°: shorten them"
+        says = said(
+            "the phases {told} make {sum:g}°, not 360°: shorten them", told=told, sum=sum(phases)
+        )
         raise OrderError("cam", "rise", says)
     _bounded("lower_dwell", order.lower_dwell)
     _refuse_sizes(order)
@@ -65,8 +72,9 @@ def _refuse_sizes(order: CamOrder) -> None:
         if value is not None:
             POSITIVE.refuse("cam", name, value)
     if isinstance(follower, RockerFollower) and order.stroke >= math.pi:
-        says = (
-            f"a lever that rocks by {math.degrees(order.stroke):g}° turns over: take less than 180°"
+        says = said(
+            "a lever that rocks by {stroke:g}° turns over: take less than 180°",
+            stroke=math.degrees(order.stroke),
         )
         raise OrderError("cam", "stroke", says)
     _refuse_choices(order)
@@ -85,16 +93,23 @@ def _refuse_choices(order: CamOrder) -> None:
             _bounded("parts", count)
     if order.turns not in ("clockwise", "counterclockwise"):
         raise StructureError(
-            f'cam: it turns "{order.turns}": take "clockwise" or "counterclockwise"', "cam.turns"
+            said(
+                'cam: it turns "{turns}": take "clockwise" or "counterclockwise"', turns=order.turns
+            ),
+            "cam.turns",
         )
 
 
 def _refuse_law(key: str, law: Law) -> None:
     if law.name not in LAWS:
-        raise OrderError("cam", key, f'no law "{law.name}": take one of {", ".join(LAWS)}')
+        raise OrderError(
+            "cam",
+            key,
+            said('no law "{name}": take one of {listed}', name=law.name, listed=", ".join(LAWS)),
+        )
     if law.name != "diagram":
         if law.points:
-            raise OrderError("cam", key, 'points belong to the law "diagram" only')
+            raise OrderError("cam", key, said('points belong to the law "diagram" only'))
         return
     if says := _fault_of(law):
         raise OrderError("cam", {"law": "law_points", "return_law": "return_points"}[key], says)

@@ -58,7 +58,8 @@ def draw_flywheel(sizes: Sizes, reduction: float, title: str, language: str) -> 
     if not hub + 2.2 * sizes.stud < sizes.inner < sizes.outer:
         raise SheetError(
             said(
-                "flywheel: a hub of {hub:.0f} mm and stud holes of {stud:.0f} mm find no room inside a rim of {inner:.0f} mm: take a smaller shaft, or a larger rim",
+                "flywheel: a hub of {hub:.0f} mm and stud holes of {stud:.0f} mm find no room "
+                "inside a rim of {inner:.0f} mm: take a smaller shaft, or a larger rim",
                 hub=1000 * hub,
                 stud=1000 * sizes.stud,
                 inner=1000 * sizes.inner,

@@ -9,6 +9,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.bounds import POSITIVE, OrderError
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
 
@@ -53,8 +54,12 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
         raise OrderError(
             "gears",
             "ha",
-            f"the rack's tooth comes to a point above the depth ha + c = {order.ha + order.c:g}: "
-            f"take a smaller ha or c, or an alpha below {order.alpha:g}°",
+            said(
+                "the rack's tooth comes to a point above the depth ha + c = {c:g}: take a smaller "
+                "ha or c, or an alpha below {alpha:g}°",
+                c=order.ha + order.c,
+                alpha=order.alpha,
+            ),
         )
     if not value(sizes.alpha_w) > 0.0:
         angle = math.radians(order.alpha)
@@ -62,8 +67,13 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
         raise OrderError(
             "gears",
             "x1",
-            f"the wheels have no working angle (inv α_w = {value(sizes.inv_w):.4g}): "
-            f"x1 + x2 = {order.x1 + order.x2:g} must be greater than {least:.4g}",
+            said(
+                "the wheels have no working angle (inv α_w = {inv:.4g}): x1 + x2 = {x:g} must be "
+                "greater than {least:.4g}",
+                inv=value(sizes.inv_w),
+                x=order.x1 + order.x2,
+                least=least,
+            ),
         )
     for wheel in sizes.wheels:
         _refuse_wheel(wheel, order, value)
@@ -76,28 +86,48 @@ def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], f
         raise OrderError(
             "gears",
             f"x{i}",
-            f"wheel {i} has no body: its root circle has the radius {root:.3g}·m; raise x{i} or z{i}",
+            said(
+                "wheel {i} has no body: its root circle has the radius {root:.3g}·m; raise x{i} or "
+                "z{i}",
+                i=i,
+                root=root,
+            ),
         )
     if not tip > base:
         raise OrderError(
             "gears",
             f"x{i}",
-            f"the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its base circle "
-            f"({base:.4g}·m): raise x{i}, or give a smaller delta_y",
+            said(
+                "the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its base circle "
+                "({base:.4g}·m): raise x{i}, or give a smaller delta_y",
+                i=i,
+                tip=tip,
+                base=base,
+            ),
         )
     if not tip > root:
         raise OrderError(
             "gears",
             f"x{i}",
-            f"the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its root circle "
-            f"({root:.4g}·m): give a smaller delta_y",
+            said(
+                "the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its root circle "
+                "({root:.4g}·m): give a smaller delta_y",
+                i=i,
+                tip=tip,
+                root=root,
+            ),
         )
     end = value(wheel.pointed) / order.m
     if not end > max(root, base):
         raise OrderError(
             "gears",
             f"x{i}",
-            f"x{i} = {(order.x1, order.x2)[i - 1]:g} leaves wheel {i} no tooth: "
-            f"its flanks meet at the radius {end:.4g}·m, below {max(root, base):.4g}·m, where they begin; "
-            f"take a smaller one",
+            said(
+                "x{i} = {x:g} leaves wheel {i} no tooth: its flanks meet at the radius "
+                "{end:.4g}·m, below {max:.4g}·m, where they begin; take a smaller one",
+                i=i,
+                x=(order.x1, order.x2)[i - 1],
+                end=end,
+                max=max(root, base),
+            ),
         )

@@ -109,7 +109,8 @@ def record(bench: Bench) -> KinematicPlans:
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             said(
-                "trajectories: no path closes after one turn, group {group} flips an odd number of times in it: leave trajectories out",
+                "trajectories: no path closes after one turn, group {group} flips an odd number of "
+                "times in it: leave trajectories out",
                 group=tried.returning_late[0],
             ),
             "plans.trajectories",

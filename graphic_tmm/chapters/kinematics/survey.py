@@ -25,6 +25,7 @@ from graphic_tmm.chapters.kinematics.positions import (
 )
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
@@ -108,13 +109,25 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
         if group.kind == 1:
             a, c = (leg.pair.name for leg in group.legs)
             links = "{} or {}".format(*group.links)
-            remedy = f'give link {links} side = "left of {a}{c}" or "right of {a}{c}"'
+            remedy = said(
+                'give link {links} side = "left of {a}{c}" or "right of {a}{c}"',
+                links=links,
+                a=a,
+                c=c,
+            )
             key = f"link {group.links[0]}"
         else:
             pair = group.legs[1].pair if group.kind == 2 else group.inner
-            remedy = f'give slides of link {pair.links[0]} side = "+" or "-"'
+            remedy = said('give slides of link {links} side = "+" or "-"', links=pair.links[0])
             key = f"link {pair.links[0]}, slides"
-        raise StructureError(f"group {group.name} can be assembled in two ways: {remedy}", key)
+        raise StructureError(
+            said(
+                "group {name} can be assembled in two ways: {remedy}",
+                name=group.name,
+                remedy=remedy,
+            ),
+            key,
+        )
 
 
 def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
@@ -129,14 +142,27 @@ def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
                 continue
             if side.left_of not in ((a, c), (c, a)):
                 raise StructureError(
-                    f"link {number}: its side speaks of {''.join(side.left_of or ())}, but group {group.name} "
-                    f'has its outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of {a}{c}"',
+                    said(
+                        "link {number}: its side speaks of {listed}, but group {name} has its "
+                        'outer pivots at {a} and {c}: write side = "left of {a}{c}" or "right of '
+                        '{a}{c}"',
+                        number=number,
+                        listed="".join(side.left_of or ()),
+                        name=group.name,
+                        a=a,
+                        c=c,
+                    ),
                     f"link {number}, side",
                 )
             told.append((side.sign if side.left_of == (a, c) else -side.sign, side.flips_at))
         if len(set(told)) > 1:
             raise StructureError(
-                f"links {group.links[0]} and {group.links[1]} give group {group.name} different sides: "
-                "leave the side of one of them out",
+                said(
+                    "links {links} and {links2} give group {name} different sides: leave the side "
+                    "of one of them out",
+                    links=group.links[0],
+                    links2=group.links[1],
+                    name=group.name,
+                ),
                 *(f"link {number}, side" for number in group.links),
             )

@@ -32,7 +32,8 @@ FACTOR = (
     said("wrong scale or pole distance"),
     said("all figures are {factor} times what is due: the scale or the pole distance is another"),
     said(
-        "all figures of {segment} are {factor} times what is due: the scale or the pole distance is another"
+        "all figures of {segment} are {factor} times what is due: the scale or the pole distance "
+        "is another"
     ),
 )
 LEAST_OFF = 3

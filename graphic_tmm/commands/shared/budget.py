@@ -23,7 +23,8 @@ def budgeted(command: F) -> F:
     return click.option(
         "--budget",
         help=said(
-            "Largest error, such as 2%: take the cheapest setting that keeps every quantity within it."
+            "Largest error, such as 2%: take the cheapest setting that keeps every quantity within "
+            "it."
         ),
     )(command)
 

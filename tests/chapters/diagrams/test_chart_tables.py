@@ -8,16 +8,17 @@ from functools import cache
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work
 from support import gallery
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import fitted, table, table_columns
+from graphic_tmm.studio import fitted
 
 ORDER = KinematicOrder("B", start="displacement")
 
@@ -30,12 +31,12 @@ def engine(order: KinematicOrder) -> Scene:
 
 
 @cache
-def drawn(start: str = "displacement", exact: bool = True) -> Work:
+def drawn(start: str = "displacement", exact: bool = True) -> Drawn:
     return fitted(engine(replace(ORDER, start=start)), exact=exact)
 
 
-def found(work: Work) -> dict[str, Column]:
-    return {c.segment: c for c in table_columns(work) if c.plan == "diagrams"}
+def found(work: Drawn) -> dict[str, Column]:
+    return {c.segment: c for c in columns_of(work) if c.plan == "diagrams"}
 
 
 def exact_motion() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -82,7 +83,7 @@ def test_a_velocity_diagram_that_starts_from_the_plan_does_not_differ_from_it() 
 
 
 def test_scales_are_told_and_turn_mm_into_values() -> None:
-    document = json.loads(table(drawn(), "json"))
+    document = json.loads(table(DrawnScene(drawn().scene, (drawn(),)), "json"))
     scales = document["scales"]
     assert {"mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base"} <= set(scales)
     for column in document["columns"]:

@@ -7,13 +7,15 @@ from functools import cache
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.each import each
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.diagrams.plan import Kinematic
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, Kinematic
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
@@ -30,7 +32,7 @@ STARTS = ("displacement", "velocity")
 
 
 @cache
-def drawn(name: str, count: int = 0, **order: object) -> Work:
+def drawn(name: str, count: int = 0, **order: object) -> Drawn:
     """Draw a scene with diagrams; with ``count`` positions of the row instead of its own."""
     scene = read(SHEETS / name)
     row = replace(scene.row, count=count or scene.row.count, extra=())
@@ -38,23 +40,23 @@ def drawn(name: str, count: int = 0, **order: object) -> Work:
         row = replace(row, accelerations=())
     wanted = KinematicOrder(POINTS[name], **order)  # type: ignore[arg-type]
     sheets = (SheetOrder("A1", ("positions", "velocities", "accelerations", "diagrams")),)
-    return work(
+    return drawn_of(
         replace(scene, row=row, sheets=sheets).asking(diagrams=wanted, flywheel=None, forces=None),
         exact=True,
     )
 
 
-def kinematic(made: Work) -> Kinematic:
-    assert made.project.kinematic is not None
-    return made.project.kinematic
+def kinematic(made: Drawn) -> Kinematic:
+    assert DIAGRAMS.of(made) is not None
+    return DIAGRAMS.on(made)
 
 
-def values(made: Work, symbol: str) -> np.ndarray:
+def values(made: Drawn, symbol: str) -> np.ndarray:
     chart = kinematic(made).charts[symbol]
     return np.asarray(made.reading[chart.ordinates[0]][0] * made.reading[chart.mu][0])
 
 
-def planned(made: Work) -> np.ndarray:
+def planned(made: Drawn) -> np.ndarray:
     mark = kinematic(made).planned["V"]
     return np.asarray(made.reading[mark][0] * made.scales["velocities"].value)
 
@@ -67,7 +69,7 @@ def harmonics(name: str) -> np.ndarray:
 
 def derivative(name: str, order: int, count: int) -> np.ndarray:
     """The exact ``order``-th derivative of the velocity over time at the row's positions."""
-    omega = abs(drawn(name).project.mechanism.drive.speed)
+    omega = abs(KINEMATICS.on(drawn(name)).mechanism.drive.speed)
     k = np.fft.fftfreq(720, 1 / 720)
     row = np.fft.ifft(harmonics(name) * 720 * (1j * k * omega) ** order).real
     return row[:: 720 // count]
@@ -75,7 +77,7 @@ def derivative(name: str, order: int, count: int) -> np.ndarray:
 
 def bound(name: str, count: int, order: int) -> float:
     """What N positions cost a derivative: two chords' truncation h²/24 each, a spline's h⁴ beside it, in SI."""
-    omega = abs(drawn(name).project.mechanism.drive.speed)
+    omega = abs(KINEMATICS.on(drawn(name)).mechanism.drive.speed)
     h = 2 * np.pi / count / omega
     second = np.abs(derivative(name, order + 2, 720)).max()
     fourth = np.abs(derivative(name, order + 4, 720)).max()
@@ -106,12 +108,13 @@ def test_accelerations_agree_with_the_exact_motion_and_the_plans(
     exact = derivative(name, 1, count)
     times = 2 if start == "displacement" else 1
     assert np.abs(values(made, "a") - exact).max() <= times * bound(name, count, 1)
-    if "a" in kinematic(made).planned and made.accelerated is not None:
+    if "a" in kinematic(made).planned and made.of("accelerations") is not None:
         plan = (
-            made.accelerated[kinematic(made).planned["a"]][0] * made.scales["accelerations"].value
+            made.of("accelerations")[kinematic(made).planned["a"]][0]
+            * made.scales["accelerations"].value
         )
         np.testing.assert_allclose(
-            plan, exact[list(made.project.accelerated)], atol=1e-6 * np.abs(exact).max()
+            plan, exact[list(KINEMATICS.on(made).accelerated)], atol=1e-6 * np.abs(exact).max()
         )
 
 
@@ -154,18 +157,18 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
 def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
     scene = read(SHEETS / "windrower").asking(diagrams=KinematicOrder("C"))
     with pytest.raises(StructureError, match=r"diagrams.point: point C does not slide.*are D"):
-        work(scene)
+        drawn_of(scene)
     none = read(SHEETS / "crank-rocker").asking(diagrams=KinematicOrder("B"))
     none = replace(none, sheets=(SheetOrder("A1", ("positions", "diagrams")),))
     with pytest.raises(StructureError, match="this mechanism has none"):
-        work(none)
+        drawn_of(none)
 
 
 @pytest.mark.parametrize("pole", [0.0, -10.0, float("nan")])
 def test_a_pole_distance_that_is_none_is_refused(pole: float) -> None:
     order = KinematicOrder("D", V=ScaleOrder(pole=pole))
     with pytest.raises(StructureError, match=r"H_V = .* is not greater than 0"):
-        work(read(SHEETS / "windrower").asking(diagrams=order))
+        drawn_of(read(SHEETS / "windrower").asking(diagrams=order))
 
 
 def test_positions_that_are_missing_leave_the_rest_and_are_told() -> None:

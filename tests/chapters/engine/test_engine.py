@@ -8,12 +8,14 @@ from functools import cache
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -23,12 +25,12 @@ R, LAMBDA, OMEGA, M = 0.115, 0.182, 10 * math.pi, 2.18
 
 
 @cache
-def drawn() -> Work:
-    return work(SCENE, exact=True)
+def drawn() -> Drawn:
+    return drawn_of(SCENE, exact=True)
 
 
-def column(made: Work, segment: str) -> np.ndarray:
-    found = next(c for c in engine_columns(made.project, made.reading) if c.segment == segment)
+def column(made: Drawn, segment: str) -> np.ndarray:
+    found = next(c for c in engine_columns(made) if c.segment == segment)
     return np.array([math.nan if x is None else x for x in found.value])
 
 
@@ -99,8 +101,8 @@ def test_n_and_m_vanish_at_the_dead_centres_and_m_is_largest_early() -> None:
 
 def test_p_is_the_difference_of_the_two_sides() -> None:
     made = drawn()
-    assert made.project.cylinder is not None
-    cover, shaft = made.project.cylinder.indicator.sides
+    assert INDICATOR.of(made) is not None
+    cover, shaft = INDICATOR.on(made).indicator.sides
     forces = made.reading[cover.force] - made.reading[shaft.force]
     np.testing.assert_allclose(column(made, "P"), forces[0] / KGF, rtol=1e-12)
     faces = [math.pi * 0.17**2 / 4, math.pi * (0.17**2 - 0.036**2) / 4]
@@ -110,8 +112,8 @@ def test_p_is_the_difference_of_the_two_sides() -> None:
 
 def test_steam_expands_on_the_side_of_the_shaft_by_its_own_volume() -> None:
     made = drawn()
-    assert made.project.cylinder is not None
-    shaft = made.project.cylinder.indicator.sides[1]
+    assert INDICATOR.of(made) is not None
+    shaft = INDICATOR.on(made).indicator.sides[1]
     x = 0.5 * (1 - math.cos(math.radians(300)))  # position 10, rod of any length to a few per cent
     ordinate = made.reading[shaft.ordinate][0, 10] * made.scales["indicator"].value
     rod = 1 / LAMBDA
@@ -124,7 +126,7 @@ def test_steam_expands_on_the_side_of_the_shaft_by_its_own_volume() -> None:
 
 
 def test_newtons_are_the_kgf_times_g() -> None:
-    made, si = drawn(), work(with_engine(unit="N"), exact=True)
+    made, si = drawn(), drawn_of(with_engine(unit="N"), exact=True)
     for name in ("P", "P_in", "N", "Q", "T", "K"):
         np.testing.assert_allclose(column(si, name), column(made, name) * KGF, rtol=1e-9, atol=1e-6)
         np.testing.assert_allclose(
@@ -133,8 +135,8 @@ def test_newtons_are_the_kgf_times_g() -> None:
 
 
 def test_the_exact_split_of_the_rod_is_the_lever_rule() -> None:
-    made = work(with_engine(share=None, mass=None), exact=True)
-    found = engine_results(made.project, made.reading)
+    made = drawn_of(with_engine(share=None, mass=None), exact=True)
+    found = engine_results(made)
     assert found["m_rod_at_slider"][0] == pytest.approx(17.1 * 0.25)
     assert found["m_to_and_fro"][0] == pytest.approx(17.1 + 17.1 * 0.25)
     length = R / LAMBDA
@@ -144,7 +146,7 @@ def test_the_exact_split_of_the_rod_is_the_lever_rule() -> None:
 
 
 def test_the_series_can_stand_for_the_plan() -> None:
-    made = work(with_engine(series=True), exact=True)
+    made = drawn_of(with_engine(series=True), exact=True)
     total = column(made, "P") + column(made, "P_in_series")
     np.testing.assert_allclose(column(made, "P′"), total, rtol=1e-12)
 
@@ -153,4 +155,4 @@ def test_a_mechanism_without_a_rod_is_refused() -> None:
     yoke = read(SHEETS / "scotch-yoke")
     scene = replace(yoke, sheets=SCENE.sheets).asking(engine=SCENE.tasks["engine"])
     with pytest.raises(StructureError):
-        work(scene)
+        drawn_of(scene)

@@ -9,8 +9,9 @@ import pytest
 
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.readers.table import scene_results
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make, scene_results, sheets
+from graphic_tmm.studio import make, sheets
 
 SCENE = """
 title = "Upright engine"

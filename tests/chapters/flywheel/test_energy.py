@@ -6,10 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.energy import Energies
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.scene.read import read
@@ -31,26 +33,26 @@ def scene(**links: dict[str, object]) -> Scene:
     )
 
 
-def energies(made: Work) -> Energies:
-    assert made.project.flywheel is not None
-    return made.project.flywheel.energies
+def energies(made: Drawn) -> Energies:
+    assert FLYWHEEL.of(made) is not None
+    return FLYWHEEL.on(made).energies
 
 
 def test_a_link_without_mass_or_inertia_has_no_part() -> None:
-    made = work(scene(link2={"mass": None}, link1={"inertia": None}), exact=True)
+    made = drawn_of(scene(link2={"mass": None}, link1={"inertia": None}), exact=True)
     assert set(energies(made).parts) == {"T_{2r}", "T_{3t}"}
     total = sum(made.reading[mark] for mark in energies(made).parts.values())
     np.testing.assert_allclose(made.reading[energies(made).total], total)
 
 
 def test_a_centre_at_the_crank_pin_has_the_speed_of_the_pin() -> None:
-    made = work(scene(link2={"mass": 2.0, "centre": "A", "inertia": None}), exact=True)
+    made = drawn_of(scene(link2={"mass": 2.0, "centre": "A", "inertia": None}), exact=True)
     part = made.reading[energies(made).parts["T_{2t}"]]
     np.testing.assert_allclose(part, 2.0 * (50 * 0.3) ** 2 / 2, rtol=1e-12)
 
 
 def test_a_centre_on_the_frame_does_not_move() -> None:
-    made = work(scene(link1={"mass": 8.0, "centre": "O"}), exact=True)
+    made = drawn_of(scene(link1={"mass": 8.0, "centre": "O"}), exact=True)
     assert "T_{1t}" not in energies(made).parts
 
 
@@ -58,7 +60,7 @@ def test_a_mass_without_a_centre_is_told() -> None:
     with pytest.raises(
         StructureError, match=r'link 2 has a mass, but nothing says .*write centre = "S2"'
     ):
-        work(scene(link2={"centre": None}))
+        drawn_of(scene(link2={"centre": None}))
 
 
 def test_links_are_records() -> None:

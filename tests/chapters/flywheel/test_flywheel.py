@@ -7,22 +7,23 @@ from functools import cache
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
 from hypothesis import given
 from hypothesis import strategies as st
+from support.boards import drawn_of
 from support.flywheels import along, graphs, slopes
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.chapters.indicator.task import Gas
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import warnings
 
 R, L, S2, W, DELTA = 0.3, 0.64, 0.22, 50.0, 0.23
 BORE = 0.12
@@ -44,20 +45,20 @@ def scene(**changes: object) -> Scene:
 
 
 @cache
-def drawn(**changes: object) -> Work:
-    return work(scene(**changes), exact=True)
+def drawn(**changes: object) -> Drawn:
+    return drawn_of(scene(**changes), exact=True)
 
 
-def fly(made: Work) -> Flywheel:
-    assert made.project.flywheel is not None
-    return made.project.flywheel
+def fly(made: Drawn) -> Flywheel:
+    assert FLYWHEEL.of(made) is not None
+    return FLYWHEEL.on(made)
 
 
-def inertia(made: Work) -> float:
+def inertia(made: Drawn) -> float:
     return float(made.reading[fly(made).inertia][0, 0])
 
 
-def second(made: Work) -> float:
+def second(made: Drawn) -> float:
     found = fly(made).energy_mass
     assert found is not None
     return float(made.reading[found.inertia][0, 0])
@@ -145,9 +146,9 @@ def test_the_example_from_published_readings(mode: str, cd: float, due: float) -
     bare = Construction(given, steps, log.views, log.figures, log.size)
     values = {**made.given, **typed}
     reading = execute(bare, values, [fly(made).segment, fly(made).inertia])
-    assert project.flywheel is not None
-    assert reading[project.flywheel.segment][0, 0] == pytest.approx(cd, abs=0.005)
-    assert reading[project.flywheel.inertia][0, 0] == pytest.approx(due, abs=0.001)
+    assert FLYWHEEL.of(project) is not None
+    assert reading[FLYWHEEL.on(project).segment][0, 0] == pytest.approx(cd, abs=0.005)
+    assert reading[FLYWHEEL.on(project).inertia][0, 0] == pytest.approx(due, abs=0.001)
 
 
 def wittenbauer(surplus: np.ndarray, links: np.ndarray) -> float:
@@ -192,7 +193,7 @@ def test_at_many_positions_it_agrees_with_a_fine_integration_of_the_same_curve()
         made.tasks["flywheel"], indicator=replace(made.tasks["flywheel"].indicator, cover=gas)
     )
     row = replace(made.row, count=360, accelerations=())
-    many = work(replace(made, row=row).asking(flywheel=order), exact=True)
+    many = drawn_of(replace(made, row=row).asking(flywheel=order), exact=True)
     found = inertia(many)
     assert second(many) == pytest.approx(1.628, abs=0.002)  # tangents to the smooth curve
     works = np.concatenate([[0.0], np.cumsum((moment + np.roll(moment, -1)) / 2) * np.pi / 180])
@@ -287,7 +288,7 @@ def bare(mechanism: Mechanism) -> Mechanism:
 )
 def test_what_cannot_be_built_is_refused(changes: dict[str, object], says: str) -> None:
     with pytest.raises(StructureError, match=says):
-        work(scene(**changes))
+        drawn_of(scene(**changes))
 
 
 def test_pressures_points_masses_and_rims_that_do_not_fit_are_refused() -> None:
@@ -301,16 +302,16 @@ def test_pressures_points_masses_and_rims_that_do_not_fit_are_refused() -> None:
 
     few = replace(order.indicator, cover=Gas((1e5,) * 5, BORE))
     with pytest.raises(StructureError, match="5 pressures for 12 positions"):
-        work(with_order(indicator=few))
+        drawn_of(with_order(indicator=few))
     with pytest.raises(StructureError, match=r"point A does not slide.*are B"):
-        work(with_order(indicator=replace(order.indicator, point="A")))
+        drawn_of(with_order(indicator=replace(order.indicator, point="A")))
     with pytest.raises(StructureError, match=r"runs faster than 110 m/s.*4.4 m at most"):
-        work(with_order(rim=replace(order.rim, outer=5.0)))
+        drawn_of(with_order(rim=replace(order.rim, outer=5.0)))
     with pytest.raises(StructureError, match="leaves no rim"):
-        work(with_order(rim=replace(order.rim, ratio=1.0)))
+        drawn_of(with_order(rim=replace(order.rim, ratio=1.0)))
     assert made.mechanism is not None
     with pytest.raises(StructureError, match="no link has a mass or J"):
-        work(replace(made, mechanism=bare(made.mechanism)))
+        drawn_of(replace(made, mechanism=bare(made.mechanism)))
 
 
 def test_a_flywheel_that_is_not_needed_is_a_finding_and_no_number() -> None:
@@ -319,7 +320,7 @@ def test_a_flywheel_that_is_not_needed_is_a_finding_and_no_number() -> None:
     order = made.tasks["flywheel"]
     assert order is not None
     weak = replace(order.indicator, cover=Gas(tuple(p / 1000 for p in P), BORE))
-    found = work(made.asking(flywheel=replace(order, indicator=weak)), exact=True)
+    found = drawn_of(made.asking(flywheel=replace(order, indicator=weak)), exact=True)
     assert np.isnan(second(found))
     told = [f for f in found.findings() if f.kind == "undrawn"]
     assert [f.step.it.letter for f in told] == ["J_F"]
@@ -333,8 +334,8 @@ def test_an_order_without_a_part_records_no_step_of_it() -> None:
     views = {step.it.view for step in lean.project.construction.steps}
     assert "energy-mass" not in views
     assert not any(step.it.letter == "D_{max}" for step in lean.project.construction.steps)
-    without = work(scene().asking(flywheel=None))
-    assert without.project.flywheel is None
+    without = drawn_of(scene().asking(flywheel=None))
+    assert FLYWHEEL.of(without) is None
     assert not {"indicator", "moment"} & {s.it.view for s in without.project.construction.steps}
 
 

@@ -8,13 +8,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
 from graphic_tmm.board.charts import HEIGHT
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.sentences import sentence
 from graphic_tmm.scene.read import read
@@ -33,9 +35,9 @@ def scene(folder: Path, seed: int, count: int = 12, **choice: str) -> Scene:
     return read(file)
 
 
-def segment(made: Work) -> float:
-    assert made.project.flywheel is not None
-    return float(made.reading[made.project.flywheel.segment][0, 0])
+def segment(made: Drawn) -> float:
+    assert FLYWHEEL.of(made) is not None
+    return float(made.reading[FLYWHEEL.on(made).segment][0, 0])
 
 
 @cache
@@ -46,7 +48,7 @@ def rows(seed: int, count: int) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("count", [12, 24])
 def test_the_segment_is_what_the_curves_give(tmp_path: Path, seed: int, count: int) -> None:
-    made = work(scene(tmp_path, seed, count), exact=True)
+    made = drawn_of(scene(tmp_path, seed, count), exact=True)
     found = segment(made) * made.scales["energy"].value
     # 400 samples to an arc miss its crest by 1/800² of the arc's bend at the most
     assert found == pytest.approx(np.ptp(graphs(*rows(seed, count)).own), rel=1e-6)
@@ -71,7 +73,7 @@ def test_extremes_on_curves_and_areas_below_them_are_an_order_nearer_to_the_trut
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(10))
 def test_at_120_positions_it_is_the_truth(tmp_path: Path, seed: int) -> None:
-    made = work(scene(tmp_path, seed, 120), exact=True)
+    made = drawn_of(scene(tmp_path, seed, 120), exact=True)
     assert segment(made) * made.scales["energy"].value == pytest.approx(
         truth(crank(seed)), rel=2e-5
     )
@@ -97,8 +99,8 @@ def inked(text: str) -> dict[str, np.ndarray]:
 def test_the_number_is_what_the_ink_shows(tmp_path: Path, seed: int, ruler: str) -> None:
     drawn, paper = sheets(scene(tmp_path, seed, ruler=ruler))
     assert drawn is not None
-    assert drawn.work is not None
-    results = flywheel_results(drawn.work.project, drawn.work.reading)
+    assert drawn.mechanism is not None
+    results = flywheel_results(drawn.mechanism.project, drawn.mechanism.reading)
     (text,) = [svg(sheet) for sheet in paper if "(f–f)" in svg(sheet)]
     curves = inked(text)
     own = curves["(f–f)"].imag
@@ -118,7 +120,7 @@ def test_the_number_is_what_the_ink_shows(tmp_path: Path, seed: int, ruler: str)
 
 
 def test_the_extremes_are_steps_with_a_sentence_in_both_languages(tmp_path: Path) -> None:
-    made = work(scene(tmp_path, 1), exact=True)
+    made = drawn_of(scene(tmp_path, 1), exact=True)
     steps = {
         step.it.letter: step for step in made.project.construction.steps if step.it.view == "energy"
     }
@@ -137,7 +139,7 @@ def test_graphs_use_the_room_of_their_format(
     tmp_path: Path, seed: int, on: str, constant: str
 ) -> None:
     """The scale next to the one chosen, at most 2 times finer, would not do."""
-    made = work(scene(tmp_path, seed, on=on, more=f'constant = "{constant}"'), exact=True)
+    made = drawn_of(scene(tmp_path, seed, on=on, more=f'constant = "{constant}"'), exact=True)
     log, room = made.project.construction, HEIGHT[on]
     tall = {}
     for view in ("moment", "work", "energy"):

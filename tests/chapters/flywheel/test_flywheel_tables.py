@@ -7,17 +7,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from graphic_tmm.work import work
-from support.gallery import SHEETS, drawn
+from support.boards import drawn_of
+from support.gallery import SHEETS, drawn, exact, made
 
 from graphic_tmm.chapters.flywheel.task import FlywheelOrder
 from graphic_tmm.readers.protocol import protocol
+from graphic_tmm.readers.table import results_of, table
+from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import table, warnings
 
 
 def test_columns_are_what_the_ruler_reads_times_their_scale() -> None:
-    document = json.loads(table(drawn("engine", exact=True), "json"))
+    document = json.loads(table(exact("engine"), "json"))
     found = {c["segment"]: c for c in document["columns"] if c["plan"] == "flywheel"}
     assert list(found) == ["p_k".replace("_", ""), "M", "ΔT", "TL", "TF", "Jr"]
     keys = {"pk": "mu_p", "M": "mu_M", "ΔT": "mu_T", "TL": "mu_T", "TF": "mu_T", "Jr": "mu_J"}
@@ -32,7 +33,7 @@ def test_columns_are_what_the_ruler_reads_times_their_scale() -> None:
 
 
 def test_results_carry_their_units() -> None:
-    results = json.loads(table(drawn("engine", exact=True), "json"))["results"]
+    results = json.loads(table(exact("engine"), "json"))["results"]
     assert results["cd"] == {"value": pytest.approx(60.77, abs=0.005), "unit": "mm"}
     assert results["J_fly"] == {"value": pytest.approx(1.7707, abs=0.0001), "unit": "kg·m²"}
     assert results["J_fly_energy_mass"]["value"] == pytest.approx(1.6245, abs=0.0001)
@@ -41,7 +42,7 @@ def test_results_carry_their_units() -> None:
 
 
 def test_the_ruler_stays_within_what_it_is_worth() -> None:
-    read_off = json.loads(table(drawn("engine"), "json"))["results"]
+    read_off = json.loads(table(made("engine"), "json"))["results"]
     assert read_off["J_fly"]["value"] == pytest.approx(1.7707, rel=0.01)
 
 
@@ -66,16 +67,15 @@ def test_a_machine_that_locks_part_of_the_turn_has_no_flywheel_and_says_so() -> 
     rod = scene.mechanism.by_number[2]
     short = replace(rod, points={**rod.points, "B": 0.29 + 0j})
     links = tuple(short if link.number == 2 else link for link in scene.mechanism.links)
-    made = work(replace(scene, mechanism=replace(scene.mechanism, links=links)))
-    results = json.loads(table(made, "json"))["results"]
-    assert "J_fly" not in results
+    made = drawn_of(replace(scene, mechanism=replace(scene.mechanism, links=links)))
+    assert "J_fly" not in results_of(made)
     assert any("a position of the row is missing" in text for text in warnings(made))
 
 
 def test_a_scene_without_a_flywheel_has_no_column_of_it() -> None:
-    made = drawn("offset-slider")
-    assert "flywheel" not in made.scene.tasks
-    document = json.loads(table(made, "json"))
+    found = made("offset-slider")
+    assert "flywheel" not in found.scene.tasks
+    document = json.loads(table(found, "json"))
     assert not [c for c in document["columns"] if c["plan"] == "flywheel"]
     assert set(document["results"]) == {"W", "formula"}
     assert isinstance(drawn("engine", exact=True).scene.tasks["flywheel"], FlywheelOrder)

@@ -12,7 +12,7 @@ from support.gallery import drawn, paper
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
 from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )
@@ -21,7 +21,7 @@ from graphic_tmm.paper.placing import box, flat, shape
 
 
 def flywheel() -> Flywheel:
-    made = drawn("engine", exact=True).project.flywheel
+    made = FLYWHEEL.on(drawn("engine", exact=True))
     assert made is not None
     return made
 

@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support import dynamics
 from support.dynamics import Friction, Loaded, Statics, loads, put_loads, statics
-from support.mechanisms import Drawn, mechanisms, sample
+from support.mechanisms import Sampled, mechanisms, sample
 from support.oracle import State, solve, solve_fast
 from support.wrenches import StaticsError
 
@@ -45,7 +45,7 @@ def judged(loaded: Loaded, state: State, f: float | None, **how: Any) -> Statics
     return statics(mechanism, state, loaded.forces, loaded.moments, **way, friction=friction, at=at)
 
 
-def drawn_loads(count: int, seed: int) -> list[tuple[Drawn, Loaded, State]]:
+def drawn_loads(count: int, seed: int) -> list[tuple[Sampled, Loaded, State]]:
     source = random.Random(seed)
     return [
         (drawn, put_loads(lambda most: source.randint(0, most), drawn.mechanism), state)
@@ -186,7 +186,7 @@ def test_digits_tell_how_good_float64_is() -> None:
 @pytest.mark.slow
 @settings(max_examples=60, suppress_health_check=list(HealthCheck))
 @given(data=st.data(), drawn=mechanisms())
-def test_any_loads_on_any_mechanism(data: st.DataObject, drawn: Drawn) -> None:
+def test_any_loads_on_any_mechanism(data: st.DataObject, drawn: Sampled) -> None:
     loaded = data.draw(loads(drawn.mechanism))
     state = solve_fast(drawn.mechanism, drawn.phi, drawn.poses)
     found = judged(loaded, state, None)

@@ -9,18 +9,20 @@ from functools import cache
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, record, work
+from support.boards import drawn_of
 from support.dynamics import Loaded
 from support.gallery import SHEETS
-from support.loaded import errors, order_of, solve, weighed
-from support.mechanisms import Drawn, sample
+from support.loaded import RATIO, errors, order_of, solve, weighed
+from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
-from test_forces_oracle import RATIO
 
 from graphic_tmm.board.record import Construction
+from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import ForcesOrder, Friction, Load
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import sheets
@@ -28,7 +30,7 @@ from graphic_tmm.studio import sheets
 WINDROWER = read(SHEETS / "windrower")
 
 
-def rubbing(drawn: Drawn, f: float, passes: int) -> Friction:
+def rubbing(drawn: Sampled, f: float, passes: int) -> Friction:
     """Friction in every pair, pins of 2 % of the mechanism's size."""
     links = drawn.mechanism.links
     size = max(abs(point) for link in links for point in link.points.values())
@@ -182,17 +184,17 @@ def test_an_effect_that_is_switched_on_changes_what_it_should(effect: str) -> No
 
 
 def balance(scene: Scene, exact: bool = True) -> float:
-    made = work(scene, exact=exact)
-    assert made.project.forces is not None
-    return float(made.reading[made.project.forces.balance][0, 8])
+    made = drawn_of(scene, exact=exact)
+    assert FORCES.of(made) is not None
+    return float(made.reading[FORCES.on(made).balance][0, 8])
 
 
 # the windrower
 
 
 @cache
-def windrower(name: str, exact: bool) -> Work:
-    return work(read(SHEETS / name), exact=exact)
+def windrower(name: str, exact: bool) -> Drawn:
+    return drawn_of(read(SHEETS / name), exact=exact)
 
 
 def test_the_windrower_balances_with_1465_newtons() -> None:
@@ -221,9 +223,9 @@ def test_with_the_documents_lengths_it_takes_1786() -> None:
 
 
 def test_with_a_ruler_of_half_a_millimetre_both_methods_agree_within_five_percent() -> None:
-    made = work(replace(WINDROWER, ruler=0.5))
-    assert made.project.forces is not None
-    apart = float(made.reading[made.project.forces.difference][0, 8])
+    made = drawn_of(replace(WINDROWER, ruler=0.5))
+    assert FORCES.of(made) is not None
+    apart = float(made.reading[FORCES.on(made).difference][0, 8])
     assert 0.0 < apart < 5.0
 
 
@@ -239,9 +241,9 @@ def test_couples_as_pairs_of_forces_change_no_answer() -> None:
     pairs = scene.asking(forces=replace(scene.tasks["forces"], couples="pair"))
     found = []
     for one in (scene, pairs):
-        made = work(one, exact=True)
-        assert made.project.forces is not None
-        found.append(made.reading[made.project.forces.lever.balance])
+        made = drawn_of(one, exact=True)
+        assert FORCES.of(made) is not None
+        found.append(made.reading[FORCES.on(made).lever.balance])
     np.testing.assert_allclose(*found, rtol=1e-11)
 
 
@@ -271,9 +273,9 @@ def test_parallel_unknown_forces_are_a_finding() -> None:
     scene = read(SHEETS / "toggle-press")
     order = ForcesOrder(("all",), (Load(scene.mechanism.links[-1].number, _last(scene), 100.0),))  # type: ignore[union-attr]
     places = replace(scene.sheets[0], place=(*scene.sheets[0].place, "forces"))
-    made = work(replace(scene, sheets=(places,)).asking(forces=order), exact=True)
-    assert made.project.forces is not None
-    values = made.reading[made.project.forces.balance]
+    made = drawn_of(replace(scene, sheets=(places,)).asking(forces=order), exact=True)
+    assert FORCES.of(made) is not None
+    values = made.reading[FORCES.on(made).balance]
     for k in range(values.shape[1]):
         named = [f for f in made.findings() if k in f.positions]
         assert np.isfinite(values[0, k]) or named

@@ -5,13 +5,11 @@ from __future__ import annotations
 import random
 
 import pytest
-from support.loaded import errors, order_of, solve, weighed
-from support.mechanisms import KINDS, Drawn, sample
-
-RATIO = 1e-9
+from support.loaded import RATIO, errors, order_of, solve, weighed
+from support.mechanisms import KINDS, Sampled, sample
 
 
-def check(drawn: Drawn, seed: int) -> None:
+def check(drawn: Sampled, seed: int) -> None:
     one = weighed(drawn, seed)
     pick = random.Random(seed)
     gravity, inertia, turned = (bool(pick.randint(0, 3)) for _ in range(3))

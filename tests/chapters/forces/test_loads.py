@@ -6,10 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import ForcesOrder, Load, Travel
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -19,24 +23,26 @@ WINDROWER = read(SHEETS / "windrower")
 SHEET = (SheetOrder("A1", ("positions", "velocities", "forces")),)
 
 
-def loaded(*loads: Load, scene: Scene = ENGINE, **options: object) -> Work:
+def loaded(*loads: Load, scene: Scene = ENGINE, **options: object) -> Drawn:
     order = ForcesOrder(("all",), tuple(loads), **options)  # type: ignore[arg-type]
     flywheel = None
-    return work(replace(scene, sheets=SHEET).asking(forces=order, flywheel=flywheel), exact=True)
+    return drawn_of(
+        replace(scene, sheets=SHEET).asking(forces=order, flywheel=flywheel), exact=True
+    )
 
 
-def force(made: Work, letter: str) -> np.ndarray:
+def force(made: Drawn, letter: str) -> np.ndarray:
     """The force as a vector, N, at every position."""
-    assert made.project.forces is not None
-    found = next(f for f in made.project.forces.loads.on_lever if f.letter == letter)
+    assert FORCES.of(made) is not None
+    found = next(f for f in FORCES.on(made).loads.on_lever if f.letter == letter)
     return np.broadcast_to(
         (made.reading[found.line].along * made.reading[found.value])[0], (len(made.project.names),)
     )
 
 
-def balance(made: Work) -> np.ndarray:
-    assert made.project.forces is not None
-    return made.reading[made.project.forces.balance][0]
+def balance(made: Drawn) -> np.ndarray:
+    assert FORCES.of(made) is not None
+    return made.reading[FORCES.on(made).balance][0]
 
 
 def test_against_the_velocity_of_a_slider() -> None:
@@ -51,7 +57,7 @@ def test_against_the_velocity_of_a_slider() -> None:
 def test_against_the_velocity_of_any_point(turned: bool) -> None:
     made = loaded(Load(2, "S2", 50.0), scene=replace(ENGINE, turned=turned))
     found = force(made, "F_2")
-    image = made.project.velocities.images.by_letter[2]["S2"]  # type: ignore[union-attr]
+    image = KINEMATICS.on(made).velocities.images.by_letter[2]["S2"]  # type: ignore[union-attr]
     velocity = made.reading[image][0] * (1j if turned else 1.0)
     np.testing.assert_allclose(found, -50.0 * velocity / np.abs(velocity), atol=1e-10)
 
@@ -72,8 +78,8 @@ def test_by_position_and_by_angle() -> None:
 
 def test_a_moment_against_the_rotation() -> None:
     made = loaded(Load(2, None, 7.0))
-    rate = made.reading[made.project.velocities.rates[2]][0]  # type: ignore[union-attr]
-    couple = made.reading[made.project.forces.loads.couples[0].value][0]  # type: ignore[union-attr]
+    rate = made.reading[KINEMATICS.on(made).velocities.rates[2]][0]  # type: ignore[union-attr]
+    couple = made.reading[FORCES.on(made).loads.couples[0].value][0]  # type: ignore[union-attr]
     moving = np.abs(rate) > 1e-6
     np.testing.assert_allclose(couple[moving], -7.0 * np.sign(rate[moving]))
     with pytest.raises(StructureError, match="does not turn"):
@@ -86,7 +92,7 @@ def test_by_travel_of_the_knife() -> None:
     )
     made = loaded(Load(5, "D", travel=travel), scene=WINDROWER)
     found = np.abs(force(made, "F_5"))
-    place = made.reading[made.project.positions.point("D")][0]
+    place = made.reading[KINEMATICS.on(made).positions.point("D")][0]
     share = np.abs(place - place[0]) / np.abs(place[-1] - place[0])
     out = np.interp(share[1:8], (0.0, 0.5, 1.0), (0.0, 200.0, 100.0))
     np.testing.assert_allclose(found[1:8], out, rtol=1e-9)
@@ -109,7 +115,7 @@ def test_the_gas_pushes_the_piston() -> None:
     pressures = np.array(ENGINE.tasks["flywheel"].indicator.cover.pressures)
     np.testing.assert_allclose(force(made, "P"), -pressures * area, rtol=1e-9)
     # the reduced moment of the flywheel's first step, reversed: P_b·OA
-    speed = made.reading[made.project.velocities.readings[3]][0]  # type: ignore[union-attr]
+    speed = made.reading[KINEMATICS.on(made).velocities.readings[3]][0]  # type: ignore[union-attr]
     due = pressures * area * speed / 60.0 if made.scales["velocities"].value == 0.25 else None
     if due is not None:
         np.testing.assert_allclose(balance(made), due, atol=1e-6)
@@ -117,9 +123,9 @@ def test_the_gas_pushes_the_piston() -> None:
 
 def test_the_gas_balances_what_the_flywheel_is_driven_by() -> None:
     """The reduced moment of A2 is minus the balancing moment of the gas alone."""
-    engine = work(ENGINE, exact=True)
+    engine = drawn_of(ENGINE, exact=True)
     made = loaded(gas=ENGINE.tasks["flywheel"].indicator, balance="moment")  # type: ignore[union-attr]
-    chart = next(c for c in engine.project.flywheel.charts if c.view == "moment")  # type: ignore[union-attr]
+    chart = next(c for c in FLYWHEEL.on(engine).charts if c.view == "moment")  # type: ignore[union-attr]
     moment = engine.reading[chart.ordinates[0]] * engine.reading[chart.mu]
     np.testing.assert_allclose(balance(made), -moment[0], atol=1e-8)
 
@@ -139,18 +145,18 @@ def test_a_load_on_what_is_not_there_is_refused(load: Load, says: str) -> None:
 
 def test_the_windrowers_reduced_moment_is_its_power_over_omega() -> None:
     """The lever against forces times velocities, of the loads that are not inertia's."""
-    made = work(WINDROWER, exact=True)
-    assert made.project.forces is not None
-    assert made.project.flywheel is not None
-    assert made.project.velocities is not None
+    made = drawn_of(WINDROWER, exact=True)
+    assert FORCES.of(made) is not None
+    assert FLYWHEEL.of(made) is not None
+    assert KINEMATICS.on(made).velocities is not None
     power = np.zeros(len(made.project.names))
     mu = made.scales["velocities"].value
-    for one in made.project.forces.loads.on_lever:
+    for one in FORCES.on(made).loads.on_lever:
         if not one.letter.startswith("P_{i"):
             assert one.image is not None
             velocity = made.reading[one.image] * mu
             acting = made.reading[one.line].along * made.reading[one.value]
             power = power + (acting * velocity.conj()).real[0]
-    chart = next(c for c in made.project.flywheel.charts if c.view == "moment")
+    chart = next(c for c in FLYWHEEL.on(made).charts if c.view == "moment")
     found = made.reading[chart.ordinates[0]][0] * made.reading[chart.mu][0, 0]
     np.testing.assert_allclose(found, -power / WINDROWER.mechanism.drive.speed, atol=1e-9)  # type: ignore[union-attr]

@@ -9,13 +9,10 @@ import numpy as np
 import pytest
 from support.teeth import Pair, dense, pair
 
-from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.values import Length, arrays, undefined
-from graphic_tmm.chapters.gears.plan import draw_gear, gear_scales
-from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.rows import STATIONS
 from graphic_tmm.chapters.gears.task import GearOrder
 
@@ -27,7 +24,7 @@ EPS = float(np.finfo(float).eps)
 
 def results(order: GearOrder) -> dict[str, float]:
     of = pair(order)
-    return {name: value for name, (value, _) in gear_results(of.gear, of.reading).items()}
+    return {name: value for name, (value, _) in of.results().items()}
 
 
 EXACT = {
@@ -96,7 +93,7 @@ def test_any_pair_by_formulas_of_its_own_and_the_drawn_contact_ratio(seed: int) 
         z1, z2, float(rng.uniform(1e-3, 2e-2)), x1, x2, alpha=float(rng.choice([20, 25]))
     )
     of, due = pair(order), exact(order)
-    found = gear_results(of.gear, of.reading)
+    found = of.results()
     for name, value in due.items():
         # inv α_w loses the digits that tan² α_w takes; Δy those of a difference of numbers like z
         assert found[name][0] == pytest.approx(value, rel=1e-13, abs=200 * EPS * (z1 + z2)), name
@@ -111,7 +108,7 @@ def test_any_pair_by_formulas_of_its_own_and_the_drawn_contact_ratio(seed: int) 
 
 def test_with_a_ruler_the_drawn_contact_ratio_is_right_to_half_a_percent() -> None:
     of = pair(WINDROWER, hand=Hand(0.5))
-    found = gear_results(of.gear, of.reading)
+    found = of.results()
     # 64.86 mm reads 65.0, 56.00 mm reads 56.0
     assert found["contact_ratio_drawn"][0] == 65.0 / 56.0
     assert abs(found["contact_ratio_difference"][0]) < 0.5
@@ -281,9 +278,8 @@ def test_a_scale_changes_the_drawing_only() -> None:
 
 
 def test_trials_run_together_as_alone() -> None:
-    draft = Draft()
-    gear = draw_gear(draft, replace(WINDROWER, stations=()))
-    given, log = {**draft.given, **gear_scales(draft, gear)}, draft.board.construction()
+    one = pair(replace(WINDROWER, stations=()))
+    gear, given, log = one.gear, one.given, one.log
     scales = np.array([[0.0004], [0.0005]])
     both = execute(log, {**given, gear.line.mu: scales})
     for trial, mu in enumerate(scales):

@@ -8,12 +8,14 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.board.operations.curve import bezier
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.placing import flat
 from graphic_tmm.scene.read import read
@@ -25,13 +27,13 @@ SHAFT = (20e3, 30e3, 45e3, 70e3, 110e3, 160e3, 320e3, 310e3, 250e3, 170e3, 120e3
 
 
 @cache
-def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Work:
+def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Drawn:
     scene = read(SHEETS / "engine")
     assert scene.tasks.get("flywheel") is not None
     shaft = Gas(SHAFT, BORE, ROD) if double else None
     order = IndicatorOrder("B", Gas(COVER, BORE), shaft, base=80.0, mu=2000.0)
     row = replace(scene.row, extra=extra)
-    return work(
+    return drawn_of(
         replace(
             scene, row=row, sheets=(SheetOrder("A1", ("positions", "velocities", "flywheel")),)
         ).asking(flywheel=replace(scene.tasks["flywheel"], indicator=order)),
@@ -39,9 +41,9 @@ def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Work:
     )
 
 
-def made(of: Work) -> Indicator:
-    assert of.project.flywheel is not None
-    return of.project.flywheel.indicator
+def made(of: Drawn) -> Indicator:
+    assert FLYWHEEL.of(of) is not None
+    return FLYWHEEL.on(of).indicator
 
 
 def travel() -> np.ndarray:
@@ -67,7 +69,7 @@ def test_pressures_are_read_in_mm_and_come_back_times_their_scale() -> None:
 
 def test_the_ruler_reads_them_in_its_divisions() -> None:
     scene = drawn().scene
-    read_off = work(replace(scene, ruler=0.5))
+    read_off = drawn_of(replace(scene, ruler=0.5))
     (side,) = made(read_off).sides
     heights = read_off.reading[side.ordinate][0]
     np.testing.assert_allclose(heights * 2, np.round(heights * 2), atol=1e-9)
@@ -109,7 +111,7 @@ def test_a_scale_that_is_not_given_is_standard_and_has_room() -> None:
     scene = drawn().scene
     assert scene.tasks.get("flywheel") is not None
     order = replace(scene.tasks["flywheel"].indicator, mu=None, height=120.0)
-    free = work(
+    free = drawn_of(
         scene.asking(flywheel=replace(scene.tasks["flywheel"], indicator=order)), exact=True
     )
     assert free.scales["indicator"].value == 2500.0

@@ -6,10 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from graphic_tmm.work import Work, work
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder, Stretch
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
@@ -29,19 +31,19 @@ TRACED = (
 )
 
 
-def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -> Work:
+def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -> Drawn:
     scene = read(SHEETS / "engine")
     assert scene.tasks.get("flywheel") is not None
     gas = Gas((), BORE, 0.0, stretches, C)
     order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
     row = replace(scene.row, count=count, extra=extra, accelerations=())
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
-    return work(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
+    return drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
 
 
-def pressures(made: Work) -> np.ndarray:
-    assert made.project.flywheel is not None
-    (side,) = made.project.flywheel.indicator.sides
+def pressures(made: Drawn) -> np.ndarray:
+    assert FLYWHEEL.of(made) is not None
+    (side,) = FLYWHEEL.on(made).indicator.sides
     return np.asarray(made.reading[side.ordinate][0] * 2000.0)
 
 
@@ -68,8 +70,8 @@ def test_points_are_joined_by_straight_lines() -> None:
 
 def test_the_mean_pressure_of_many_positions_is_that_of_the_strokes() -> None:
     made = drawn(*STEAM, count=360)
-    assert made.project.flywheel is not None
-    (side,) = made.project.flywheel.indicator.sides
+    assert FLYWHEEL.of(made) is not None
+    (side,) = FLYWHEEL.on(made).indicator.sides
     out = 600e3 * (0.3 + (C + 0.3) * np.log((C + 1) / (C + 0.3)))
     compressed = 110e3 * (C + 0.25) / 0.2 * (((C + 0.25) / C) ** 0.2 - 1)
     due = out - 110e3 * 0.75 - compressed
@@ -96,7 +98,7 @@ def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
     order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
     row = replace(scene.row, zero=zero, accelerations=())
-    work(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
+    drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
 
 
 @pytest.mark.slow

@@ -10,6 +10,7 @@ from support.each import each
 from support.gallery import PLANS, drawn
 
 from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.readers.columns import segment_name
 from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 
@@ -66,7 +67,7 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    groups = [f"II({g.name})" for g in drawn(name, exact=True).project.structure.groups]
+    groups = [f"II({g.name})" for g in KINEMATICS.on(drawn(name, exact=True)).structure.groups]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
@@ -76,7 +77,7 @@ def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
 def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) -> None:
     """Along its known direction, the unknown vector is what the rest of the side leaves."""
     work = drawn(name, exact=True)
-    reading = work.reading if plan == "velocities" else work.accelerated
+    reading = work.reading if plan == "velocities" else work.of("accelerations")
     assert reading is not None
     log = work.project.construction
     lengths: dict[str, Mark] = {}

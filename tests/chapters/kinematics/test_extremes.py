@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.boards import recorded
 from support.each import each
 from support.gallery import SHEETS
 from support.linkages import four_bar, slider_crank
-from support.mechanisms import Drawn, mechanisms
+from support.mechanisms import Sampled, mechanisms
 from support.rows import apart, places, project_of
 
 from graphic_tmm.board.values import undefined
@@ -24,7 +25,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Side
 from graphic_tmm.mechanism.structure import dissect
-from graphic_tmm.project import Project, draw_project
+from graphic_tmm.project import Project
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 
@@ -122,7 +123,7 @@ def test_the_rocker_of_the_windrower_is_extreme_where_the_crank_is_square_to_it(
     scene = read(SHEETS / name)
     mechanism = scene.mechanism
     turned = Mechanism(mechanism.frame, mechanism.links, Drive(1, speed * mechanism.drive.speed))
-    project = draw_project(turned, scene.row, plans=["positions"])
+    project = recorded(turned, scene.row, plans=["positions"])
     half = math.asin((r or 0.48 * math.sin(math.radians(180 * 0.45 / 2.45) / 2)) / 0.48)
     assert apart(project.angles[0], -math.degrees(half)) < 1e-9
     assert apart(project.angles[-1], 180.0 + math.degrees(half)) < 1e-9
@@ -165,7 +166,7 @@ def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str
 @pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), at=st.sampled_from(sorted(OPPOSITE)))
-def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Drawn, at: str) -> None:
+def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Sampled, at: str) -> None:
     letter = sorted(set(drawn.points) - set(drawn.mechanism.frame.points))[-1]
     try:
         project = project_of(drawn.mechanism, letter, at, count=1)

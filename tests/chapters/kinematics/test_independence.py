@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from support.drawn import board
 from support.each import each
-from support.mechanisms import Drawn, sample
+from support.mechanisms import Sampled, sample
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import arrays
@@ -32,7 +32,7 @@ def _same(first: dict[str, Any], second: dict[str, Any], places: Any = slice(Non
 
 
 @each("drawn", DRAWN)
-def test_twelve_at_once_are_twelve_times_one(drawn: Drawn) -> None:
+def test_twelve_at_once_are_twelve_times_one(drawn: Sampled) -> None:
     sheet, angles = board(drawn.mechanism), ANGLES + drawn.phi
     whole = sheet.read(angles)
     for index in range(12):

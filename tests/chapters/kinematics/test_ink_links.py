@@ -10,28 +10,30 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 from support.gallery import CASES
-from support.mechanisms import Drawn, sample
+from support.mechanisms import Sampled, sample
 from support.oracle import OracleError
 from support.rewritten import relettered, text_of
 from support.seen import CLOSE, Seen, judge
 
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Stroke
+from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets, table_columns
+from graphic_tmm.studio import sheets
 
 COUNT = 6
 TAIL = '[hand]\nruler = "exact"\n[[sheet]]\nformat = "A1"\nplace = ["positions"]\n'
 
 
-def look(drawn: Drawn, seed: int, folder: Path) -> Seen | None:
+def look(drawn: Sampled, seed: int, folder: Path) -> Seen | None:
     """Draw a mechanism as a sheet; None where no sheet can hold it (its plan is as large as it likes)."""
     path = folder / "scene.toml"
     mechanism = relettered(drawn.mechanism, seed)
     path.write_text(text_of(mechanism, drawn.phi, COUNT, TAIL), encoding="utf-8")
     made, paper = sheets(read(path))
-    assert made.work is not None
-    return Seen(made.work, paper)
+    assert made.mechanism is not None
+    return Seen(made.mechanism, paper)
 
 
 def run(count: int, seed: int, folder: Path) -> tuple[int, int]:
@@ -68,8 +70,8 @@ def case(name: str) -> Seen:
     """Draw a case with an exact ruler, so that the vector loops close on its marks."""
     scene = replace(read(CASES / "sheets" / f"{name}.toml"), ruler=None)
     made, paper = sheets(scene)
-    assert made.work is not None
-    return Seen(made.work, paper)
+    assert made.mechanism is not None
+    return Seen(made.mechanism, paper)
 
 
 @pytest.mark.slow
@@ -116,16 +118,16 @@ def look_at(text: str) -> Seen:
         path = Path(folder) / "scene.toml"
         path.write_text(text + '\n[hand]\nruler = "exact"\n', encoding="utf-8")
         made, paper = sheets(read(path))
-    assert made.work is not None
-    return Seen(made.work, paper)
+    assert made.mechanism is not None
+    return Seen(made.mechanism, paper)
 
 
 @pytest.mark.slow
 def test_a_detached_group_holds_the_same_links() -> None:
     scene = replace(read(CASES / "sheets" / "hydraulic.toml"), ruler=None)
     made, paper = sheets(scene)
-    assert made.work is not None
-    seen, lengths = Seen(made.work, paper), []
+    assert made.mechanism is not None
+    seen, lengths = Seen(made.mechanism, paper), []
     reach = bar_of(seen, 3, 1 + 0j)
     arm = abs(seen.mechanism.by_number[3].points["D"]) / seen.mu
     for view in (d for s in paper for d in s.drawings if d.name.startswith("group-2-3")):
@@ -142,9 +144,9 @@ def test_a_detached_group_holds_the_same_links() -> None:
 
 def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row() -> None:
     made, _ = sheets(replace(read(CASES / "sheets" / "rotary.toml"), ruler=None))
-    assert made.work is not None
-    rows = {(c.plan, c.segment): c for c in table_columns(made.work)}
-    for place, degrees in enumerate(made.work.project.angles):
+    assert made.mechanism is not None
+    rows = {(c.plan, c.segment): c for c in columns_of(made.mechanism)}
+    for place, degrees in enumerate(made.mechanism.project.angles):
         x = 120.0 * math.cos(math.radians(degrees))
         reach = x + math.sqrt(x * x - 120.0**2 + 300.0**2)  # of A along the cylinder, mm
         due = 10 * math.pi * reach / 1000
@@ -158,7 +160,7 @@ def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row(
 def test_a_helping_point_never_takes_a_letter_of_the_scene() -> None:
     seen = look_at(YOKE)
     judge(seen)
-    body = seen.work.project.positions.bodies[3]
+    body = KINEMATICS.on(seen.work).positions.bodies[3]
     apart = seen.work.reading[body.marks["B′"]] - seen.work.reading[body.marks["B"]]
     assert np.abs(apart) * seen.mu == pytest.approx(0.05, rel=1e-9)
 

@@ -28,7 +28,7 @@ from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
 @cache
 def plan(name: str, which: str, index: int, lettered: bool = True) -> Drawing:
     work = drawn(name, exact=True)
-    reading = work.accelerated if which == "accelerations" else work.reading
+    reading = work.of("accelerations") if which == "accelerations" else work.reading
     assert reading is not None
     log, mu = work.project.construction, work.scales[which].value
     return draw_plan(log, reading, which, [Place(index)], "x", "X", mu, "m/s", lettered=lettered)
@@ -62,7 +62,7 @@ def test_vectors_of_the_engine_are_those_of_its_plans() -> None:
 @each("name, which", PLANS)
 def test_a_vector_runs_between_its_points_as_long_as_its_segment(name: str, which: str) -> None:
     work = drawn(name, exact=True)
-    reading = work.accelerated if which == "accelerations" else work.reading
+    reading = work.of("accelerations") if which == "accelerations" else work.reading
     assert reading is not None
     log = work.project.construction
     lengths = {m.letter: m for m in work.project.marks(which) if m.kind.__name__ == "Length"}

@@ -19,6 +19,8 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     clear_start,
     draw_positions_ink,
 )
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.placing import box, shape
@@ -26,9 +28,7 @@ from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
 
 
 def crank(name: str) -> tuple[Mark, Mark]:
-    project = drawn(name, exact=True).project
-    marks = project.positions.bodies[project.structure.driver].marks
-    return marks[project.structure.pivot], marks[project.structure.pin]
+    return KINEMATICS.on(drawn(name, exact=True)).crank
 
 
 @cache
@@ -39,7 +39,7 @@ def plan(
     return draw_positions_ink(
         work.project.construction,
         work.reading,
-        work.reaches,
+        reaches(work),
         main=main,
         names=work.project.names,
         skipped=skipped,
@@ -66,7 +66,7 @@ def spots(stroke: Stroke) -> list[complex]:
 @pytest.mark.parametrize("main", [0, 1, 5])
 def test_the_main_position_is_drawn_with_rods_and_the_others_thin(main: int) -> None:
     view = plan("engine", main)
-    body = drawn("engine").project.positions.bodies
+    body = KINEMATICS.on(drawn("engine")).positions.bodies
     o, a = crank("engine")
     rods = [{(round(z.real, 6), round(z.imag, 6)) for z in spots(s)} for s in strokes(view, "rod")]
     b = body[2].marks["B"]
@@ -106,7 +106,7 @@ def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> No
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_of_the_mechanism_stands_once(name: str) -> None:
-    mechanism = drawn(name, exact=True).project.mechanism
+    mechanism = KINEMATICS.on(drawn(name, exact=True)).mechanism
     texts = [label.text for label in plan(name).labels if label.size == 5.0]
     found = [part.replace("_{", "").replace("}", "") for t in texts for part in t.split(", ")]
     due = {letter for link in mechanism.links for letter in link.points}
@@ -140,14 +140,14 @@ def test_trajectories_are_smooth_curves_through_their_points() -> None:
     assert curves
     assert all(curve.title.startswith("(S2") for curve in curves)
     controls = [z for curve in curves for z in curve.controls]
-    mark = drawn("engine").project.positions.bodies[2].marks["S2"]
+    mark = KINEMATICS.on(drawn("engine")).positions.bodies[2].marks["S2"]
     for index in range(12):
         assert min(abs(z - at("engine", mark, index)) for z in controls) < 1e-6
     assert not [s for s in plan("windrower").strokes if isinstance(s, Bezier)]
 
 
 def test_a_guide_is_hatched_over_the_travel_of_its_slider() -> None:
-    view, mark = plan("engine"), drawn("engine").project.positions.bodies[2].marks["B"]
+    view, mark = plan("engine"), KINEMATICS.on(drawn("engine")).positions.bodies[2].marks["B"]
     travel = [at("engine", mark, k).real for k in range(12)]
     level = [
         s
@@ -166,7 +166,7 @@ def test_a_guide_is_hatched_over_the_travel_of_its_slider() -> None:
 
 
 def test_a_rocker_runs_through_its_stone() -> None:
-    body = drawn("windrower").project.positions.bodies
+    body = KINEMATICS.on(drawn("windrower")).positions.bodies
     pivot, pin = body[3].marks["B"], crank("windrower")[1]
     a, b = at("windrower", pin, 1), at("windrower", pivot, 1)
     rods = [
@@ -179,7 +179,7 @@ def test_a_rocker_runs_through_its_stone() -> None:
 
 
 def test_a_mass_centre_is_a_small_circle() -> None:
-    mark = drawn("engine").project.positions.bodies[2].marks["S2"]
+    mark = KINEMATICS.on(drawn("engine")).positions.bodies[2].marks["S2"]
     centre = at("engine", mark, 1)
     round_ones = [
         s

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 from hypothesis import HealthCheck, given, settings
 from support.compare import errors
-from support.mechanisms import KINDS, Drawn, mechanisms, sample
+from support.mechanisms import KINDS, Sampled, mechanisms, sample
 
 RATIO = 1e-9
 
 
-def _within(drawn: Drawn, turned: bool) -> None:
+def _within(drawn: Sampled, turned: bool) -> None:
     found = errors(drawn, turned=turned)
     assert max(found.values()) <= RATIO, (found, drawn.kinds)
 
@@ -19,7 +19,7 @@ def _within(drawn: Drawn, turned: bool) -> None:
 @pytest.mark.parametrize("turned", [False, True])
 @settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
 @given(drawn=mechanisms())
-def test_all_plans_equal_the_vector_loops(turned: bool, drawn: Drawn) -> None:
+def test_all_plans_equal_the_vector_loops(turned: bool, drawn: Sampled) -> None:
     _within(drawn, turned)
 
 

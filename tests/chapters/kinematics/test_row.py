@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from support.boards import recorded
 from support.gallery import SHEETS
 from support.linkages import slider_crank
 from support.rows import apart, places, project_of
@@ -12,7 +13,6 @@ from support.rows import apart, places, project_of
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Row
-from graphic_tmm.project import draw_project
 from graphic_tmm.scene.read import read
 
 
@@ -29,7 +29,7 @@ def test_the_row_goes_with_the_crank_in_equal_steps(first: int, speed: float) ->
 
 
 def test_the_engine_keeps_an_exact_right_angle() -> None:
-    project = draw_project(read(SHEETS / "engine").mechanism, Row(12, 1, 0.0), plans=["positions"])
+    project = recorded(read(SHEETS / "engine").mechanism, Row(12, 1, 0.0), plans=["positions"])
     assert project.angles[3] == 90.0
     assert project.names[3] == "4"
 
@@ -64,7 +64,7 @@ def test_extra_angles_stand_as_given_outside_the_row() -> None:
 
 
 def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
-    project = draw_project(
+    project = recorded(
         slider_crank(0.3, 0.64), Row(4, zero=10.0, extra=(77.5,)), plans=["positions"]
     )
     assert project.angles == (10.0, 100.0, 190.0, 280.0, 77.5)
@@ -75,7 +75,7 @@ def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
 
 def test_the_other_extreme_needs_a_zero_that_is_one() -> None:
     with pytest.raises(StructureError, match="needs a zero position that is an extreme itself"):
-        draw_project(slider_crank(0.3, 0.64), Row(12, extra=(OTHER,)))
+        recorded(slider_crank(0.3, 0.64), Row(12, extra=(OTHER,)))
 
 
 @pytest.mark.parametrize("letter", ["O", "Q"])
@@ -86,12 +86,12 @@ def test_a_point_that_does_not_move_has_no_extreme(letter: str) -> None:
 
 def test_an_acceleration_plan_for_a_position_that_is_not_there_is_refused() -> None:
     with pytest.raises(StructureError, match=r"no position 13; there are 0, 1"):
-        draw_project(slider_crank(0.3, 0.64), Row(12, accelerations=("13",)))
+        recorded(slider_crank(0.3, 0.64), Row(12, accelerations=("13",)))
 
 
 def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
     with pytest.raises(StructureError, match="no point Q"):
-        draw_project(slider_crank(0.3, 0.64), Row(12), trajectories=["Q"])
+        recorded(slider_crank(0.3, 0.64), Row(12), trajectories=["Q"])
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,7 @@ def test_an_extra_is_named_with_as_many_digits_as_tell_it() -> None:
     )
     wanted = (*wanted, 5.7295779513, 5.72957795131)
     mechanism = read(SHEETS / "engine").mechanism
-    project = draw_project(mechanism, Row(12, 1, 0.0, wanted), plans=["positions"])
+    project = recorded(mechanism, Row(12, 1, 0.0, wanted), plans=["positions"])
     assert project.names[12:] == (
         "30°",
         "29.999999999°",

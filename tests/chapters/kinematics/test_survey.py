@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 from support.assemblies import message
+from support.boards import recorded
 from support.linkages import coulisse, four_bar, slider_crank
 from support.rows import places
 
 from graphic_tmm.mechanism.records import Link, Mechanism, Row, Side, Slide
-from graphic_tmm.project import draw_project
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ def test_left_of_one_way_is_right_of_the_other() -> None:
         sided(link3=Side(-1, ("C", "A"))),
         sided(link2=Side(1, ("A", "C")), link3=Side(-1, ("C", "A"))),
     ]
-    found = [places(draw_project(one, Row(5), plans=["positions"]), "B") for one in kept]
+    found = [places(recorded(one, Row(5), plans=["positions"]), "B") for one in kept]
     for row in found:
         assert (row == found[0]).all()
         assert (row.imag > 0).all()  # to the left of the way from A to C

@@ -25,9 +25,10 @@ from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Re
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import Made, make
+from graphic_tmm.studio import make
 
 HEAD = "plan,position,segment,mm,value,unit,x,y\n"
 TRIALS = 120
@@ -40,7 +41,7 @@ def scene(name: str) -> Scene:
 
 
 @cache
-def drawn(name: str) -> Made:
+def drawn(name: str) -> DrawnScene:
     return make(scene(name), exact=True)
 
 
@@ -238,7 +239,7 @@ def test_a_point_half_a_mm_off_is_fine_on_paper_and_not_on_a_screen(tmp_path: Pa
 def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    def unsure(made: Made) -> dict[tuple[str, str, str], Cell]:
+    def unsure(made: DrawnScene) -> dict[tuple[str, str, str], Cell]:
         found = cells(made)
         del found["velocities", "ab", "2"]
         return found

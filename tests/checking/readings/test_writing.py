@@ -7,13 +7,14 @@ import io
 
 import pytest
 from support import gallery
+from support.boards import parts
 from support.gallery import NAMES
 
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import result_columns, template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.studio import table, table_columns
+from graphic_tmm.readers.table import columns_of, results_of, table
 
 COLUMNS = (
     Column("velocities", "pb", "pb", "m/s", (0.0, 1.0, None), (0.0, 0.25, None)),
@@ -80,9 +81,9 @@ def test_writing_quotes_what_would_be_taken_for_something_else():
 def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
     """Filled in with the program's own figures, row by row by the csv module, every figure comes back, once."""
     made = gallery.made(name)
-    work = made.work
-    columns = table_columns(work) if work is not None else []
-    results = {k: v for part in made.parts for k, v in part.results().items()}
+    work = made.mechanism
+    columns = columns_of(work) if work is not None else []
+    results = {k: v for part in parts(made) for k, v in results_of(part).items()}
     columns = [*columns, *result_columns(results)]
     names = work.project.names if work is not None else ()
     due = {

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from support.gallery import ROOT
-from support.reports import HOSTILE, LANGUAGES, engine, judged, loaded, printed, report
+from support.reports import FORMS, HOSTILE, LANGUAGES, engine, judged, loaded, report
 
 from graphic_tmm.checking.records import WRONG
 from graphic_tmm.checking.report import (
@@ -26,13 +26,10 @@ from graphic_tmm.checking.report import (
 from graphic_tmm.checking.report import (
     words as report_words,
 )
-from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.checking.report.rows import grids
 from graphic_tmm.checking.report.words import WORDS, shown
-
-FORMS = [markdown_report, html_report, json_report, lambda made: printed(made, 100)]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -82,9 +79,8 @@ def test_what_is_shown_is_short_printable_and_on_one_line(text: str, most: int) 
 
 SCRIPT = """
 import sys
-sys.path[:0] = [{here!r}, {tests!r}, {root!r}]
-from support.reports import engine, explaining
-from test_report import FORMS
+sys.path[:0] = [{tests!r}, {root!r}]
+from support.reports import FORMS, engine, explaining
 for form in FORMS:
     made = engine("ru")._replace(mistakes=(explaining(2, 3, 9), explaining(4)), notes=("a", "b"))
     sys.stdout.buffer.write(form(made).encode())
@@ -93,8 +89,7 @@ for form in FORMS:
 
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_the_run() -> None:
-    here = os.path.dirname(os.path.abspath(__file__))
-    script = SCRIPT.format(here=here, tests=str(ROOT / "tests"), root=str(ROOT))
+    script = SCRIPT.format(tests=str(ROOT / "tests"), root=str(ROOT))
     runs = [
         subprocess.run(
             [sys.executable, "-c", script],
