@@ -17,10 +17,13 @@ MAIN_WIDTH: Mapping[str, float] = MappingProxyType({"A1": 0.8, "A4": 0.6})
 """Width s of the main line in mm, by format."""
 
 DASHED = (5.0, 1.5)
+"""Stroke and gap, mm (ГОСТ 2.303: 2…8 and 1…2)."""
 CENTRE = (12.0, 1.5, 1.0, 1.5)
+"""Stroke, gap, dot, gap, mm (ГОСТ 2.303: strokes of 5…30, 3…5 between two of them)."""
 SHORTEST = 5.0
 """The shortest stroke of a dash-dot line, mm."""
 PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
+"""The same with two dots."""
 
 
 class Pen(NamedTuple):

@@ -21,6 +21,7 @@ from graphic_tmm.readers.columns import Column, Row, known_at
 from graphic_tmm.readers.equations import quantity
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 
 def result_table(

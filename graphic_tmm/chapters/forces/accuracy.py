@@ -18,6 +18,7 @@ from graphic_tmm.readers.varied import Accuracy, Axis
 from graphic_tmm.scene.records import Scene
 
 PASSES = (2, 3, 4, 6, 8)
+"""Numbers of passes of friction that are held against those that have settled."""
 SETTLED = 12
 """Passes of friction after which nothing changes any more."""
 FORCE, MOMENT = "P_bal", "M_bal"
