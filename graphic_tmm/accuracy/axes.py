@@ -14,8 +14,8 @@ from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, at_coun
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.project import called_on
-from graphic_tmm.readers.varied import Axis
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Axis
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""

@@ -14,9 +14,9 @@ from graphic_tmm.chapters.diagrams.task import ASKED, KinematicOrder
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 NAMES = {"V": "V_diagram", "a": "a_diagram"}
 """What the quantities are called, by their symbols."""

@@ -16,9 +16,9 @@ from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
 from graphic_tmm.chapters.kinematics.plan import ALL, POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 TURNING = "M_engine"
 

@@ -10,9 +10,9 @@ from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 STEPS = (4, 6, 8, 12, 16, 24, 48)
 """Steps of a rolling."""

@@ -20,9 +20,9 @@ from graphic_tmm.chapters.kinematics.plan import (
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Extreme, Row
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Trial
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scales, Scene
+from graphic_tmm.varied import Accuracy, Trial
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:

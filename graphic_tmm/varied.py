@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.record import Construction, Mark
     from graphic_tmm.drawn import Drawn
     from graphic_tmm.project import Project
-    from graphic_tmm.readers.quantity import Quantity
+    from graphic_tmm.quantity import Quantity
     from graphic_tmm.scene.records import Scene
 
 
