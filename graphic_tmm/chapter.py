@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.hand import Hand
     from graphic_tmm.board.record import Mark
     from graphic_tmm.board.scales import Scale
-    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.drawn import Drawn, Results
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
@@ -186,7 +186,7 @@ class Chapter:
     findings: Callable[[Drawn], Iterable[Finding]] = lambda drawn: ()
     warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
     columns: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
-    results: Callable[[Drawn], Mapping[str, tuple[float, str]]] = lambda drawn: {}
+    results: Callable[[Drawn], Results] = lambda drawn: {}
     facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}
     plans: tuple[str, ...] = ()
     plans_rank: int = 0

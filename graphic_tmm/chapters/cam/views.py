@@ -14,7 +14,7 @@ from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
-from graphic_tmm.drawn import Drawn, results_of
+from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.paper.arranging import captioned, stacked
@@ -144,7 +144,7 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
 def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
     words, rows = CAPTIONS[language], []
-    for name, (value, of) in results_of(drawn, cam_marks(CAM.on(drawn))).items():
+    for name, (value, of) in single(results_of(drawn, cam_marks(CAM.on(drawn)))).items():
         in_mm = of == "m"
         figure = fixed(1000.0 * value, 2, language) if in_mm else fixed(value, 2, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])

@@ -8,7 +8,7 @@ from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import number, unit
 from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
@@ -127,7 +127,7 @@ def _results(drawn: Drawn) -> Drawing:
     words = CAPTIONS[language]
     rows = [
         [words[name], number(value, language), unit(of, language)]
-        for name, (value, of) in engine_results(drawn).items()
+        for name, (value, of) in single(engine_results(drawn)).items()
     ]
     heads = [words["value"], words["results of"], words["unit"]]
     align = ["left", "centre", "left"]

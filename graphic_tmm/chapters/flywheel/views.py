@@ -18,7 +18,7 @@ from graphic_tmm.chapters.flywheel.table import (
     rim_too_wide,
 )
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language import symbols
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import flywheel_title, number, unit
@@ -143,7 +143,7 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
 def _results(drawn: Drawn) -> Drawing:
     """Return the table of results, both methods and what they differ by."""
     language = drawn.scene.language
-    words, found = CAPTIONS[language], flywheel_results(drawn)
+    words, found = CAPTIONS[language], single(flywheel_results(drawn))
     rows = [
         [words.get(name, SYMBOLS.get(name, name)), number(value, language), unit(of, language)]
         for name, (value, of) in found.items()
