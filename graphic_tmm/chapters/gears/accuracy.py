@@ -9,6 +9,7 @@ from math import pi
 from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scene
@@ -51,9 +52,17 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, mu=mu / times))
 
 
+WORDS = {
+    "contact_ratio": said("contact ratio, line"),
+    "contact_arc": said("contact ratio, arc"),
+    "steps": said("rolling steps"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(GEARS.chapter,),
-    axes=(Axis("steps", _rolled, parts=_own),),
+    axes=(Axis("steps", _rolled, parts=_own, counted=said("{n} step", "{n} steps")),),
     enlarged=_enlarged,
+    words=WORDS,
 )
