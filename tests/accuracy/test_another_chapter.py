@@ -20,10 +20,10 @@ from graphic_tmm.chapter import Asked, Chapter, Made, Place, added
 from graphic_tmm.errors import SceneError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.varied import Accuracy, Axis
 
 ASKED: Asked[int] = Asked("strip")
 STRIP: Made[Any] = Made("strip")

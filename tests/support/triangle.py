@@ -12,7 +12,7 @@ from graphic_tmm.chapter import Asked, Chapter, Made, Place
 from graphic_tmm.drawn import Drawn, view_scales
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing, line
-from graphic_tmm.project import Bench
+from graphic_tmm.project import Bench, Project
 from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene import values as v
@@ -60,6 +60,11 @@ def figure(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return [captioned(view, mu_text(drawn.scales["triangle"], drawn.scene.language))]
 
 
+def side(project: Project) -> tuple[Quantity, ...]:
+    value = Value(TRIANGLE.on(project).side, TRIANGLE.on(project).mu)
+    return (Quantity("CA", "m", (value,), due=(value,)),)
+
+
 CHAPTER = Chapter(
     "triangle", 98, "triangle",
     sections=(Section("triangle", Sides, "a triangle by its sides", alone=True),),
@@ -70,6 +75,5 @@ CHAPTER = Chapter(
     named=lambda project, reading, given: view_scales(project, reading),
     plans=("triangle",),
     columns=measured_columns,
-    accuracy=Accuracy(quantities=lambda project: (
-        Quantity("CA", "m", (Value(TRIANGLE.on(project).side, TRIANGLE.on(project).mu),)),)),
+    accuracy=Accuracy(quantities=side, words={"CA": "side CA"}),
 )  # fmt: skip
