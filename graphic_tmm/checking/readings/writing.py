@@ -9,7 +9,10 @@ from graphic_tmm.checking.readings.csv_cells import heads
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Results
 from graphic_tmm.language.numbers import decimal_sign
-from graphic_tmm.readers.columns import Column, empty
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+)
 
 _SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
 """By the decimal sign: separator and what a file begins with, so that spreadsheets take it as it is."""
