@@ -13,7 +13,9 @@ from support.command import invoke, printed, tabled
 
 from graphic_tmm.chapter import added
 
-SCENE = 'title = "T"\nlanguage = "{}"\n[[sheet]]\nformat = "A4"\n[triangle]\na = "60 mm"\nb = "50 mm"\n'
+SCENE = (
+    'title = "T"\nlanguage = "{}"\n[[sheet]]\nformat = "A4"\n[triangle]\na = "60 mm"\nb = "50 mm"\n'
+)
 
 
 @pytest.fixture(autouse=True)

@@ -25,7 +25,9 @@ LAYERS = (
 
 
 def layer(name: str) -> int:
-    found = (k for k, names in enumerate(LAYERS) if name in names or name.partition("_")[0] in names)
+    found = (
+        k for k, names in enumerate(LAYERS) if name in names or name.partition("_")[0] in names
+    )
     return next(found, 2)
 
 
