@@ -19,8 +19,7 @@ lines, cut off segments proportional to ω on a line parallel to the axis: the p
 from which the ratio is measured once more, and told beside the one by Willis (`rates`).
 
 Draws: place ``planetary``: pitch circles, kinematic scheme, pictures, conditions, the choice of trains; on
-a board of its own whose positions are the satellites. Of gears it uses one formula, the radius m·z/2
-(`pitch_radius`).
+a board of its own whose positions are the satellites. Builds on no chapter.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (планетарные механизмы: кинематика, подбор чисел
 зубьев); Попов С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the windrower (scene
