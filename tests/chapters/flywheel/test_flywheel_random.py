@@ -11,7 +11,6 @@ import pytest
 from support.boards import drawn_of
 from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
-from graphic_tmm.board.charts import HEIGHT
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
@@ -140,7 +139,7 @@ def test_graphs_use_the_room_of_their_format(
 ) -> None:
     """The scale next to the one chosen, at most 2 times finer, would not do."""
     made = drawn_of(scene(tmp_path, seed, on=on, more=f'constant = "{constant}"'), exact=True)
-    log, room = made.project.construction, HEIGHT[on]
+    log, room = made.project.construction, FORMATS[on].graph
     tall = {}
     for view in ("moment", "work", "energy"):
         spots = [
