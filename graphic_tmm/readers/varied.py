@@ -50,9 +50,8 @@ class Accuracy:
     which still has its old number of positions, gets another; None if it has not what a scene names then.
     What is given position by position is taken to be straight between them.
 
-    ``kept``: given marks, besides scale factors, that stay as they were drawn; ``scaled_as``: a view -> the
-    view whose scale factors it takes if it has none. ``tried``: what a refinement tries, by the mark that it
-    leaves.
+    ``kept``: given marks, besides scale factors, that stay as they were drawn. ``tried``: what a refinement
+    tries, by the mark that it leaves.
 
     ``enlarged``: the scene drawn so many times larger than it was, every μ so much finer. ``poles``: the
     quantities on which the distance of its poles bears, none if a scene has no pole; ``farther``: what is
@@ -66,7 +65,6 @@ class Accuracy:
     whole: Callable[[Scene], Scene] = lambda scene: scene
     at_count: Callable[[Scene, int], Scene | None] = lambda scene, count: scene
     kept: Callable[[Project], Iterable[Mark]] = lambda project: ()
-    scaled_as: Callable[[str], str] = lambda view: view
     tried: Callable[[Project], Mapping[Mark, Trial]] = lambda project: {}
     enlarged: Callable[[Scene, Drawn, float], Scene] = lambda scene, drawn, times: scene
     poles: Callable[[Scene], tuple[str, ...]] = lambda scene: ()

@@ -75,9 +75,8 @@ class Told(NamedTuple):
 def scene_of(mechanism: Mechanism, order: ForcesOrder, angles: Sequence[float]) -> Scene:
     """A scene of these positions: the first the row's only one, the others extras."""
     row = Row(1, 1, angles[0], tuple(angles[1:]), ("all",))
-    return Scene(
-        "random", "random", "en", mechanism, row, forces=order, sheets=(SheetOrder("A1", SHOWN),)
-    )
+    sheets = (SheetOrder("A1", SHOWN),)
+    return Scene("random", "random", "en", mechanism, row, sheets=sheets).asking(forces=order)
 
 
 def drawn_at(one: Loaded, angles: Sequence[float]) -> tuple[Drawn, list[Column]]:

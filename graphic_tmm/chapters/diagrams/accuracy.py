@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.board import roles
-from graphic_tmm.board.charts import STANDARD, ScaleOrder
+from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.diagrams.plan import BASE, DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicOrder
@@ -84,9 +83,8 @@ def _farther(project: Project, times: float) -> dict[Mark, object]:
         chart = made.charts[symbol]
         if chart.chosen:
             found[chart.mu] = np.asarray(given[chart.mu]) * change
-    for mark, value in given.items():
-        if mark.role == roles.POLE_DISTANCE and mark.view in VIEWS.values():
-            found[mark] = np.asarray(value) * times
+        for distance in distances(given, VIEWS[symbol]):
+            found[distance] = np.asarray(given[distance]) * times
     return found
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.plan import FORCES, VIEW
+from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
@@ -44,12 +44,6 @@ def _by_passes(scene: Scene, passes: tuple[int, ...] = PASSES) -> Iterator[tuple
         for n in passes:
             friction = replace(order.friction, passes=n)
             yield str(n), ASKED.put(scene, replace(order, friction=friction))
-
-
-def _scaled_as(view: str) -> str:
-    """Return the polygon of the last pass of friction for that of an earlier: forces 4-5 1 -> forces 4-5."""
-    kind, group, *_ = [*view.split(" "), ""]
-    return f"{VIEW} {group}" if kind == VIEW and group else view
 
 
 def _kept(project: Project) -> tuple[Mark, ...]:
@@ -91,6 +85,5 @@ ACCURACY = Accuracy(
     whole=_whole,
     at_count=_at_count,
     kept=_kept,
-    scaled_as=_scaled_as,
     enlarged=_enlarged,
 )
