@@ -15,7 +15,7 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
-from graphic_tmm.readers.varied import NOTHING, Accuracy
+from graphic_tmm.varied import NOTHING, Accuracy
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,7 +31,9 @@ if TYPE_CHECKING:
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
-    from graphic_tmm.readers.columns import Column
+    from graphic_tmm.readers.columns import (
+        Column,
+    )
     from graphic_tmm.scene.declare import Section
     from graphic_tmm.scene.records import Scene
 

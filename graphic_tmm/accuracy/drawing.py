@@ -13,9 +13,9 @@ from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import DrawnScene, doubted
 from graphic_tmm.fitting.scales import executed, reach_of, usual
 from graphic_tmm.project import Project, own_boards, record
-from graphic_tmm.readers.varied import Trial
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism
+from graphic_tmm.varied import Trial
 
 PER_MM = "/mm"
 Pinned = Mapping[tuple[str, str, str], object]

@@ -10,7 +10,9 @@ from typing import NamedTuple
 from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene, single
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import scene_columns, scene_results
 
 Key = tuple[str, str, str]

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.board.values import Length
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, empty, row_of, segment_name
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 
 def measured_columns(drawn: Drawn) -> tuple[Column, ...]:

@@ -9,7 +9,9 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Results
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 
 QUANTILES = {"median": 0.5, "p5": 0.05, "p95": 0.95}
 """What is told of the trials, by the end of a column's name."""

@@ -9,7 +9,10 @@ from typing import Any
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
-from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.readers.columns import (
+    Column,
+    Positions,
+)
 from graphic_tmm.readers.spread import (
     joined_columns,
     joined_results,

@@ -9,7 +9,11 @@ from typing import Any
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.words import fixed, number, plain, unit
-from graphic_tmm.readers.columns import Column, Positions, known_at
+from graphic_tmm.readers.columns import (
+    Column,
+    Positions,
+    known_at,
+)
 from graphic_tmm.readers.spread import QUANTILES
 
 FRAME = 3

@@ -9,7 +9,11 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from graphic_tmm.readers.columns import Column, Positions, Row
+from graphic_tmm.readers.columns import (
+    Column,
+    Positions,
+    Row,
+)
 
 DIGITS = 4
 """Significant digits of a quantity that is not read off a length itself, as the protocol tells it."""

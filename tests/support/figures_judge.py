@@ -20,7 +20,9 @@ from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.records import Scene, SheetOrder
 from support import dynamics, oracle

@@ -11,7 +11,7 @@ from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named, whole
 from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity
+from graphic_tmm.quantity import Quantity
 from graphic_tmm.scene.records import Scene
 from support import gallery
 from support.gallery import exact

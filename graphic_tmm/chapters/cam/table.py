@@ -11,7 +11,11 @@ from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 PLAN = CAM.chapter
 

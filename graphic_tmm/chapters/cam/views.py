@@ -19,11 +19,11 @@ from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.paper.arranging import captioned, stacked
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 LIMITED = ("cam pressure",)
 

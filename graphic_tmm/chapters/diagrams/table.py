@@ -9,7 +9,12 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    ordinates,
+    row_of,
+)
 
 PLAN = DIAGRAMS.chapter
 COMPARED = ("V", "a")

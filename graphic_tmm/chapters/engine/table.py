@@ -6,7 +6,11 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
 from graphic_tmm.drawn import Drawn, Results, results_of
-from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 PLAN = ENGINE.chapter
 

@@ -17,11 +17,11 @@ from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"

@@ -13,10 +13,11 @@ from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy
 
 FINE = 12_288
 """Positions of a row that has converged."""
@@ -76,6 +77,12 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, larger)
 
 
+WORDS = {
+    INERTIA: said("J of the flywheel"),
+    ENERGY_MASS: said("J, energy–mass"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FLYWHEEL.chapter,),
@@ -83,4 +90,5 @@ ACCURACY = Accuracy(
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,
+    words=WORDS,
 )

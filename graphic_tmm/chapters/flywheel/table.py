@@ -6,12 +6,18 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
 from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.words import number
-from graphic_tmm.readers.columns import Column, ordinates, segment_name
+from graphic_tmm.readers.columns import (
+    Column,
+    ordinates,
+)
 
 PLAN = FLYWHEEL.chapter
 

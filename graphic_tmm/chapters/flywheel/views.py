@@ -28,11 +28,11 @@ from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""

@@ -12,10 +12,11 @@ from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 PASSES = (2, 3, 4, 6, 8)
 SETTLED = 12
@@ -78,6 +79,13 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, mu=order.mu / times))
 
 
+WORDS = {
+    FORCE: said("P_bal"),
+    MOMENT: said("M_bal"),
+    "passes": said("passes of friction"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FORCES.chapter,),
@@ -86,4 +94,5 @@ ACCURACY = Accuracy(
     at_count=_at_count,
     kept=_kept,
     enlarged=_enlarged,
+    words=WORDS,
 )

@@ -6,13 +6,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, empty, row_of, segment_name
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 PLAN = FORCES.chapter
 

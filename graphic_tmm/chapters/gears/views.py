@@ -15,7 +15,7 @@ from graphic_tmm.language.words import fixed, number, unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.readers.result_table import (
     SIZE,
 )
 

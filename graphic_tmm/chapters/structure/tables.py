@@ -13,7 +13,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import SIZE
+from graphic_tmm.readers.result_table import SIZE
 
 
 def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:

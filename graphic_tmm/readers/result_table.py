@@ -17,8 +17,11 @@ from graphic_tmm.paper.lettering.indices import (
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.readers.columns import Column, Row, known_at
-from graphic_tmm.readers.equations import quantity
+from graphic_tmm.readers.columns import (
+    Column,
+    Row,
+    known_at,
+)
 
 SIZE = 3.5
 
@@ -45,7 +48,7 @@ def result_table(
         if column.drawn:
             cells = [fixed(mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
-            letter = quantity(column.letter) if plan in ("velocities", "accelerations") else letter
+            letter = column.quantity or letter
         places = _decimals(value)
         cells = [fixed(value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
