@@ -20,14 +20,10 @@ from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
-from graphic_tmm.board.naming import (
-    segment_name,
-)
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.readers.columns import (
-    Column,
-    columns,
-)
+from graphic_tmm.chapters.kinematics.table import plan_columns
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
@@ -160,7 +156,7 @@ def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
 
 def test_columns_of_a_plan_that_was_not_drawn() -> None:
     made = drawn("engine")
-    assert columns(made.project.construction, made.reading, "forces", [0], 12) == ()
+    assert plan_columns(made, "forces") == ()
 
 
 def test_a_column_without_some_positions() -> None:
@@ -332,7 +328,7 @@ def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path)
     path = edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'), ("[2, 5]", "[2, 5]"))
     result = invoke("table", str(path), "--format", "json", "--exact")
     assert result.exit_code == 0
-    assert "warning: positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
+    assert "предупреждение: положения 3, 4, 5, 9, 10, 11" in result.stderr
     document = json.loads(result.stdout)  # the warning is not in it
     gone = [2, 3, 4, 8, 9, 10]
     for one in document["columns"]:
