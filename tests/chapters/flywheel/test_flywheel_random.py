@@ -15,7 +15,7 @@ from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.sentences import sentence
 from graphic_tmm.scene.read import read
@@ -99,7 +99,7 @@ def test_the_number_is_what_the_ink_shows(tmp_path: Path, seed: int, ruler: str)
     drawn, paper = sheets(scene(tmp_path, seed, ruler=ruler))
     assert drawn is not None
     assert drawn.mechanism is not None
-    results = flywheel_results(drawn.mechanism.project, drawn.mechanism.reading)
+    results = single(flywheel_results(drawn.mechanism))
     (text,) = [svg(sheet) for sheet in paper if "(f–f)" in svg(sheet)]
     curves = inked(text)
     own = curves["(f–f)"].imag
