@@ -326,7 +326,7 @@ def test_an_angle_is_the_direction_of_the_crank_whatever_its_zero(tmp_path: Path
 
 def test_positions_that_cannot_be_drawn_are_null_in_every_column(tmp_path: Path) -> None:
     path = edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'), ("[2, 5]", "[2, 5]"))
-    result = invoke("table", str(path), "--format", "json", "--exact")
+    result = invoke("table", str(path), "--format", "json", "--exact", "-l", "en")
     assert result.exit_code == 0
     assert "предупреждение: положения 3, 4, 5, 9, 10, 11" in result.stderr
     document = json.loads(result.stdout)  # the warning is not in it
