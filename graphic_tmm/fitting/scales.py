@@ -36,8 +36,8 @@ def usual(scene: Scene) -> dict[str, float]:
 class Fitting:
     """What chapters choose their scale factors by.
 
-    ``given``: what is given so far, scale factors chosen before among it; ``reach``: by chapter, what it goes by.
-    What is lost by ``doubts`` sets no scale factor, and is not there.
+    ``given``: what is given so far, scale factors chosen before among it; ``reach``: by chapter, what it goes
+    by. What is lost by ``doubts`` sets no scale factor, and is not there.
     """
 
     project: Project
@@ -199,7 +199,7 @@ def _told(project: Project, reading: Reading) -> dict[str, Scale]:
 
 
 def extent(points: Sequence[np.ndarray]) -> float:
-    """Return how far points (mm) reach, along the axis along which they reach farther; 0 where there are none."""
+    """Return how far points (mm) reach along the axis of their longer reach; 0 where there are none."""
     flat = np.concatenate([np.ravel(p) for p in points])
     flat = flat[np.isfinite(flat)]
     if not flat.size:

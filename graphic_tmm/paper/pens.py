@@ -15,10 +15,13 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.formats import FORMATS
 
 DASHED = (5.0, 1.5)
+"""Stroke and gap, mm (ГОСТ 2.303: 2…8 and 1…2)."""
 CENTRE = (12.0, 1.5, 1.0, 1.5)
+"""Stroke, gap, dot, gap, mm (ГОСТ 2.303: strokes of 5…30, 3…5 between two of them)."""
 SHORTEST = 5.0
 """The shortest stroke of a dash-dot line, mm."""
 PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
+"""The same with two dots."""
 
 
 class Pen(NamedTuple):

@@ -49,6 +49,7 @@ FIELDS: tuple[str, ...] = tuple(
 """The fields of a title block that a scene may fill; the numbers of the sheets are filled here."""
 
 CHECK_LENGTH = 100.0
+"""The check line, mm: laid against a ruler it tells whether a print is true to size."""
 CHECK_X, CHECK_START, CHECK_TICK, CHECK_SIZE = 5.5, 30.0, 1.25, 2.5
 """The check line: its x, how far below mid-height it begins, half a tick, its lettering, mm."""
 
