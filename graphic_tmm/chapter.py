@@ -10,7 +10,7 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.scales import Scale
     from graphic_tmm.drawn import Drawn
     from graphic_tmm.fitting.scales import Fitting
+    from graphic_tmm.language.catalogue import Speech
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import Column
@@ -153,7 +154,10 @@ class Chapter:
     ``warnings``: what else people are told. ``columns``, ``results``, ``facts``: what tables tell.
     ``plans``: what protocols call its plans, ``plans_rank``: where these stand among the plans of all chapters if
     not in the order of the book (ten a chapter); ``views``: the views of the board that each is drawn in.
-    ``equations``: a view -> lines that stand before its protocol. ``titles``: a view -> what it is called there.
+    ``captions``: what its views, plans, letters of columns and results are called, English, by name;
+    ``called``: a view whose name it makes up -> what that is called in a language; ``titles``: a view -> what
+    it is called in the protocol of what was made, where that tells more.
+    ``equations``: a view -> lines that stand before its protocol.
     ``accuracy``: what it tells of its accuracy.
     """
 
@@ -196,6 +200,8 @@ class Chapter:
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
+    captions: Mapping[str, str] = field(default_factory=dict)
+    called: Callable[[str, Speech], str] = lambda view, speech: ""
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
     accuracy: Accuracy = NOTHING
 
