@@ -15,7 +15,7 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
-from graphic_tmm.readers.varied import NOTHING, Accuracy
+from graphic_tmm.varied import NOTHING, Accuracy
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,12 +27,14 @@ if TYPE_CHECKING:
     from graphic_tmm.board.hand import Hand
     from graphic_tmm.board.record import Mark
     from graphic_tmm.board.scales import Scale
-    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.drawn import Drawn, Results
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
-    from graphic_tmm.readers.columns import Column
+    from graphic_tmm.readers.columns import (
+        Column,
+    )
     from graphic_tmm.scene.declare import Section
     from graphic_tmm.scene.records import Scene
 
@@ -190,7 +192,7 @@ class Chapter:
     findings: Callable[[Drawn], Iterable[Finding]] = lambda drawn: ()
     warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
     columns: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
-    results: Callable[[Drawn], Mapping[str, tuple[float, str]]] = lambda drawn: {}
+    results: Callable[[Drawn], Results] = lambda drawn: {}
     facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}
     plans: tuple[str, ...] = ()
     plans_rank: int = 0

@@ -27,7 +27,7 @@ ALLOWED = {
     # readers are told of which view a mark is where two of a sentence are called alike
     "readers/sentences.py: mark.name in elsewhere",
     # words that stand for the name of a column
-    "paper/result_table.py: words.get(column.letter)",
+    "readers/result_table.py: words.get(column.letter)",
     "readers/text.py: captions(language).get(column.letter)",
     # people name what they read by the names of the table
     "checking/judging/taken_marks.py: found.setdefault((mark.view, segment_name(mark.letter)), step)",

@@ -13,9 +13,10 @@ from typing import NamedTuple
 from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, at_count, named
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.chapter import MECHANISM, chapters
+from graphic_tmm.language.said import said
 from graphic_tmm.project import called_on
-from graphic_tmm.readers.varied import Axis
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Axis
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
@@ -48,7 +49,12 @@ def _rows(scene: Scene) -> Iterator[tuple[str, Scene]]:
                 yield str(n), found
 
 
-POSITIONS = Axis("positions", _rows, parts=lambda scene: scene.row.count)
+POSITIONS = Axis(
+    "positions",
+    _rows,
+    parts=lambda scene: scene.row.count,
+    counted=said("{n} position", "{n} positions"),
+)
 """The row of positions, which is that of all chapters on the mechanism's board."""
 
 

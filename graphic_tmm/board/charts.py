@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -108,3 +108,8 @@ def _scaled(
     mu = draft.scale(f"μ_{symbol}", unit)
     distance = draft.draw(pole_distance, letter, *in_order(mu), known[1], role=roles.POLE_DISTANCE)
     return Scaled(mu, True, distance)
+
+
+def distances(given: Iterable[Mark], view: str) -> list[Mark]:
+    """Return the distances of poles that are given in a view."""
+    return [mark for mark in given if mark.role == roles.POLE_DISTANCE and mark.view == view]

@@ -46,7 +46,7 @@ def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
     words = captions(report.language)
     views = []
     for (plan, position), read in by_plan.items():
-        title = f"{words[plan]}, {words['position']} {escape(position)}"
+        title = f"{words.get(plan, plan)}, {words['position']} {escape(position)}"
         upon = [stroke for one in read for stroke in _read(one, exact[one.taken.key], enlarge)]
         views.append(captioned(_plan(made, plan, position, upon, title), title))
     size, laid = _laid(views, report.language)

@@ -11,7 +11,7 @@ from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.readers.columns import Column, Positions, known_at
 from graphic_tmm.readers.spread import QUANTILES
 
 FRAME = 3
@@ -36,10 +36,10 @@ def rich_tables(
     for (plan, at), group in groupby(table, key=lambda column: (column.plan, column.at)):
         columns = list(group)
         names = [name for name, _ in at or positions]
-        shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
+        shown = known_at(columns)
         heads = [words["segment"], words["unit"], *(names[k] for k in shown)]
         rows = [row for column in columns for row in _rows(column, shown, decimals, language)]
-        told = f"{title}. {words[plan]}"
+        told = f"{title}. {words.get(plan, plan)}"
         for k, block in enumerate(_blocks([heads, *rows], width)):
             made += _ruled(told if k == 0 else f"{told} ({words['continued']})", block)
     return made
@@ -73,11 +73,11 @@ def _rows(
     column: Column, shown: Sequence[int], decimals: int, language: str
 ) -> Iterator[list[str]]:
     """Yield the rows of a column: its mm, if it has any, and the quantity, if it is one."""
-    letter = plain(column_name(column, language))
-    if any(x is not None for x in column.mm):
-        cells = [fixed(column.mm[k], decimals, language) for k in shown]
+    letter, (mm, value) = plain(column_name(column, language)), column.told
+    if column.drawn:
+        cells = [fixed(mm[k], decimals, language) for k in shown]
         yield [letter, unit("mm", language), *cells]
-    figures = [column.value[k] for k in shown]
+    figures = [value[k] for k in shown]
     yield [
         letter,
         unit(column.unit, language),

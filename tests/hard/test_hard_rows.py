@@ -18,7 +18,9 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.spread import QUANTILES, spread_columns, spread_results
 from graphic_tmm.scene.read import read
 

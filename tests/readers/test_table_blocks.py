@@ -20,7 +20,9 @@ from support.command import invoke, printed
 from support.scenes import calling, source, written
 
 from graphic_tmm.checking.readings.decoding import text_of
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, decimals_of

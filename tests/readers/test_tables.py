@@ -18,8 +18,14 @@ from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.readers.columns import Column, columns, segment_name
+from graphic_tmm.readers.columns import (
+    Column,
+    columns,
+)
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json

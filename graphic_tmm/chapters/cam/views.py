@@ -15,17 +15,17 @@ from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
-from graphic_tmm.drawn import Drawn, results_of
+from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, stacked
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 LIMITED = ("cam pressure",)
 
@@ -146,7 +146,7 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
 def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
     words, rows = captions(language), []
-    for name, (value, of) in results_of(drawn, cam_marks(CAM.on(drawn))).items():
+    for name, (value, of) in single(results_of(drawn, cam_marks(CAM.on(drawn)))).items():
         in_mm = of == "m"
         figure = fixed(1000.0 * value, 2, language) if in_mm else fixed(value, 2, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.diagrams.plan import VIEWS
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
@@ -22,6 +21,5 @@ CAPTIONS: dict[str, str] = {
 
 def called(view: str, speech: Speech, point: str = "") -> str:
     """Return what a diagram of a point is called, as plain text; "" for another view."""
-    if view not in VIEWS.values():
-        return ""
-    return plain(speech(CAPTIONS[view], point=point)).strip()
+    caption = CAPTIONS.get(view, "")
+    return plain(speech(caption, point=point)).strip() if "{point}" in caption else ""

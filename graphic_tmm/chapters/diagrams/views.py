@@ -12,7 +12,7 @@ from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import result_table
+from graphic_tmm.readers.result_table import result_table
 
 
 def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

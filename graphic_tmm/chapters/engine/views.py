@@ -9,7 +9,7 @@ from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
@@ -19,11 +19,11 @@ from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -133,7 +133,7 @@ def _results(drawn: Drawn) -> Drawing:
     _, words = speaking(language), captions(language)
     rows = [
         [words[name], number(value, language), unit(of, language)]
-        for name, (value, of) in engine_results(drawn).items()
+        for name, (value, of) in single(engine_results(drawn)).items()
     ]
     heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]

@@ -20,7 +20,7 @@ from graphic_tmm.chapters.flywheel.table import (
     rim_too_wide,
 )
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language import symbols
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -31,11 +31,11 @@ from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -147,7 +147,7 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
 def _results(drawn: Drawn) -> Drawing:
     """Return the table of results, both methods and what they differ by."""
     language = drawn.scene.language
-    words, found = captions(language), flywheel_results(drawn)
+    words, found = captions(language), single(flywheel_results(drawn))
     _ = speaking(language)
     rows = [
         [words.get(name, SYMBOLS.get(name, name)), number(value, language), unit(of, language)]

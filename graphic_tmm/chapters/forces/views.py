@@ -30,7 +30,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.readers.result_table import (
     result_table,
 )
 

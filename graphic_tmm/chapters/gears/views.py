@@ -11,7 +11,7 @@ from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.plan import GEARS, Gear
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
@@ -20,7 +20,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.readers.result_table import (
     SIZE,
 )
 
@@ -60,7 +60,7 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _ratios(drawn: Drawn) -> list[str]:
     """Return the contact ratio by formula and as drawn, and by how much they differ."""
-    language, found = drawn.scene.language, gear_results(drawn)
+    language, found = drawn.scene.language, single(gear_results(drawn))
     formula, measured, apart = (
         found[name][0]
         for name in ("contact_ratio", "contact_ratio_drawn", "contact_ratio_difference")

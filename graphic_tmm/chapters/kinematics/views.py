@@ -18,7 +18,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.scales import reaches
-from graphic_tmm.chapters.kinematics.table import plan_columns
+from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -27,9 +27,8 @@ from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import result_table
-from graphic_tmm.readers.columns import UNITS
 from graphic_tmm.readers.equations import equations
+from graphic_tmm.readers.result_table import result_table
 
 EQUATIONS = {
     VELOCITIES: said("Equations of velocities"),

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.planetary.tables import (
     train_table,
 )
 from graphic_tmm.chapters.planetary.tooth_search import search
-from graphic_tmm.drawn import Drawn, results_of
+from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.arranging import mu_text
@@ -55,7 +55,7 @@ def _overall(drawn: Drawn) -> list[str]:
     first, last = made.order.behind
     rpm = abs(made.order.speed) * 30.0 / math.pi
     speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
-    ratios = results_of(drawn, made.results)
+    ratios = single(results_of(drawn, made.results))
     text = f"{number(ratios['planetary_ratio'][0], language)}·{last}/{first}"
     return [
         f"U_{{0}} = {text} = {number(ratio, language)}",

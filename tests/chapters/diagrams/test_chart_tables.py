@@ -14,7 +14,9 @@ from support.gallery import SHEETS
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicOrder
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder

@@ -13,7 +13,9 @@ from support.gallery import NAMES
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import result_columns, template, write_readings
 from graphic_tmm.checking.records import Last, Taken
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import columns_of, results_of, table
 
 COLUMNS = (
