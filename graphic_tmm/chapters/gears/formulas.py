@@ -62,11 +62,6 @@ def angle_of_involute(inv: Number) -> Angle:
 
 
 @formula
-def pitch_radius(m: Number, z: Number) -> Number:
-    """{m}·{z}/2"""
-
-
-@formula
 def working_distance(a: Number, alpha: Angle, alpha_w: Angle) -> Number:
     """{a}·cos {alpha}/cos {alpha_w}"""
 
