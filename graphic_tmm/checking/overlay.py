@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphic_tmm.captions import captions
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
@@ -44,10 +44,10 @@ def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
         raise SheetError(
             said("--overlay: no points were read; give x and y of points in the CSV file")
         )
-    words = CAPTIONS[report.language]
+    words = captions(report.language)
     views = []
     for (plan, position), read in by_plan.items():
-        title = f"{words[plan]}, {words['position']} {escape(position)}"
+        title = f"{words.get(plan, plan)}, {words['position']} {escape(position)}"
         upon = [stroke for one in read for stroke in _read(one, exact[one.taken.key], enlarge)]
         views.append(captioned(_plan(made, plan, position, upon, title), title))
     size, laid = _laid(views, report.language)

@@ -17,7 +17,7 @@ from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, WRONG, Report
 from graphic_tmm.drawn import DrawnScene, single
-from graphic_tmm.language.words import fixed, number
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.readers.table import scene_columns, scene_results, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make

@@ -16,6 +16,7 @@ from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.sentences import sentence
 from graphic_tmm.scene.read import read
