@@ -10,7 +10,7 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.scales import Scale
     from graphic_tmm.drawn import Drawn, Results
     from graphic_tmm.fitting.scales import Fitting
+    from graphic_tmm.language.catalogue import Speech
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import (
@@ -163,8 +164,10 @@ class Chapter:
     **What readers tell.** ``columns``, ``results``, ``facts``: what tables tell. ``plans``: what protocols call
     its plans, ``plans_rank``: where these stand among the plans of all chapters if not in the order of the book
     (ten a chapter); ``views``: the views of the board that each is drawn in. ``equations``: a view -> lines
-    that stand before its protocol; ``titles``: a view -> what it is called there. ``accuracy``: what it tells
-    of its accuracy.
+    that stand before its protocol. ``captions``: what its views, plans, letters of columns and results are
+    called, English, by name; ``called``: a view whose name it makes up -> what that is called in a language;
+    ``titles``: a view -> what it is called in the protocol of what was made, where that tells more.
+    ``accuracy``: what it tells of its accuracy.
 
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
     in one position, lettered clear of what is drawn upon it. ``named_marks``: marks by plan and the name that
@@ -210,6 +213,8 @@ class Chapter:
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
+    captions: Mapping[str, str] = field(default_factory=dict)
+    called: Callable[[str, Speech], str] = lambda view, speech: ""
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
     accuracy: Accuracy = NOTHING
 

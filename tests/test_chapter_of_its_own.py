@@ -60,6 +60,7 @@ def test_it_is_tabulated(scene: Path) -> None:
     assert column["mm"] == pytest.approx([100.0], abs=1e-9)
     assert column["value"] == pytest.approx([0.05], abs=1e-12)
     assert told["scales"]["mu_triangle"] == {"value": 0.0005, "unit": "m/mm"}
+    assert "T. Triangle by its sides" in printed("table", scene)
 
 
 @pytest.mark.parametrize(("language", "arc"), [("en", "strike the arc"), ("ru", "провести дугу")])
@@ -67,6 +68,7 @@ def test_it_is_told_in_two_languages(language: str, arc: str, tmp_path: Path) ->
     text = printed("steps", written(tmp_path, SCENE.format(language)), "-p", "triangle")
     assert text.count(arc) == 2
     assert "l_AC/μ_l" in text
+    assert text.startswith("Triangle by its sides")
 
 
 def test_a_hand_drawing_of_it_is_checked(scene: Path, tmp_path: Path) -> None:

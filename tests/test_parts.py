@@ -13,8 +13,8 @@ from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.table import table
@@ -93,7 +93,7 @@ def test_every_unit_of_a_part_has_its_russian_name(name: str) -> None:
     for part in parts(made(name)):
         log = part.construction
         assert all(known(m.unit) for m in (*log.given, *(s.it for s in log.steps)))
-        assert all(s.it.view in CAPTIONS["en"] for s in log.steps)
+        assert all(s.it.view in captions("en") for s in log.steps)
 
 
 @pytest.mark.slow
@@ -152,7 +152,7 @@ def scene_of(tmp_path: Path, name: str, *edits: tuple[str, str]) -> Path:
 def test_what_cannot_be_made_is_one_message(
     tmp_path: Path, name: str, edit: tuple[str, str], says: str
 ) -> None:
-    done = invoke("table", scene_of(tmp_path, name, edit))
+    done = invoke("table", scene_of(tmp_path, name, edit), "-l", "en")
     assert done.exit_code == 2
     assert says in done.stderr
     assert "Traceback" not in done.stderr
@@ -164,7 +164,7 @@ def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None
     (part,) = parts(make(scene))
     told = warnings(part)
     assert any("pressure angle reaches" in text and "φ" in text for text in told)
-    done = invoke("table", tmp_path / "scene.toml")
+    done = invoke("table", tmp_path / "scene.toml", "-l", "en")
     assert "pressure angle reaches" in done.stderr
 
 

@@ -28,7 +28,7 @@ ALLOWED = {
     "readers/sentences.py: mark.name in elsewhere",
     # words that stand for the name of a column
     "readers/result_table.py: words.get(column.letter)",
-    "readers/text.py: CAPTIONS[language].get(column.letter)",
+    "readers/text.py: captions(language).get(column.letter)",
     # people name what they read by the names of the table
     "checking/judging/taken_marks.py: found.setdefault((mark.view, segment_name(mark.letter)), step)",
     # what strokes a text is lettered with

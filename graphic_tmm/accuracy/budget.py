@@ -30,8 +30,8 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.measuring import Trial, needed
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.words import fixed, number
 from graphic_tmm.quantity import Quantity
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make

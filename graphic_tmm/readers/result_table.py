@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.words import fixed, unit
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.layout import settled
@@ -40,7 +41,7 @@ def result_table(
     ``upright``: a row for each position instead. A table that no sheet holds whole is broken into blocks, or
     turned the other way, whichever gives fewer.
     """
-    words = CAPTIONS[language]
+    words = captions(language)
     shown = known_at(columns)
     rows = []
     for column in columns:

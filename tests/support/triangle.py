@@ -47,9 +47,8 @@ def record(bench: Bench) -> Triangle | None:
     draft.mu_l = mu = draft.scale("μ_l", "m/mm")
     draft.lay_out()
     a = draft.take(Point, "A", 0j)
-    b = draft.draw(
-        lay_off, "B", draft.draw(ray, "(AB)", a, draft.direction(0.0)), draft.length("AB", task.a)
-    )
+    base = draft.draw(ray, "(AB)", a, draft.direction(0.0))
+    b = draft.draw(lay_off, "B", base, draft.length("AB", task.a))
     arcs = [draft.draw(strike, f"({name})", at, draft.length(name, size))
             for name, at, size in (("AC", a, task.b), ("BC", b, task.c))]  # fmt: skip
     c = draft.draw(cross, "C", *arcs, draft.take(Side, "±", 1.0))
@@ -76,6 +75,6 @@ CHAPTER = Chapter(
     scales=lambda fitting: {TRIANGLE.on(fitting).mu: 0.0005},
     named=lambda project, reading, given: view_scales(project, reading),
     plans=("triangle",),
-    columns=measured_columns,
+    columns=measured_columns, captions={"triangle": "Triangle by its sides"},
     accuracy=Accuracy(quantities=side, words={"CA": "side CA"}),
 )  # fmt: skip

@@ -34,6 +34,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
+from graphic_tmm.chapters.cam.captions import CAPTIONS
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
@@ -64,6 +65,7 @@ def _told(key: str) -> Size:
 CHAPTER = Chapter(
     name=CAM.chapter,
     number=8,
+    captions=CAPTIONS,
     board=CAM.chapter,
     places=(Place("cam", 100, cam_views, sizes=_sizes),),
     sizes=(_told("cam.mu_l"), _told("cam.base")),

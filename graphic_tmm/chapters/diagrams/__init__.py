@@ -40,12 +40,13 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
+from graphic_tmm.chapters.diagrams.captions import CAPTIONS, called
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
-from graphic_tmm.language.words import view_name
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.project import Project
 
 
@@ -58,12 +59,14 @@ def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[s
 def _title(holder: Holder, view: str, language: str) -> str:
     made = DIAGRAMS.on(holder)
     own = any(chart.view == view for chart in made.charts.values())
-    return view_name(view, language, made.order.point) if own else ""
+    return called(view, speaking(language), made.order.point) if own else ""
 
 
 CHAPTER = Chapter(
     name=DIAGRAMS.chapter,
     number=3,
+    captions=CAPTIONS,
+    called=called,
     builds_on=(KINEMATICS.chapter,),
     places=(
         Place(

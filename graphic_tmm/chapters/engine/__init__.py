@@ -29,6 +29,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
+from graphic_tmm.chapters.engine.captions import CAPTIONS
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named
@@ -67,6 +68,7 @@ def _views(project: Project) -> dict[str, list[str]]:
 CHAPTER = Chapter(
     name=ENGINE.chapter,
     number=7,
+    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
     places=(
         Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes),

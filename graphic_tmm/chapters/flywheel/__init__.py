@@ -39,6 +39,7 @@ from collections.abc import Iterator
 from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
+from graphic_tmm.chapters.flywheel.captions import CAPTIONS, graph_title
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
@@ -50,7 +51,8 @@ from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.words import flywheel_title, plain
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.scene.records import Scene
 
 SCALE_KEYS = {
@@ -78,12 +80,14 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
 
 def _title(holder: Holder, view: str, language: str) -> str:
     made = FLYWHEEL.on(holder)
-    return flywheel_title(view, made.order.constant, language) if view == VIEWS["moment"] else ""
+    varying = view == VIEWS["moment"]
+    return graph_title(view, made.order.constant, speaking(language)) if varying else ""
 
 
 CHAPTER = Chapter(
     name=FLYWHEEL.chapter,
     number=5,
+    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
     places=(
         Place(

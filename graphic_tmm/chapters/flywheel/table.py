@@ -12,14 +12,19 @@ from graphic_tmm.board.naming import (
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import number
-from graphic_tmm.readers.columns import (
-    Column,
-    ordinates,
-)
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.columns import Column, ordinates
 
 PLAN = FLYWHEEL.chapter
+_TOO_WIDE = said(
+    "the rim of D_{{e}} = {outer} m is {width} m wide: choose D_{{e}} = {least} m or more"
+)
+_TOO_WIDE_AND_SLOW = said(
+    "the rim of D_{{e}} = {outer} m is {width} m wide, and D_{{e}} is {most} m at most: "
+    "put the flywheel on a faster shaft, or allow a larger δ"
+)
 
 
 def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
@@ -61,7 +66,7 @@ def rim_too_wide(drawn: Drawn, language: str) -> str:
     least = wanted_outer(outer, width)
     if least is None:
         return ""
-    key = "rim too wide" if least <= most else "rim too wide, speed"
+    text = _TOO_WIDE if least <= most else _TOO_WIDE_AND_SLOW
     sizes = {"outer": outer, "width": width, "least": least, "most": most}
     told = {name: number(size, language, 3) for name, size in sizes.items()}
-    return CAPTIONS[language][key].format(**told)
+    return speaking(language)(text, **told)

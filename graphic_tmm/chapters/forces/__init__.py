@@ -39,6 +39,7 @@ from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.forces import views
 from graphic_tmm.chapters.forces.accuracy import ACCURACY
+from graphic_tmm.chapters.forces.captions import CAPTIONS, called
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, scale_key
@@ -90,6 +91,8 @@ def _views(project: Project) -> Mapping[str, list[str]]:
 CHAPTER = Chapter(
     name=FORCES.chapter,
     number=6,
+    captions=CAPTIONS,
+    called=called,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter, INDICATOR.chapter),
     places=(
         Place("forces", 60, views.force_views, follows=(POSITIONS,), sizes=_sizes),

@@ -29,6 +29,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
+from graphic_tmm.chapters.gears.captions import CAPTIONS
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
@@ -45,6 +46,7 @@ def _fixed(scene: Scene) -> str:
 CHAPTER = Chapter(
     name=GEARS.chapter,
     number=9,
+    captions=CAPTIONS,
     board=GEARS.chapter,
     places=(Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),),
     sizes=(Size(GEARS.chapter, fixed=_fixed),),

@@ -13,7 +13,7 @@ from graphic_tmm.chapters.gears.line import VIEW
 from graphic_tmm.chapters.gears.outline import flank, outline, part, sector, spot
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.teeth import Wheel
-from graphic_tmm.language.words import fixed
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.pieces import cut, nearest, points

@@ -26,6 +26,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.indicator.captions import CAPTIONS
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, record
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.chapters.indicator.task import SECTIONS
@@ -34,6 +35,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 CHAPTER = Chapter(
     name=INDICATOR.chapter,
     number=4,
+    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter),
     sections=SECTIONS,
     record=record,

@@ -45,6 +45,7 @@ from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
+from graphic_tmm.chapters.kinematics.captions import CAPTIONS
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
@@ -85,6 +86,7 @@ _BOTH = (VELOCITIES, ACCELERATIONS)
 CHAPTER = Chapter(
     name=KINEMATICS.chapter,
     number=2,
+    captions=CAPTIONS,
     places=(
         Place(POSITIONS, 20, views.position_views, follows=(POSITIONS,), sizes=sizes_of),
         Place(

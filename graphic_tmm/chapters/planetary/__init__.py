@@ -29,6 +29,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.planetary.captions import CAPTIONS
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
 from graphic_tmm.chapters.planetary.views import planetary_views
@@ -52,6 +53,7 @@ def _fixed(scene: Scene) -> str:
 CHAPTER = Chapter(
     name=_NAME,
     number=10,
+    captions=CAPTIONS,
     board=_NAME,
     places=(Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),),
     sizes=(Size(_NAME, fixed=_fixed),),
