@@ -17,9 +17,9 @@ ASIDE = ("trials", "slip", "ruler")
 SMOOTH = 12
 """From so many positions on errors follow their power of N."""
 FLAT = 1.25
-"""Errors that differ by no more than this factor are told as the same."""
+"""Errors that differ by no more than this factor are told as the same. Chosen by eye."""
 MOST = 0.8
-"""And so they are if that share of them may as well be the least."""
+"""And so they are if that share of them may as well be the least. Chosen by eye."""
 
 
 class Fitted(NamedTuple):

@@ -21,9 +21,11 @@ from graphic_tmm.project import Project
 from graphic_tmm.quantity import Quantity
 
 SHARE = 0.9
-"""An error is so large that this share of all readings keeps within it."""
+"""An error is so large that this share of all readings keeps within it. The largest of all would grow with
+their number."""
 NOISE = 1e-9
-"""An error below so many percent is the rounding of the machine."""
+"""An error below so many percent is the rounding of the machine. Plans agree with vector loops to some 1e-11
+%."""
 GROUPS = 10
 """Into so many groups drawings are divided to see how far the error itself is known."""
 TRIED = 2

@@ -26,7 +26,8 @@ SIZE = 16_384
 MOST = 1024
 """Trials in one block at the most."""
 CHUNK = 4096
-"""Positions that share one random stream."""
+"""Positions that share one random stream. Any number would do, but with another one every seed draws
+otherwise."""
 
 
 def trials_in_block(positions: int) -> int:

@@ -17,7 +17,8 @@ from graphic_tmm.scenes import scene_name
 from graphic_tmm.studio import make
 
 TRIALS = 400
-"""How often the hand draws to tell how far it scatters."""
+"""How often the hand draws to tell how far it scatters. A standard deviation is then known to 3.5 % of itself,
+1/√800."""
 
 
 def check(

@@ -17,7 +17,7 @@ from graphic_tmm.scene.records import Scene
 Cells = dict[tuple[object, ...], list[Drawing]]
 """The room of the views of a place, by its name, the sheet it stands on and the μ that it depends on."""
 NEAR = 32.0
-"""A view that is about so near, mm, to what a sheet holds is measured with its letters."""
+"""A view that is about so near, mm, to what a sheet holds is measured with its letters. Chosen by eye."""
 
 
 class Trial(NamedTuple):

@@ -21,7 +21,7 @@ from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.records import Scene
 
 MOST = 0.8
-"""Positions with so large a share of the values that the best one has are as good."""
+"""Positions with so large a share of the values that the best one has are as good. Chosen by eye."""
 SYNTHESIS = "synthesis"
 """The plan by which the lengths of a mechanism are found from a task."""
 

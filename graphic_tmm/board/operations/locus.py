@@ -14,9 +14,8 @@ from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Angle, Reals
 from graphic_tmm.language.said import said
 
-PARTS = 16
-PASSES = 14
-"""16¹⁴ = 2⁵⁶ parts in all."""
+PARTS, PASSES = 16, 14
+"""Parts of a pass, and passes: 16¹⁴ = 2⁵⁶ parts in all."""
 REFINE = "refine"
 """What the operation is called."""
 

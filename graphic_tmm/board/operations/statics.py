@@ -14,7 +14,8 @@ from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Length, Line, Number, Point, Reals
 
 STANDS = 1e-9
-"""A speed below this share of the crank pin's is none: it has no sense."""
+"""A speed below this share of the crank pin's is none: it has no sense. Far above rounding, far below what is
+read."""
 _TURNS = f"|{{omega}}| > {STANDS:.9f}·|{{of_crank}}|"
 _NO_LENGTH = "the length to divide by is zero"
 _PURE_COUPLE = "the forces come to a couple, which no single force replaces"

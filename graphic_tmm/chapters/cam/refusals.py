@@ -16,7 +16,8 @@ from graphic_tmm.scene.declare import bound_of
 TURN = 360.0
 """A turn, degrees."""
 SLACK = 1e-9
-"""Degrees, or shares of a phase, that differ by less are the same."""
+"""Degrees, or shares of a phase, that differ by less are the same. Far above rounding, far below what a
+protractor shows."""
 BALANCE = 1e-6
 """Areas of an acceleration diagram that differ by less than this share of themselves are equal."""
 

@@ -22,7 +22,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Group
 
 CHANGE = 1e-9
-"""A gap whose least value is below this share of the lengths is zero: a change point."""
+"""A gap whose least value is below this share of the lengths is zero: a change point. Far above rounding, far
+below what lengths are told to."""
 NEAR = 1e-2
 """Degrees: crank angles nearer to each other than this are one change point."""
 

@@ -31,7 +31,8 @@ from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
 
 VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
-"""Room for the longest vector of a plan, mm: as much as the sheets hold."""
+"""Room for the longest vector of a plan, mm: as much as the sheets hold. Below 50 mm the ruler's half division
+of 0.25 mm is more than 0.5 %."""
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
