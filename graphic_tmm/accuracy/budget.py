@@ -39,7 +39,7 @@ from graphic_tmm.studio import make
 DRAWINGS, FEW = 100, 20
 """How often a hand that slips draws at a setting; and to see whether it is worth more."""
 HOPELESS = 2.0
-"""A setting that errs by so many times the budget in a few drawings is not looked at any closer. Chosen by eye."""
+"""A setting that errs by so many times the budget in a few drawings is left at that. Chosen by eye."""
 SIZES = (1.0, 2.0)
 """How many times as large a drawing is tried; chosen by eye."""
 POLES = (1.0, 2.0)
