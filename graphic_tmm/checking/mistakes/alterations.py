@@ -72,9 +72,10 @@ def wrong_link(made: DrawnScene) -> Iterator[Figures]:
     """Another link's length divides a normal component: of any that has one, or of the crank."""
     if made.mechanism is None:
         return
-    log, plans = made.mechanism.construction, pointed()
+    log, vectors = made.mechanism.construction, (roles.VELOCITY, roles.ACCELERATION)
     steps = log.steps
-    places = {view.name for view in log.views if view.name in plans and view.pole is None}
+    poled = {v.name for v in log.views if v.pole is not None and v.pole.role in vectors}
+    places = set(pointed()) - poled
     rays = {step.it for step in steps if step.op.name == "ray"}
     cranks = [
         step.uses[1]
