@@ -12,7 +12,7 @@ from graphic_tmm.chapter import Asked
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import kind_of
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts

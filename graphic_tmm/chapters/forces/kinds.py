@@ -8,7 +8,8 @@ from graphic_tmm.bounds import Bound
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names
-from graphic_tmm.scene.quantities import Dimension, kind_of
+from graphic_tmm.scene.misfits import kind_of
+from graphic_tmm.scene.quantities import Dimension
 
 AGAINST = "against"
 """The direction of a load that resists: against the velocity of its point, or the rotation of its link."""

@@ -9,7 +9,7 @@ from graphic_tmm.chapter import Asked
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, Section, key
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import kind_of
 
 
 def _stations(value: object, names: Names) -> tuple[float, ...]:

@@ -18,7 +18,7 @@ from graphic_tmm.bounds import Bound, OrderError
 from graphic_tmm.chapter import Asked
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, bound_of, key, made
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import kind_of
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
