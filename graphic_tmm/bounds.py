@@ -13,8 +13,8 @@ class OrderError(StructureError):
     """An order that makes no sense; ``key``: the section and the key of a scene that say so."""
 
     def __init__(self, section: str, key: str, message: str) -> None:
-        super().__init__(joined(": ", (section, message)), f"{section}.{key}")
-        self.key, self.says = (section, key), message
+        super().__init__(message, f"{section}.{key}", head=section)
+        self.key = section, key
 
 
 @dataclass(frozen=True)

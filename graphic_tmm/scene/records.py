@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from graphic_tmm.bounds import OrderError
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined
 from graphic_tmm.mechanism.records import Mechanism, Row
@@ -60,11 +59,10 @@ class Scene:
             return StructureError(joined(": ", (self.source, error.args[0])))
         above = (told[0], told[0].rpartition(", ")[0], told[0].rpartition(".")[0])
         line = next((self.told[key] for key in above if key in self.told), 0)
-        says = error.says if isinstance(error, OrderError) else error.args[0]
         place = f"{self.source}:{line}" if line else self.source
         section, _, key = re.sub(r" \d+, ", ".", told[0]).partition(".")
-        for known in (f"{section}: ", f"{section}, ", f"{key}: "):
-            says = says.removeprefix(known) if says.startswith(known) else says
+        known = error.head.partition(",")[0] in (section, key)
+        says = error.says if known else error.args[0]
         return StructureError(joined(": ", (place, ", ".join(told), says)), *told)
 
     @property
