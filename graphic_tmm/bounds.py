@@ -6,14 +6,15 @@ import math
 from dataclasses import dataclass
 
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import Said, joined, said
 
 
 class OrderError(StructureError):
     """An order that makes no sense; ``key``: the section and the key of a scene that say so."""
 
     def __init__(self, section: str, key: str, message: str) -> None:
-        super().__init__(f"{section}: {message}", f"{section}.{key}")
-        self.key, self.says = (section, key), message
+        super().__init__(message, f"{section}.{key}", head=section)
+        self.key = section, key
 
 
 @dataclass(frozen=True)
@@ -39,19 +40,23 @@ class Bound:
         return low and high
 
     @property
-    def wanted(self) -> str:
+    def wanted(self) -> Said:
         """What is wanted: a whole number 4 to 360; a number greater than 0 and less than 1."""
-        kind = "a whole number" if self.whole else "a number"
+        kind = said("a whole number") if self.whole else said("a number")
         if (
             math.isfinite(self.least)
             and math.isfinite(self.most)
             and not (self.above or self.below)
         ):
-            return f"{kind} {self.least:.10g} to {self.most:.10g}"
-        low = f"{'greater than' if self.above else 'not less than'} {self.least:.10g}"
-        high = f"{'less than' if self.below else 'not greater than'} {self.most:.10g}"
+            return said(
+                "{kind} {least:.10g} to {most:.10g}", kind=kind, least=self.least, most=self.most
+            )
+        low = said("greater than {end:.10g}", end=self.least)
+        low = low if self.above else said("not less than {end:.10g}", end=self.least)
+        high = said("less than {end:.10g}", end=self.most)
+        high = high if self.below else said("not greater than {end:.10g}", end=self.most)
         ends = [text for end, text in ((self.least, low), (self.most, high)) if math.isfinite(end)]
-        return f"{kind} {' and '.join(ends)}"
+        return joined(" ", (kind, joined(said(" and "), ends)))
 
     @property
     def schema(self) -> dict[str, object]:
@@ -75,7 +80,10 @@ class Bound:
         if not self.holds(value):
             plain = isinstance(value, bool) or not isinstance(value, int | float)
             told = str(value) if plain else f"{value:g}"
-            raise OrderError(section, key, f"{key} = {told}: {self.wanted} is wanted")
+            says = said(
+                "{key} = {told}: {wanted} is wanted", key=key, told=told, wanted=self.wanted
+            )
+            raise OrderError(section, key, says)
 
 
 POSITIVE = Bound(0, above=True)

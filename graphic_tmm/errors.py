@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import joined, said
 
 LONGEST = 60
 """Of a key, and of a text of the scene that a message quotes, so many characters are shown."""
@@ -95,17 +95,18 @@ class StructureError(TmmError):
     """The links and pairs do not make a mechanism that this board can draw.
 
     ``keys``: those of a scene that it speaks of, as people write them: ``drive.zero``, ``link 3, side``; within
-    an item of a list its own key alone.
+    an item of a list its own key alone. ``says``: the message without its ``head``, the section or the key that
+    stands before it.
     """
 
-    def __init__(self, message: str, *keys: str) -> None:
-        super().__init__(message)
-        self.keys = keys
+    def __init__(self, message: str, *keys: str, head: str = "") -> None:
+        super().__init__(joined(": ", (head, message)) if head else message)
+        self.keys, self.says, self.head = keys, message, head
 
     def inside(self, item: str) -> StructureError:
         """Return the error as one of an item of a list, ``load 2``."""
         keys = tuple(key if "." in key else f"{item}, {key}" for key in self.keys)
-        return StructureError(self.args[0], *(keys or (item,)))
+        return StructureError(self.says, *(keys or (item,)), head=self.head)
 
 
 class ConstructionError(TmmError):

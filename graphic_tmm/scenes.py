@@ -6,7 +6,7 @@ from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.scene.quantities import near
+from graphic_tmm.scene.misfits import near
 
 DEFAULT = "windrower"
 """The scene that is drawn when none is named."""

@@ -9,6 +9,7 @@ from itertools import chain
 from typing import Any
 
 from graphic_tmm.bounds import OrderError
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import free_points, shared
 from graphic_tmm.scene import geometry, registry
 from graphic_tmm.scene.declare import Found, Path, Said, Section, build
@@ -41,18 +42,18 @@ def check(parts: Parts) -> Iterator[Found]:
             yield from _position(parts.drive, ("plans", "main"), plans.main)
     if scales is not None:
         yield from _scales(scales)
-    for section, said in parts.asked:
-        faults = list(section.check(said, parts))
-        yield from faults or _refused(section, said)
+    for section, told in parts.asked:
+        faults = list(section.check(told, parts))
+        yield from faults or _refused(section, told)
     yield from _placed(parts)
 
 
-def _refused(section: Section, said: Any) -> Iterator[Found]:
+def _refused(section: Section, told: Any) -> Iterator[Found]:
     """Yield what the plan of a part refuses of its task, before anything is drawn."""
     if section.refuse is None:
         return
     try:
-        section.refuse(build(section.record, said))
+        section.refuse(build(section.record, told))
     except OrderError as error:
         yield Found(error.key, error.says)
 
@@ -65,8 +66,13 @@ def _placed(parts: Parts) -> Iterator[Found]:
         places = table(sheet).get("place")
         for place, section in asked:
             if isinstance(places, list) and place in places and section.name not in parts.doc:
-                says = f"nothing says what it is; write a section [{section.name}] with {section.begin}"
-                yield Found(("sheet", i, "place"), f'"{place}": {says}')
+                says = said(
+                    '"{place}": nothing says what it is; write a section [{section}] with {begin}',
+                    place=place,
+                    section=section.name,
+                    begin=section.begin,
+                )
+                yield Found(("sheet", i, "place"), says)
 
 
 def slides_of(path: Path, link: Link) -> list[tuple[Path, Slide]]:
@@ -88,8 +94,13 @@ def _places(
         about = (cells.get((x + i, y + k), ()) for i in (-1, 0, 1) for k in (-1, 0, 1))
         for first, other in chain.from_iterable(about):
             if abs(place - other) < geometry.SAME_PLACE:
-                says = f"{first} and {letter} lie at the same place, so the length {first}{letter} is zero"
-                yield Found((*path, letter), f"{says}; move one, or use one letter for both")
+                says = said(
+                    "{first} and {letter} lie at the same place, so the length {first}{letter} is zero; "
+                    "move one, or use one letter for both",
+                    first=first,
+                    letter=letter,
+                )
+                yield Found((*path, letter), says)
                 break
         else:
             cells.setdefault((x, y), []).append((letter, place))
@@ -105,16 +116,18 @@ def centres_of(link: Link, pins: Collection[str]) -> tuple[str, ...]:
 def _masses(path: Path, link: Link, centres: tuple[str, ...]) -> Iterator[Found]:
     """A mass without its centre, where more than one point may be meant."""
     if link.centre is None and len(centres) > 1:
-        listed = " or ".join(f'centre = "{letter}"' for letter in centres)
-        says = f"it is missing, and link {link.number} has a mass"
-        yield Found(
-            (*path, "centre"), f"{says}; no letter is a mass centre by itself: write {listed}"
+        says = said(
+            "it is missing, and link {number} has a mass; no letter is a mass centre by itself: write "
+            "{listed}",
+            number=link.number,
+            listed=joined(said(" or "), (f'centre = "{letter}"' for letter in centres)),
         )
+        yield Found((*path, "centre"), says)
 
 
 def _flips(path: Path, owner: Link | Slide) -> Iterator[Found]:
     if owner.flips_at and owner.side is None:
-        yield Found((*path, "flips_at"), 'it needs a side to flip; write "side" as well')
+        yield Found((*path, "flips_at"), said('it needs a side to flip; write "side" as well'))
 
 
 def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
@@ -141,7 +154,7 @@ def _row(drive: Drive) -> Iterator[Found]:
     """Positions named for acceleration plans, and extras, that the row does not have."""
     extreme = isinstance(drive.zero, Extreme)
     if OTHER_EXTREME in drive.extra and not extreme:
-        says = 'the other extreme of what? write zero = { point = "D", at = "left" }'
+        says = said('the other extreme of what? write zero = { point = "D", at = "left" }')
         yield Found(("drive", "extra"), says)
     if drive.accelerations == ("all",):
         return
@@ -149,21 +162,33 @@ def _row(drive: Drive) -> Iterator[Found]:
         path: Path = ("drive", "accelerations", i)
         yield from _position(drive, path, name)
         if name in drive.accelerations[:i]:
-            yield Found(path, f"position {name} is named twice; leave one out")
+            yield Found(path, said("position {name} is named twice; leave one out", name=name))
 
 
 def _position(drive: Drive, path: Path, name: str) -> Iterator[Found]:
     """A position named that the row does not have."""
     last = drive.first + drive.positions - 1
     if not drive.first <= int(name.rstrip("*")) <= last:
-        yield Found(path, f"there is no position {name}; the row goes from {drive.first} to {last}")
+        says = said(
+            "there is no position {name}; the row goes from {first} to {last}",
+            name=name,
+            first=drive.first,
+            last=last,
+        )
+        yield Found(path, says)
     elif name.endswith("*") and not drive.extra:
-        says = f'there is no position {name}; name it first, extra = ["{OTHER_EXTREME}"]'
+        says = said(
+            'there is no position {name}; name it first, extra = ["other extreme"]', name=name
+        )
         yield Found(path, says)
 
 
 def _scales(scales: Said) -> Iterator[Found]:
     for factor, drawn in (("mu_l", "OA"), ("mu_v", "pa"), ("mu_a", "pi_a")):
         if getattr(scales, factor) is not None and getattr(scales, drawn) is not None:
-            says = f"{drawn} and {factor} both fix the same scale; leave one of them out"
+            says = said(
+                "{drawn} and {factor} both fix the same scale; leave one of them out",
+                drawn=drawn,
+                factor=factor,
+            )
             yield Found(("scales", drawn), says)

@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, read
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import Path as Place
 from graphic_tmm.scene.syntax import syntax_fault
 
@@ -16,7 +17,7 @@ Document = dict[str, Any]
 
 DEEPEST = 12
 """So many tables and lists may stand in one another; a scene needs five."""
-_DEEP = "lists or tables are nested too deep; a scene needs five levels at most"
+_DEEP = said("lists or tables are nested too deep; a scene needs five levels at most")
 _PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+"""
 _LONG_KEY = re.compile(rf"""(?<![\w\-."'])(?:{_PART}\.[ \t]*+){{{DEEPEST + 8}}}""")
 """A key of so many parts is far too deep already, and tomllib's time grows with the square of them."""
@@ -35,7 +36,7 @@ def document(file: Path, kind: Kind) -> tuple[str, Document]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        _refuse(file, "the file is not in UTF-8; save it with the encoding UTF-8", line)
+        _refuse(file, said("the file is not in UTF-8; save it with the encoding UTF-8"), line)
     if found := _LONG_KEY.search(text):
         _refuse(file, _DEEP, text.count("\n", 0, found.start()) + 1)
     try:
@@ -45,7 +46,8 @@ def document(file: Path, kind: Kind) -> tuple[str, Document]:
     except RecursionError:
         _refuse(file, _DEEP)
     except ValueError as error:
-        _refuse(file, f"a value cannot be read: {re.sub(r'[;,].*', '', str(error))}")
+        reason = re.sub(r"[;,].*", "", str(error))
+        _refuse(file, said("a value cannot be read: {reason}", reason=reason))
     if _deeper(doc):
         _refuse(file, _DEEP)
     return text, doc

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 from graphic_tmm.bounds import Bound
 from graphic_tmm.language.catalogue import languages
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import FORMATS, USUAL, others
 from graphic_tmm.scene import places
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import stands
 
 
 @dataclass(frozen=True)
@@ -81,12 +82,12 @@ class Hand:
 def _listed(value: object, names: Names) -> tuple[str, ...]:
     known = list(places.known())
     if not isinstance(value, list) or not value:
-        raise ValueError(f'{kind_of(value)} stands here; a list of plans is wanted, ["positions"]')
+        raise ValueError(stands(value, said('a list of plans is wanted, ["positions"]')))
     for item in value:
         if item not in known:
             raise ValueError(v.no_choice(item, known, known))
     if len(set(value)) < len(value):
-        raise ValueError("a plan is named twice; leave one of the two out")
+        raise ValueError(said("a plan is named twice; leave one of the two out"))
     return tuple(value)
 
 

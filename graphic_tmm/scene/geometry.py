@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Mapping
 
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Guide
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.mechanism import Guide as GuideTable
@@ -47,7 +48,7 @@ def guide(name: str, points: Mapping[str, complex], guides: Mapping[str, GuideTa
         return Guide(name, guides[name].through, guides[name].angle)
     pair = letters.split(name)
     if pair is None:
-        raise ValueError(f'"{name}" is neither a guide nor two letters')
+        raise ValueError(said('"{name}" is neither a guide nor two letters', name=name))
     start, end = (points[letter] for letter in pair)
     return Guide(name, start, direction(start, end))
 
@@ -78,13 +79,25 @@ def sense(word: str, line: Guide, *, fixed: bool) -> int:
         return 1 if word == "+" else -1
     if not fixed:
         raise ValueError(
-            f'"{word}" tells nothing on a guide that moves; '
-            f'write "+" or "-": along {line.name}, or against it'
+            said(
+                '"{word}" tells nothing on a guide that moves; write "+" or "-": along {name}, or '
+                "against it",
+                word=word,
+                name=line.name,
+            )
         )
     along = cmath.rect(1, math.radians(line.angle))
     x, y = _WORDS[word]
     shared = along.real * x + along.imag * y
     if abs(shared) < _SQUARE:
-        others = '"above" or "below"' if x else '"left" or "right"'
-        raise ValueError(f'the guide {line.name} lies square to "{word}"; write {others}')
+        one, other = ("above", "below") if x else ("left", "right")
+        raise ValueError(
+            said(
+                'the guide {name} lies square to "{word}"; write "{one}" or "{other}"',
+                name=line.name,
+                word=word,
+                one=one,
+                other=other,
+            )
+        )
     return 1 if shared > 0 else -1

@@ -10,7 +10,8 @@ import math
 import re
 from collections.abc import Mapping
 
-from graphic_tmm.scene import quantities
+from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.scene import misfits, quantities
 from graphic_tmm.scene.quantities import NUMBER, UNITS
 
 NAME = re.compile(r"[^\W\d_][^\W²¹]*")
@@ -77,11 +78,15 @@ def _term(match: re.Match[str], text: str, names: Mapping[str, float]) -> float:
     if name is None:
         rest = text[match.end("number") :]
         quantities.refuse_ambiguous(number, rest, text)
+        if rest.strip() and rest.strip()[0] not in "+-":
+            raise ValueError(_unreadable(text, names))
         raise ValueError(
-            f'{number} in "{text}" has no unit and no name after it; '
-            f'write "{number} mm" or "{number} BC"'
-            if not rest.strip() or rest.strip()[0] in "+-"
-            else _unreadable(text, names)
+            said(
+                '{number} in "{text}" has no unit and no name after it; write "{number} mm" or '
+                '"{number} BC"',
+                number=number,
+                text=text,
+            )
         )
     if match["times"] and number is None:
         raise ValueError(_unreadable(text, names))
@@ -97,25 +102,31 @@ def _term(match: re.Match[str], text: str, names: Mapping[str, float]) -> float:
     return quantities.measured(number, unit, text)
 
 
-def _listed(names: Mapping[str, float]) -> str:
+def _listed(names: Mapping[str, float]) -> Said:
     if not names:
-        return "no lengths are named: name them in a section [lengths]"
-    return f"named lengths are {', '.join(sorted(names))}"
+        return said("no lengths are named: name them in a section [lengths]")
+    return said("named lengths are {listed}", listed=", ".join(sorted(names)))
 
 
-def _unknown(name: str, text: str, names: Mapping[str, float]) -> str:
+def _unknown(name: str, text: str, names: Mapping[str, float]) -> Said:
     units = [spelling for spelling, unit in UNITS.items() if unit.dimension == "length"]
-    near = quantities.near(name, [*names, *units])
-    where = "" if name == text else f' in "{text}"'
-    meant = f'; did you mean "{near}"?' if near else ""
-    return (
-        f"{name!r}{where} is neither a named length nor a unit of length{meant}; "
-        f"{_listed(names)}; units are {', '.join(units)}"
+    hints = (
+        said(
+            "{name!r}{where} is neither a named length nor a unit of length",
+            name=name,
+            where="" if name == text else said(' in "{text}"', text=text),
+        ),
+        misfits.meant(name, [*names, *units]),
+        _listed(names),
+        said("units are {listed}", listed=", ".join(units)),
     )
+    return joined("; ", filter(None, hints))
 
 
-def _unreadable(text: str, names: Mapping[str, float]) -> str:
-    return (
-        f'"{text}" is not a length: write a number with a unit ("95 mm"), a named length, '
-        f'or a sum such as "OA - 0.25 BC" (no brackets, no division); {_listed(names)}'
+def _unreadable(text: str, names: Mapping[str, float]) -> Said:
+    says = said(
+        '"{text}" is not a length: write a number with a unit ("95 mm"), a named length, or a sum such '
+        'as "OA - 0.25 BC" (no brackets, no division)',
+        text=text,
     )
+    return joined("; ", (says, _listed(names)))

@@ -11,7 +11,8 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
-from graphic_tmm.scene import quantities
+from graphic_tmm.language.said import joined, said
+from graphic_tmm.scene import misfits
 
 _LETTER = re.compile(r"[A-Za-zА-Яа-яЁёΑ-Ωα-ω][0-9′]{0,3}")
 POLES = "PpΠπ"
@@ -20,6 +21,11 @@ _ALIKE = str.maketrans(
     "АВЕКМНОРСТУХаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧο",
     "ABEKMHOPCTYXaeopcyxABEZHIKMNOPTYXo",
 )
+_ALPHABETS = {
+    "CYRILLIC": said("Russian", context="letter"),
+    "LATIN": said("Latin", context="letter"),
+    "GREEK": said("Greek", context="letter"),
+}
 LONGEST_TEXT = 200
 """Characters of a text of the scene at the most; chosen by eye."""
 NAMED = 4
@@ -37,15 +43,19 @@ def letter_fault(letter: str, *, pole: bool = True) -> str:
         Whether the letters of the poles are refused (they are for points, not for guides).
     """
     if not _LETTER.fullmatch(letter):
-        return (
-            f'"{letter[:20]}" is not a letter for a point or guide: one to four characters, '
-            "first a Latin, Russian or Greek letter, then digits or ′, such as A, S2 or C′"
+        return said(
+            '"{letter}" is not a letter for a point or guide: one to four characters, first a Latin, '
+            "Russian or Greek letter, then digits or ′, such as A, S2 or C′",
+            letter=letter[:20],
         )
     if pole and letter in POLES:
-        kind = "velocity" if letter in "Pp" else "acceleration"
-        return (
-            f'"{letter}" is kept for the pole of the {kind} plan; choose another letter, '
-            'such as K, or number it, "P1"'
+        return said(
+            '"{letter}" is kept for the pole of the {kind} plan; choose another letter, such as K, or '
+            'number it, "P1"',
+            letter=letter,
+            kind=said("velocity", context="plan")
+            if letter in "Pp"
+            else said("acceleration", context="plan"),
         )
     return ""
 
@@ -60,20 +70,27 @@ def clash(first: str, second: str) -> str:
     if first == second or folded(first) != folded(second):
         return ""
     if first.casefold() == second.casefold():
-        return (
-            f'"{second}" and "{first}" would both be "{second.casefold()}" on a plan, '
-            "which writes small letters; rename one of them"
+        return said(
+            '"{second}" and "{first}" would both be "{small}" on a plan, which writes small letters; '
+            "rename one of them",
+            second=second,
+            first=first,
+            small=second.casefold(),
         )
-    return (
-        f'"{second}" ({alphabet(second)}) looks like "{first}" ({alphabet(first)}) and would be '
-        "taken for it on a plan; write both with one keyboard, or rename one of them"
+    return said(
+        '"{second}" ({alphabet}) looks like "{first}" ({other}) and would be taken for it on a plan; '
+        "write both with one keyboard, or rename one of them",
+        second=second,
+        alphabet=alphabet(second),
+        first=first,
+        other=alphabet(first),
     )
 
 
 def alphabet(letter: str) -> str:
     """Latin, Russian or Greek, by the first character."""
-    name = unicodedata.name(letter[0], "")
-    return "Russian" if name.startswith("CYRILLIC") else name.split(" ")[0].capitalize()
+    name = unicodedata.name(letter[0], "").split(" ")[0]
+    return _ALPHABETS.get(name, name.capitalize())
 
 
 def split(pair: str) -> tuple[str, str] | None:
@@ -82,25 +99,42 @@ def split(pair: str) -> tuple[str, str] | None:
     return (found[0], found[1]) if len(found) == 2 and "".join(found) == pair else None
 
 
-def unknown(word: str, known: Iterable[str], what: str) -> str:
-    """``"AX" ...; did you mean "AB"?; letters of link 3 are A, B, C``."""
+def unknown(says: str, word: str, known: Iterable[str], what: str) -> str:
+    """``"AX" is no letter; did you mean "AB"?; letters of link 3 are A, B, C``, behind ``says``."""
     names = sorted(set(known))
     alike = [name for name in names if folded(name) == folded(word)]
-    near = alike[0] if alike else quantities.near(word, names)
-    meant = f'; did you mean "{near}"' if near else ""
+    meant = misfits.meant(word, alike[:1] or names, 0.0 if alike else 0.5)
     if alike and alphabet(alike[0]) != alphabet(word):
-        meant += f" ({alphabet(alike[0])}, not {alphabet(word)})"
-    listed = ", ".join(names) if names else "none"
-    return f"{meant}{'?' if meant else ''}; {what} {'is' if len(names) == 1 else 'are'} {listed}"
+        meant = said(
+            'did you mean "{meant}" ({alphabet}, not {other})?',
+            meant=alike[0],
+            alphabet=alphabet(alike[0]),
+            other=alphabet(word),
+        )
+    there = said(
+        "{what} is {listed}",
+        "{what} are {listed}",
+        n=len(names),
+        what=what,
+        listed=", ".join(names) or said("none", context="letters"),
+    )
+    return joined("; ", filter(None, (says, meant, there)))
 
 
 def text_fault(text: str) -> str:
     """Return what is wrong with a text to be drawn; empty if nothing."""
     if len(text) > LONGEST_TEXT:
-        return f"a text of {len(text)} characters; at most {LONGEST_TEXT} can be drawn, shorten it"
+        return said(
+            "a text of {n} characters; at most {most} can be drawn, shorten it",
+            n=len(text),
+            most=LONGEST_TEXT,
+        )
     for character in text:
         if _is_control(character):
-            return f"the control character U+{ord(character):04X} cannot be drawn; take it out"
+            return said(
+                "the control character U+{code:04X} cannot be drawn; take it out",
+                code=ord(character),
+            )
     return ""
 
 
@@ -114,10 +148,15 @@ def undrawable(text: str, missing: str) -> list[str]:
     A control character is told by `text_fault`; in a message it would do what it does.
     """
     found = [c for c in dict.fromkeys(text) if c in missing and not _is_control(c)]
-    says = [
-        f'the character "{character}" (U+{ord(character):04X}) cannot be lettered; replace it'
+    says: list[str] = [
+        said(
+            'the character "{character}" (U+{code:04X}) cannot be lettered; replace it',
+            character=character,
+            code=ord(character),
+        )
         for character in found[:NAMED]
     ]
     if len(found) > NAMED:
-        says.append(f"{len(found)} different characters cannot be lettered; replace them all")
+        many = said("{n} different characters cannot be lettered; replace them all", n=len(found))
+        says.append(many)
     return says

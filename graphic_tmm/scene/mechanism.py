@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from graphic_tmm.bounds import Bound
-from graphic_tmm.scene import quantities
+from graphic_tmm.language.said import said
+from graphic_tmm.scene import misfits
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import FAULTY, Found, Names, Path, Schema, Sort, key, made
-from graphic_tmm.scene.quantities import kind_of
 from graphic_tmm.scene.tables import ByShape, Named, Several, Table
 
 
@@ -29,13 +29,12 @@ class _Place:
         """Return the place, or FAULTY."""
         if isinstance(value, list):
             return v.POINT.understood(value, at, names, found)
-        near = quantities.near(str(at[-1]), ["number"], 0.6)
-        meant = '; did you mean "number"?' if near else ""
-        says = (
-            f"{kind_of(value)} stands here{meant}; a key of the frame is number, "
-            'a point, O = [0, 0], or a guide, y = { through = [0, 0], angle = "0 deg" }'
+        meant = misfits.meant(str(at[-1]), ["number"], 0.6)
+        keys = said(
+            "a key of the frame is number, a point, O = [0, 0], or a guide, "
+            'y = { through = [0, 0], angle = "0 deg" }'
         )
-        found.append(Found(at, says))
+        found.append(Found(at, misfits.stands(value, meant, keys)))
         return FAULTY
 
     def schema(self, tables: dict[str, Schema]) -> Schema:

@@ -7,12 +7,14 @@ be read in two ways ("1 000 mm", "1,000 mm") is refused.
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from decimal import Context, Decimal
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, NoReturn
+
+from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.scene.misfits import digits_of, meant, short, stands
 
 Dimension = Literal[
     "length",
@@ -52,8 +54,6 @@ NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 LARGEST, SMALLEST = 1e12, 1e-15
 """No figure of a machine is larger, or smaller and not 0, in SI units."""
 KGF = "9.80665"
-LONGEST_MEANT, MOST_MEANT = 60, 200
-"""A word of more letters is nothing misspelt; so many known words are looked through for what it may mean."""
 _EXACT = Context(prec=60)
 _QUANTITY = re.compile(rf"([+-]?{NUMBER})(.*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9])")
@@ -116,31 +116,32 @@ _TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
     ("ratio", "0.01", "%"),
     ("scale of accelerations", "1", "(m/s²)/mm (м/с²)/мм m/s²/mm м/с²/мм m/(s²·mm) м/(с²·мм)"),
 )
-_EXAMPLES: dict[Dimension, str] = {
-    "length": "95 mm",
-    "angle": "30 deg",
-    "angular speed": "380 rpm",
-    "angular acceleration": "20 rad/s^2",
-    "speed": "2.5 m/s",
-    "acceleration": "9.81 m/s^2",
-    "time": "0.2 s",
-    "mass": "25 kg",
-    "force": "190 N",
-    "pressure": "300 kPa",
-    "moment": "12 N*m",
-    "moment of inertia": "0.02 kg*m^2",
-    "scale of lengths": "0.005 m/mm",
-    "scale of velocities": "0.25 (m/s)/mm",
-    "scale of accelerations": "12.5 (m/s^2)/mm",
-    "scale of times": "0.0025 s/mm",
-    "scale of angles": "0.05 rad/mm",
-    "scale of pressures": "1500 Pa/mm",
-    "scale of moments": "8 N*m/mm",
-    "scale of works": "16.7 J/mm",
-    "scale of forces": "40 N/mm",
-    "density": "7800 kg/m^3",
-    "ratio": "23 %",
+_WORDS: dict[Dimension, tuple[str, str]] = {
+    "length": (said("a length"), "95 mm"),
+    "angle": (said("an angle"), "30 deg"),
+    "angular speed": (said("an angular speed"), "380 rpm"),
+    "angular acceleration": (said("an angular acceleration"), "20 rad/s^2"),
+    "speed": (said("a speed"), "2.5 m/s"),
+    "acceleration": (said("an acceleration"), "9.81 m/s^2"),
+    "time": (said("a time"), "0.2 s"),
+    "mass": (said("a mass"), "25 kg"),
+    "force": (said("a force"), "190 N"),
+    "pressure": (said("a pressure"), "300 kPa"),
+    "moment": (said("a moment"), "12 N*m"),
+    "moment of inertia": (said("a moment of inertia"), "0.02 kg*m^2"),
+    "scale of lengths": (said("a scale of lengths"), "0.005 m/mm"),
+    "scale of velocities": (said("a scale of velocities"), "0.25 (m/s)/mm"),
+    "scale of accelerations": (said("a scale of accelerations"), "12.5 (m/s^2)/mm"),
+    "scale of times": (said("a scale of times"), "0.0025 s/mm"),
+    "scale of angles": (said("a scale of angles"), "0.05 rad/mm"),
+    "scale of pressures": (said("a scale of pressures"), "1500 Pa/mm"),
+    "scale of moments": (said("a scale of moments"), "8 N*m/mm"),
+    "scale of works": (said("a scale of works"), "16.7 J/mm"),
+    "scale of forces": (said("a scale of forces"), "40 N/mm"),
+    "density": (said("a density"), "7800 kg/m^3"),
+    "ratio": (said("a ratio"), "23 %"),
 }
+"""Of each dimension a quantity, in words and as an example."""
 
 
 def _units() -> dict[str, Unit]:
@@ -198,24 +199,31 @@ def parse(value: object, dimension: Dimension) -> float:
     if isinstance(value, str):
         return _parse_text(value, dimension)
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise ValueError(f"{kind_of(value)} stands here; {wanted(dimension)}")
+        raise ValueError(stands(value, wanted(dimension)))
     return bounded(value, digits_of(value), dimension)
 
 
 def bounded(value: float, text: str, dimension: Dimension) -> float:
     """Return ``value`` as a float, or refuse ``text`` if it is not finite, or far too large or small."""
     if isinstance(value, float) and not math.isfinite(value):
-        raise ValueError(f"{_short(text)} is not a finite number; {wanted(dimension)}")
+        _refuse(said("{text} is not a finite number", text=short(text)), dimension)
     if abs(value) > LARGEST:
-        raise ValueError(f"{_short(text)} is too large a number; {wanted(dimension)}")
+        _refuse(said("{text} is too large a number", text=short(text)), dimension)
     if 0 < abs(value) < SMALLEST:
-        raise ValueError(f"{_short(text)} is too small a number; {wanted(dimension)}")
+        _refuse(said("{text} is too small a number", text=short(text)), dimension)
     return float(value)
 
 
-def wanted(dimension: Dimension) -> str:
+def _refuse(says: str, dimension: Dimension) -> NoReturn:
+    raise ValueError(joined("; ", (says, wanted(dimension))))
+
+
+def wanted(dimension: Dimension, example: str = "") -> Said:
     """Return ``a length is wanted here, for example "95 mm"``."""
-    return f'{article(dimension)} is wanted here, for example "{_EXAMPLES[dimension]}"'
+    noun, usual = _WORDS[dimension]
+    return said(
+        '{noun} is wanted here, for example "{example}"', noun=noun, example=example or usual
+    )
 
 
 def article(noun: str) -> str:
@@ -223,55 +231,15 @@ def article(noun: str) -> str:
     return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
 
 
-def kind_of(value: object) -> str:
-    """Return what kind of value stands in the file, in words."""
-    if isinstance(value, bool):
-        return f"{str(value).lower()} (yes or no)"
-    if isinstance(value, (int, float)):
-        return f"the number {digits_of(value)}"
-    if isinstance(value, str):
-        return f'the text "{_short(value)}"'
-    if isinstance(value, list):
-        return "a list [ ]"
-    return "a table { }" if isinstance(value, dict) else "a date or time"
-
-
-def near(word: str, known: Iterable[str], cutoff: float = 0.5) -> str:
-    """Return the known word that was probably meant; empty if none is like it."""
-
-    def same_length(other: str) -> float:
-        return 0.4 / max(len(word), 1) if len(word) == len(other) else 0.0
-
-    def likeness(other: str) -> float:
-        ratio = difflib.SequenceMatcher(None, word.casefold(), other.casefold()).ratio()
-        begins = other[:1].casefold() == word[:1].casefold()
-        return ratio + (0.1 if begins else 0.0) + same_length(other)
-
-    if len(word) > LONGEST_MEANT:
-        return ""
-    best = max(sorted(known)[:MOST_MEANT], key=likeness, default="")
-    return best if best and likeness(best) >= cutoff else ""
-
-
-def digits_of(value: float) -> str:
-    """Return a number as text; what is beyond all measure (TOML has no limit) in powers of two."""
-    huge = isinstance(value, int) and value.bit_length() > 64
-    return f"2^{int(value).bit_length()}" if huge else str(value)
-
-
 def spoken(text: str) -> str:
     """Return a text with plain minus signs and no spaces at its ends."""
     return text.replace("−", "-").strip()
 
 
-def _short(text: str) -> str:
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
 def _parse_text(text: str, dimension: Dimension) -> float:
     match = _QUANTITY.fullmatch(spoken(text)) if len(text) <= 200 else None
     if match is None:
-        raise ValueError(f'"{_short(text)}" is not a number with a unit; {wanted(dimension)}')
+        _refuse(said('"{text}" is not a number with a unit', text=short(text)), dimension)
     number, rest = match.groups()
     unit = UNITS.get(plain(rest))
     refuse_ambiguous(number, "" if unit else rest, text)
@@ -309,43 +277,61 @@ def refuse_ambiguous(number: str, rest: str, text: str) -> None:
     """Refuse groups of thousands and fractions: ``1 000``, ``1,000``, ``1.000,5``, ``1/2``."""
     if re.match(r"[\s._,']*[0-9]|[.,]", rest):
         raise ValueError(
-            f'"{_short(text)}" can be read in two ways; '
-            'write the number in one piece, such as "1000.5 mm"'
+            said(
+                '"{text}" can be read in two ways; write the number in one piece, such as "1000.5 mm"',
+                text=short(text),
+            )
         )
     if _THOUSANDS.match(number):
         raise ValueError(
-            f'"{_short(text)}" can be read in two ways (a thousand or a decimal comma?); '
-            f'write "{number.replace(",", ".")}" or "{number.replace(",", "")}" with the unit'
+            said(
+                '"{text}" can be read in two ways (a thousand or a decimal comma?); '
+                'write "{decimal}" or "{thousands}" with the unit',
+                text=short(text),
+                decimal=number.replace(",", "."),
+                thousands=number.replace(",", ""),
+            )
         )
     if re.match(r"\s*/\s*[0-9]", rest):
         raise ValueError(
-            f'"{_short(text)}" is a fraction; write it as a decimal, for example "0.5 m"'
+            said(
+                '"{text}" is a fraction; write it as a decimal, for example "0.5 m"',
+                text=short(text),
+            )
         )
 
 
-def _no_unit(number: str, dimension: Dimension) -> str:
-    unit = _EXAMPLES[dimension].split()[1]
-    bare = "in degrees" if dimension == "angle" else "in SI units"
-    return f'"{number}" has no unit; write "{number} {unit}" (a number without quotes is {bare})'
+def _no_unit(number: str, dimension: Dimension) -> Said:
+    return said(
+        '"{number}" has no unit; write "{number} {unit}" (a number without quotes is {bare})',
+        number=number,
+        unit=_WORDS[dimension][1].split()[1],
+        bare=said("in degrees") if dimension == "angle" else said("in SI units"),
+    )
 
 
-def _wrong_dimension(text: str, number: str, unit: Unit, dimension: Dimension) -> str:
-    said = f'"{_short(text)}" is {article(unit.dimension)}'
-    example = f"{number} {_EXAMPLES[dimension].split()[1]}"
-    return f'{said}; {article(dimension)} is wanted here, for example "{example}"'
+def _wrong_dimension(text: str, number: str, unit: Unit, dimension: Dimension) -> Said:
+    it = said('"{text}" is {noun}', text=short(text), noun=_WORDS[unit.dimension][0])
+    example = f"{number} {_WORDS[dimension][1].split()[1]}"
+    return joined("; ", (it, wanted(dimension, example)))
 
 
-def _unknown_unit(text: str, rest: str, dimension: Dimension) -> str:
+def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
     known = [spelling for spelling, unit in UNITS.items() if unit.dimension == dimension]
-    meant = near(plain(rest), known)
     mixed = re.search(r"[A-Za-z]", rest) and re.search(r"[А-Яа-яЁё]", rest)
-    hints = [
-        f'the unit {_short(rest.strip())!r} in "{_short(text)}" is not known',
-        "it mixes Latin and Russian letters" if mixed else "",
-        f'did you mean "{meant}"?' if meant else "",
-        f"units of {article(dimension)} are {', '.join(known[:10])}",
-    ]
-    return "; ".join(hint for hint in hints if hint)
+    hints = (
+        said(
+            'the unit {unit!r} in "{text}" is not known',
+            unit=short(rest.strip()),
+            text=short(text),
+        ),
+        said("it mixes Latin and Russian letters") if mixed else "",
+        meant(plain(rest), known),
+        said(
+            "units of {noun} are {listed}", noun=_WORDS[dimension][0], listed=", ".join(known[:10])
+        ),
+    )
+    return joined("; ", filter(None, hints))
 
 
 def in_kgf(value: object) -> bool:

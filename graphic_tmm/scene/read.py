@@ -8,6 +8,7 @@ from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import build, checks, references
 from graphic_tmm.scene.declare import Found
 from graphic_tmm.scene.document import Document, document
@@ -18,7 +19,9 @@ from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import understand
 
 FILE = "scene.toml"
-SCENE = Kind("a scene", f"name a scene file, or a folder with a {FILE}", 256_000)
+SCENE = Kind(
+    said("a scene"), said("name a scene file, or a folder with a {file}", file=FILE), 256_000
+)
 TOLD = 50
 """So many faults of a file are told; a person mends these first."""
 

@@ -59,10 +59,10 @@ class Scene:
             return StructureError(joined(": ", (self.source, error.args[0])))
         above = (told[0], told[0].rpartition(", ")[0], told[0].rpartition(".")[0])
         line = next((self.told[key] for key in above if key in self.told), 0)
-        says, place = error.args[0], f"{self.source}:{line}" if line else self.source
+        place = f"{self.source}:{line}" if line else self.source
         section, _, key = re.sub(r" \d+, ", ".", told[0]).partition(".")
-        for known in (f"{section}: ", f"{section}, ", f"{key}: "):
-            says = says.removeprefix(known) if says.startswith(known) else says
+        known = error.head.partition(",")[0] in (section, key)
+        says = error.says if known else error.args[0]
         return StructureError(joined(": ", (place, ", ".join(told), says)), *told)
 
     @property

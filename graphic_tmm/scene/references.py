@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import NamedTuple, TypeGuard
 
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Found, Path
 from graphic_tmm.scene.document import Document, raw_links, table, texts
@@ -100,10 +101,13 @@ def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
         number = link.get("number")
         if not _is_whole(number) or names.bodies[number].path == path:
             continue
-        taken = "the frame" if number == names.frame else "another link"
-        yield Found(
-            (*path, "number"), f"{number} is the number of {taken}; write {free} or another"
+        says = said(
+            "{number} is the number of {taken}; write {free} or another",
+            number=number,
+            taken=FRAME if number == names.frame else said("another link", context="of"),
+            free=free,
         )
+        yield Found((*path, "number"), says)
 
 
 def _letters(doc: Document) -> Iterator[Found]:
@@ -142,7 +146,8 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         if number not in names.bodies:
             yield from no_link((*at, "on"), number, names)
         elif number == link.get("number"):
-            yield Found((*at, "on"), f"link {number} cannot slide on itself; write another number")
+            says = said("link {number} cannot slide on itself; write another number", number=number)
+            yield Found((*at, "on"), says)
         else:
             yield from _along((*at, "along"), slide.get("along"), number, names)
 
@@ -150,9 +155,12 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
 def no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
     """Tell that there is no link of that number, if all numbers could be read."""
     if names.complete:
-        listed = ", ".join(str(n) for n in sorted(names.bodies))
-        shown = number if abs(number) < 10**40 else "of so large a number"
-        says = f"there is no link {shown}; links are {listed} ({names.frame} is the frame)"
+        says = said(
+            "there is no link {shown}; links are {listed} ({frame} is the frame)",
+            shown=number if abs(number) < 10**40 else said("of so large a number"),
+            listed=", ".join(str(n) for n in sorted(names.bodies)),
+            frame=names.frame,
+        )
         yield Found(path, says)
 
 
@@ -160,24 +168,45 @@ def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[F
     body = names.bodies[number]
     if not isinstance(along, str) or along in body.guides:
         return
-    of = "the frame" if number == names.frame else f"link {number}"
+    of = FRAME if number == names.frame else of_link(number)
     pair = letters.split(along)
     if pair is None:
-        known = f"guides of {of}"
-        hint = letters.unknown(along, body.guides, known)
-        yield Found(path, f'"{along}" is neither a guide of {of} nor two of its letters{hint}; '
-                    f"letters are {', '.join(body.letters) or 'none'}")  # fmt: skip
+        says = said(
+            '"{along}" is neither a guide of {of} nor two of its letters', along=along, of=of
+        )
+        wrong = letters.unknown(says, along, body.guides, said("guides of {of}", of=of))
+        listed = ", ".join(body.letters) or said("none", context="letters")
+        there = said("letters are {listed}", listed=listed)
+        yield Found(path, joined("; ", (wrong, there)))
     elif pair[0] == pair[1]:
-        yield Found(path, f'"{along}" names one letter twice; name two letters of {of}')
+        says = said(
+            '"{along}" names one letter twice; name two letters of {of}', along=along, of=of
+        )
+        yield Found(path, says)
     else:
         yield from _known(path, pair, body.letters, of)
+
+
+FRAME, MECHANISM = said("the frame", context="of"), said("the mechanism", context="of")
+
+
+def of_link(number: int) -> str:
+    """Return a link as that of which letters are."""
+    return said("link {number}", context="of", number=number)
 
 
 def _known(path: Path, wanted: tuple[str, ...], known: tuple[str, ...], of: str) -> Iterator[Found]:
     for letter in wanted:
         if letter not in known:
-            hint = letters.unknown(letter, known, f"letters of {of}")
-            yield Found(path, f'"{letter}" is not a letter of {of}{hint}')
+            says = said('"{letter}" is not a letter of {of}', letter=letter, of=of)
+            what = said("letters of {of}", of=of)
+            yield Found(path, letters.unknown(says, letter, known, what))
+
+
+def no_moving(letter: str, names: Outline) -> str:
+    """Tell that a letter is that of no moving point, and which are."""
+    says = said('"{letter}" is no moving point', letter=letter[:20])
+    return letters.unknown(says, letter, names.moving, said("moving points"))
 
 
 def _sides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
@@ -185,13 +214,15 @@ def _sides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         pair = link_side(link["side"])[1] if "side" in link else ()
     except ValueError:
         return
-    yield from _known((*path, "side"), pair, names.letters, "the mechanism")
+    yield from _known((*path, "side"), pair, names.letters, MECHANISM)
 
 
 def _centre(path: Path, link: Document) -> Iterator[Found]:
     if isinstance(link.get("centre"), str) and isinstance(link.get("points", {}), dict):
         known = tuple(link.get("points", {}))
-        yield from _known((*path, "centre"), (link["centre"],), known, "this link")
+        yield from _known(
+            (*path, "centre"), (link["centre"],), known, said("this link", context="of")
+        )
 
 
 def _drive(drive: Document, names: Outline) -> Iterator[Found]:
@@ -199,9 +230,10 @@ def _drive(drive: Document, names: Outline) -> Iterator[Found]:
     if _is_whole(number) and number not in names.bodies:
         yield from no_link(("drive", "link"), number, names)
     elif number == names.frame and _is_whole(number):
-        yield Found(
-            ("drive", "link"), f"link {number} is the frame, which does not turn; name the crank"
+        says = said(
+            "link {number} is the frame, which does not turn; name the crank", number=number
         )
+        yield Found(("drive", "link"), says)
     point = table(drive.get("zero")).get("point")
     if isinstance(point, str):
         yield from _moving(("drive", "zero", "point"), point, names)
@@ -215,6 +247,9 @@ def _trajectories(items: object, names: Outline) -> Iterator[Found]:
 
 def _moving(path: Path, letter: str, names: Outline) -> Iterator[Found]:
     if letter not in names.moving and letter in names.letters:
-        yield Found(path, f'"{letter}" stands on the frame and does not move; name a moving point')
+        says = said(
+            '"{letter}" stands on the frame and does not move; name a moving point', letter=letter
+        )
+        yield Found(path, says)
     else:
-        yield from _known(path, (letter,), names.letters, "the mechanism")
+        yield from _known(path, (letter,), names.letters, MECHANISM)

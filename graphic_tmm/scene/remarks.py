@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapter import places
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.places import of_section
@@ -19,9 +20,9 @@ GAINED = "accelerations"
 def remarks(parts: Parts) -> tuple[str, ...]:
     """Return, one line each, the sections that nothing reads, and the defaults that matter."""
     there = list(parts.asked)
-    idle = [line for section, said in there for line in section.idle(said, parts)]
+    idle = [line for section, told in there for line in section.idle(told, parts)]
     centres = _centres(parts) if any(section.weighs for section, _ in there) else ()
-    defaults = [line for section, said in there for line in section.defaults(said, parts)]
+    defaults = [line for section, told in there for line in section.defaults(told, parts)]
     return (*idle, *centres, *defaults)
 
 
@@ -32,9 +33,13 @@ def _centres(parts: Parts) -> Iterator[str]:
     if lone:
         first, letter = next(iter(lone.items()))
         numbers, letters = ", ".join(map(str, lone)), ", ".join(lone.values())
-        yield (
-            f"centre: it is left out of link {numbers}, so the link's only point in no pair is taken for its "
-            f'mass centre: {letters}; write centre = "{letter}" in link {first}'
+        yield said(
+            "centre: it is left out of link {numbers}, so the link's only point in no pair is taken for its "
+            'mass centre: {letters}; write centre = "{letter}" in link {first}',
+            numbers=numbers,
+            letters=letters,
+            letter=letter,
+            first=first,
         )
 
 
@@ -50,9 +55,15 @@ def _unplaced(scene: Scene) -> Iterator[str]:
     for section in there:
         if section in seen or section.name in shown:
             continue
-        listed = " or ".join(f'"{place}"' for place in of_section(section))
-        yield f"{section.name}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]"
+        yield said(
+            "{section}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]",
+            section=section.name,
+            listed=joined(said(" or "), (f'"{place}"' for place in of_section(section))),
+        )
     there_too = ((name, (*one.shows, *one.beside)) for name, (_, one) in places().items())
     gained = {name for name, plans in there_too if GAINED in plans}
     if scene.row.accelerations and not scene.shown & {GAINED, *gained}:
-        yield f'drive.{GAINED}: no sheet shows them (table does); add "{GAINED}" to the place of a [[sheet]]'
+        yield said(
+            'drive.{plans}: no sheet shows them (table does); add "{plans}" to the place of a [[sheet]]',
+            plans=GAINED,
+        )

@@ -14,6 +14,7 @@ from typing import Any
 
 from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.errors import TmmError
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import drawing, lengths, letters, mechanism, quantities, registry
 from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, raw_links, table
@@ -40,9 +41,9 @@ LENGTHS = "lengths"
 """The section that names lengths; it stands before all others."""
 
 _EXAMPLES = {
-    "frame": "a section [frame] with the fixed points, O = [0, 0]",
-    "link": "a section [[link]] for each moving link, with its number and points",
-    "drive": 'a section [drive] with link = 1 and speed = "380 rpm"',
+    "frame": said("a section [frame] with the fixed points, O = [0, 0]"),
+    "link": said("a section [[link]] for each moving link, with its number and points"),
+    "drive": said('a section [drive] with link = 1 and speed = "380 rpm"'),
 }
 _FOUND_BY_TASK = ("OA", "BC", "OB")
 
@@ -108,14 +109,20 @@ class Parts:
         """Tell of a letter that is no point of a moving link."""
         there = [name for _, link in raw_links(self.doc) for name in table(link.get("points"))]
         if there and letter not in there:
-            meant = letters.unknown(letter, there, "points of moving links")
-            yield Found(path, f'"{letter[:20]}" is no point of a moving link{meant}')
+            says = said('"{letter}" is no point of a moving link', letter=letter[:20])
+            what = said("points of moving links")
+            yield Found(path, letters.unknown(says, letter, there, what))
 
     def intervals(self, section: str) -> Iterator[Found]:
         """Tell of a row that is too short for a diagram of a section."""
         if self.drive is not None and not INTERVALS.holds(self.drive.positions):
-            says = f"a diagram needs {INTERVALS.least} positions at least, there are {self.drive.positions}"
-            yield Found((section,), f"{says}; write positions = 12 in [drive]")
+            says = said(
+                "a diagram needs {least} positions at least, there are {there}; write positions = 12 in "
+                "[drive]",
+                least=INTERVALS.least,
+                there=self.drive.positions,
+            )
+            yield Found((section,), says)
 
 
 def understand(doc: Document) -> tuple[Parts, list[Found]]:
@@ -149,7 +156,8 @@ def _several(
 ) -> list[Any]:
     name = section.name
     if not isinstance(items, list):
-        found.append(Found((name,), f"write [[{name}]] in double brackets: there can be several"))
+        says = said("write [[{name}]] in double brackets: there can be several", name=name)
+        found.append(Found((name,), says))
         return []
     return [
         understood(section.record, item, (name, i), names, found) for i, item in enumerate(items)
@@ -162,7 +170,7 @@ def _top_level(doc: Document) -> list[Found]:
     found = [Found((key,), unknown_key(key, known)) for key in strange[:MOST]]
     for key, example in _EXAMPLES.items():
         if needs_mechanism(doc) and (key not in doc or doc[key] == []):
-            found.append(Found((key,), f"it is missing; write {example}"))
+            found.append(Found((key,), said("it is missing; write {example}", example=example)))
     return found
 
 
@@ -205,7 +213,7 @@ def _named_lengths(
     raw = doc.get("lengths", {})
     if not isinstance(raw, dict):
         found.append(
-            Found(("lengths",), 'write a section [lengths] with, for example, r = "0.3 m"')
+            Found(("lengths",), said('write a section [lengths] with, for example, r = "0.3 m"'))
         )
         return dict(given)
     names = dict(given)
@@ -222,11 +230,18 @@ def _named_lengths(
 
 def _name_fault(name: str, given: Mapping[str, float]) -> str:
     if name in given:
-        return f'"{name}" is found by [task] already; take it out of [lengths], or the task'
+        return said(
+            '"{name}" is found by [task] already; take it out of [lengths], or the task', name=name
+        )
     if not lengths.NAME.fullmatch(name) or len(name) > 40:
-        return f'"{name[:40]}" cannot name a length: letters and digits, first a letter, such as l2'
+        return said(
+            '"{name}" cannot name a length: letters and digits, first a letter, such as l2',
+            name=name[:40],
+        )
     if name in quantities.UNITS and quantities.UNITS[name].dimension == "length":
-        return f'"{name}" is a unit of length; choose another name, such as "l_{name}"'
+        return said(
+            '"{name}" is a unit of length; choose another name, such as "l_{name}"', name=name
+        )
     return ""
 
 

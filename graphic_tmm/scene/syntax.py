@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from graphic_tmm.errors import Fault
+from graphic_tmm.language.said import joined, said
 
 _AT = re.compile(r"\s*\((?:at line ([0-9]+), column ([0-9]+)|at end of document)\)")
 _TWICE = (
@@ -32,28 +33,30 @@ def syntax_fault(text: str, message: str) -> Fault:
     lines = text.replace("\r\n", "\n").split("\n")
     number = int(match.group(1)) if match and match.group(1) else len(lines)
     line = lines[number - 1] if number <= len(lines) else ""
-    said = _AT.sub("", message)
-    if said.startswith(_TWICE):
-        return _twice(said, number, line, match)
-    key = _key(line)
-    return Fault(key, number, f"this is not TOML ({said}){_remedy(line)}")
+    reason = _AT.sub("", message)
+    if reason.startswith(_TWICE):
+        return _twice(reason, number, line, match)
+    says = said("this is not TOML ({reason})", reason=reason)
+    return Fault(_key(line), number, joined("; ", filter(None, (says, _remedy(line)))))
 
 
-def _twice(said: str, number: int, line: str, match: re.Match[str] | None) -> Fault:
+def _twice(reason: str, number: int, line: str, match: re.Match[str] | None) -> Fault:
     """Return the fault of a key or a section that stands twice."""
-    names = re.findall(r"'([^']*)'", said)
+    names = re.findall(r"'([^']*)'", reason)
     section = line.lstrip().startswith("[")
     column = int(match.group(2)) if match and match.group(2) else len(line)
     key = ".".join(names) or (line.strip(" \t[]") if section else _key(line[:column]))
     if section:
         name = key.split(".")[0]
         says = (
-            f"write [[{name}]] in double brackets, each time: there can be several"
+            said("write [[{name}]] in double brackets, each time: there can be several", name=name)
             if name in several()
-            else "put its keys into one section"
+            else said("put its keys into one section")
         )
-        return Fault(key, number, f"the section [{key}] stands twice; {says}")
-    return Fault(key, number, f'"{key}" stands twice in one table; take one out, or rename it')
+        twice = said("the section [{key}] stands twice", key=key)
+        return Fault(key, number, joined("; ", (twice, says)))
+    says = said('"{key}" stands twice in one table; take one out, or rename it', key=key)
+    return Fault(key, number, says)
 
 
 def several() -> frozenset[str]:
@@ -79,31 +82,34 @@ def _remedy(line: str) -> str:
     if len(line) > LONGEST:
         return ""
     if re.search(r"[«»“”„]", line):
-        return '; write straight quotes: "..."'
+        return said('write straight quotes: "..."')
     if not sign and re.match(r"\s*\[", line):
-        return "; a section is written [frame], or [[link]] for one of several"
+        return said("a section is written [frame], or [[link]] for one of several")
     if not sign:
-        return "; write key = value"
+        return said("write key = value")
     return _key_remedy(name, value) or _value_remedy(name.strip(), value)
 
 
 def _key_remedy(name: str, value: str) -> str:
     if re.search(r"[^\x00-\x7f]", name.split("#")[0]) and '"' not in name:
-        return f'; a key that is not Latin stands in quotes: "{name.strip()}" = ...'
+        return said('a key that is not Latin stands in quotes: "{name}" = ...', name=name.strip())
     if re.search(r"[{,]\s*[^\x00-\x7f\s\"]+\s*=", value):
-        return '; a key that is not Latin stands in quotes: { "Д" = [0, 0] }'
+        return said('a key that is not Latin stands in quotes: { "Д" = [0, 0] }')
     return ""
 
 
 def _value_remedy(name: str, value: str) -> str:
     if not value or value.startswith("#"):
-        return f"; a value is missing, {name} = ..."
+        return said("a value is missing, {name} = ...", name=name)
     if re.match(r"[-+]?[0-9]+,[0-9]", value):
-        return f"; the decimal sign of a number is a point: {value.replace(',', '.', 1)}"
+        right = value.replace(",", ".", 1)
+        return said("the decimal sign of a number is a point: {right}", right=right)
     if re.match(r"[-+]?[0-9][0-9.,]*\s*[^\W\d_]", value):
-        return f'; a value with a unit stands in quotes: {name} = "{value}"'
+        return said(
+            'a value with a unit stands in quotes: {name} = "{value}"', name=name, value=value
+        )
     if value.count("{") > value.count("}"):
-        return "; a table in { } stands on one line"
+        return said("a table in { } stands on one line")
     if re.match(r"[^\W\d_]", value):
-        return f'; a text stands in quotes: {name} = "{value}"'
+        return said('a text stands in quotes: {name} = "{value}"', name=name, value=value)
     return ""

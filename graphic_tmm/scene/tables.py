@@ -7,7 +7,8 @@ from dataclasses import MISSING, dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from graphic_tmm.scene import quantities
+from graphic_tmm.language.said import joined, said
+from graphic_tmm.scene import misfits
 from graphic_tmm.scene.declare import (
     FAULTY,
     Found,
@@ -39,8 +40,8 @@ class Table:
 
     def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
         """Return the record of a table, or FAULTY."""
-        said = understood(self.record, value, at, names, found)
-        return FAULTY if said is None else build(self.record, said)
+        told = understood(self.record, value, at, names, found)
+        return FAULTY if told is None else build(self.record, told)
 
     def schema(self, tables: dict[str, Schema]) -> Schema:
         """Return a reference to the schema of the record."""
@@ -80,10 +81,8 @@ class Several:
     def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
         """Return the values, or FAULTY."""
         if not isinstance(value, list):
-            said = (
-                f"{quantities.kind_of(value)} stands here; a list of tables is wanted, [{{ ... }}]"
-            )
-            found.append(Found(at, said))
+            wanted = said("a list of tables is wanted, [{ ... }]")
+            found.append(Found(at, misfits.stands(value, wanted)))
             return FAULTY
         read = tuple(
             self.each.understood(one, (*at, i), names, found) for i, one in enumerate(value)
@@ -145,7 +144,7 @@ def _known(
 ) -> tuple[dict[str, Any], bool]:  # fmt: skip
     """Return the values of the keys, and whether they are all there and sound."""
     strange, found = faults
-    misspelt = {quantities.near(name, known, 0.6) for name in sorted(strange)[:MOST]}
+    misspelt = {misfits.near(name, known, 0.6) for name in sorted(strange)[:MOST]}
     values: dict[str, Any] = {}
     fine = True
     for name, one in known.items():
@@ -160,32 +159,39 @@ def _known(
 
 
 def _no_table(value: object, at: Path, found: list[Found]) -> Any:
-    found.append(Found(at, f"{quantities.kind_of(value)} stands here; {_table_wanted(at)}"))
+    found.append(Found(at, misfits.stands(value, _table_wanted(at))))
     return FAULTY
 
 
 def _table_wanted(path: Path) -> str:
     if example := _EXAMPLES.get(str(path[-1])):
-        return f"a table is wanted, for example {path[-1]} = {example}"
+        return said(
+            "a table is wanted, for example {key} = {example}", key=path[-1], example=example
+        )
     if len(path) == 1:
-        return f"a section is wanted: [{path[0]}] on a line of its own, its keys below it"
-    return 'a table is wanted, for example { through = [0, 0], angle = "0 deg" }'
+        return said(
+            "a section is wanted: [{name}] on a line of its own, its keys below it", name=path[0]
+        )
+    return said('a table is wanted, for example { through = [0, 0], angle = "0 deg" }')
 
 
 def unknown_key(name: str, known: list[str]) -> str:
     """Return a key that means nothing here, the one that was probably meant, and all there are."""
-    near = quantities.near(name, known, 0.6)
-    meant = f'did you mean "{near}"? ' if near else ""
-    return f'"{name}" means nothing here; {meant}keys here are {", ".join(known)}'
+    keys = said("keys here are {listed}", listed=", ".join(known))
+    meant = misfits.meant(name, known, 0.6)
+    there = joined(" ", (meant, keys)) if meant else keys
+    return joined("; ", (said('"{name}" means nothing here', name=name), there))
 
 
 def missing_key(name: str, declared: Key) -> str:
     """Return a key that has to be there, with an example."""
     example = declared.example
     if example is None:
-        return f'"{name}" is missing'
+        return said('"{name}" is missing', name=name)
     written = f'"{example}"' if isinstance(example, str) else str(example)
-    return f'"{name}" is missing; write for example {name} = {written}'
+    return said(
+        '"{name}" is missing; write for example {name} = {written}', name=name, written=written
+    )
 
 
 def table_schema(record: type, name: str, tables: dict[str, Schema]) -> Schema:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from graphic_tmm.bounds import POSITIVE, Bound
-from graphic_tmm.scene import lengths, letters, quantities
+from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.scene import lengths, letters, misfits, quantities
 from graphic_tmm.scene.declare import Kind, Names, Schema
-from graphic_tmm.scene.quantities import Dimension, kind_of
+from graphic_tmm.scene.misfits import stands
+from graphic_tmm.scene.quantities import Dimension
 
 COUNTERCLOCKWISE, CLOCKWISE = "counterclockwise", "clockwise"
 OTHER_EXTREME = "other extreme"
@@ -20,8 +23,12 @@ def quantity(dimension: Dimension, bound: Bound | None = None) -> Kind:
     def read(value: object, names: Names) -> float:
         number = quantities.parse(value, dimension)
         if bound is not None and not bound.holds(number):
-            than = "not greater than" if bound.above else "less than"
-            raise ValueError(f"{_said(value)} is {than} {bound.least:g}")
+            text, least = _told(value), bound.least
+            if bound.above:
+                raise ValueError(
+                    said("{text} is not greater than {least:g}", text=text, least=least)
+                )
+            raise ValueError(said("{text} is less than {least:g}", text=text, least=least))
         return number
 
     return Kind(read, _quantity_schema(dimension), bound, dimension)
@@ -35,9 +42,9 @@ def _quantity_schema(dimension: Dimension) -> Schema:
     }
 
 
-def _said(value: object) -> str:
+def _told(value: object) -> str:
     if isinstance(value, (int, float)):
-        return quantities.digits_of(value)
+        return misfits.digits_of(value)
     return f'"{value}"'
 
 
@@ -55,18 +62,21 @@ def choice(*words: str, **synonyms: str) -> Kind:
     return Kind(read, {"type": "string", "enum": list(meant)})
 
 
-def no_choice(value: object, words: list[str], known: list[str]) -> str:
+def no_choice(value: object, words: list[str], known: list[str]) -> Said:
     """Return why a value is none of some words, the one of all ``known`` that was probably meant, the words."""
-    near = quantities.near(str(value)[:40], known, 0.6)
-    hint = f'; did you mean "{near}"?' if near else ""
     listed = ", ".join(f'"{word}"' for word in words)
-    only = "it can only be" if len(words) == 1 else "it is one of"
-    return f"{kind_of(value)} stands here{hint}; {only} {listed}"
+    one = len(words) == 1
+    only = (
+        said("it can only be {listed}", listed=listed)
+        if one
+        else said("it is one of {listed}", listed=listed)
+    )
+    return stands(value, misfits.meant(str(value)[:40], known, 0.6), only)
 
 
 def _text(value: object, names: Names) -> str:
     if not isinstance(value, str):
-        raise ValueError(f"{kind_of(value)} stands here; a text in quotes is wanted")
+        raise ValueError(stands(value, said("a text in quotes is wanted")))
     if fault := letters.text_fault(value):
         raise ValueError(fault)
     return value
@@ -74,7 +84,7 @@ def _text(value: object, names: Names) -> str:
 
 def _title(value: object, names: Names) -> str:
     if not _text(value, names).strip():
-        raise ValueError("the title is empty; write what the mechanism is")
+        raise ValueError(said("the title is empty; write what the mechanism is"))
     return str(value)
 
 
@@ -86,11 +96,9 @@ def number(bound: Bound, dimension: Dimension | None = None) -> Kind:
         if dimension is not None and (isinstance(value, str) or dimension != "ratio"):
             found = quantities.parse(value, dimension)
         elif bound.whole and (isinstance(value, bool) or not isinstance(value, int)):
-            raise ValueError(
-                f"{kind_of(value)} stands here; a whole number is wanted, without quotes"
-            )
+            raise ValueError(stands(value, said("a whole number is wanted, without quotes")))
         if not bound.holds(found):
-            raise ValueError(f"{kind_of(value)} stands here; {bound.wanted} is wanted")
+            raise ValueError(stands(value, said("{bound} is wanted", bound=bound.wanted)))
         assert isinstance(found, int | float)
         return found if bound.whole else float(found)
 
@@ -109,28 +117,32 @@ def within(value: object) -> float:
     """Return a share of a stroke, 0 … 1; ValueError if it is none."""
     found = quantities.parse(value, "ratio") if isinstance(value, str) else value
     if not _WITHIN.holds(found):
-        raise ValueError(f"{kind_of(value)} stands here; a share of the stroke is between 0 and 1")
+        raise ValueError(stands(value, said("a share of the stroke is between 0 and 1")))
     return float(found)  # type: ignore[arg-type]
 
 
 def _point(value: object, names: Names) -> complex:
     if not isinstance(value, list) or len(value) != 2:
-        found = f"a list of {len(value)}" if isinstance(value, list) else kind_of(value)
-        raise ValueError(f'{found} stands here; a point is a list of two lengths, ["95 mm", 0]')
-    numbers, faults = [], []
+        remedy = said('a point is a list of two lengths, ["95 mm", 0]')
+        if not isinstance(value, list):
+            raise ValueError(stands(value, remedy))
+        here = said("a list of {n} stands here", n=len(value))
+        raise ValueError(joined("; ", (here, remedy)))
+    numbers: list[float] = []
+    faults: list[str] = []
     for axis, item in zip("xy", value, strict=True):
         try:
             numbers.append(lengths.evaluate(item, names))
         except ValueError as error:
-            faults.append(f"{axis}: {error}")
+            faults.append(joined(": ", (axis, error.args[0])))
     if faults:
-        raise ValueError("; ".join(faults))
+        raise ValueError(joined("; ", faults))
     return complex(numbers[0], numbers[1])
 
 
 def _angles(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list):
-        raise ValueError(f'{kind_of(value)} stands here; a list of angles is wanted, ["90 deg"]')
+        raise ValueError(stands(value, said('a list of angles is wanted, ["90 deg"]')))
     return tuple(quantities.parse(item, "angle") for item in value)
 
 
@@ -138,19 +150,25 @@ def _speed(value: object, names: Names) -> float:
     number = quantities.parse(value, "angular speed")
     if number == 0:
         raise ValueError(
-            f'{_said(value)}: a drive that stands still moves nothing; write "380 rpm"; at a start from rest '
-            'no velocity can be drawn: write a speed as small as "0.001 rad/s" beside the acceleration'
+            said(
+                '{text}: a drive that stands still moves nothing; write "380 rpm"; at a start from rest no '
+                'velocity can be drawn: write a speed as small as "0.001 rad/s" beside the acceleration',
+                text=_told(value),
+            )
         )
     if number < 0:
-        raise ValueError(f'{_said(value)} is negative; write it positive and turns = "{CLOCKWISE}"')
+        raise ValueError(
+            said('{text} is negative; write it positive and turns = "clockwise"', text=_told(value))
+        )
     return number
 
 
 def _ratio(value: object, names: Names) -> float:
     if isinstance(value, str):
-        raise ValueError(f"{kind_of(value)} stands here; K_v is a plain number, without quotes")
+        raise ValueError(stands(value, said("K_v is a plain number, without quotes")))
     if not SPEED_RATIO.holds(value):
-        raise ValueError(f"{kind_of(value)} stands here; K_v is {SPEED_RATIO.wanted}, such as 1.45")
+        remedy = said("K_v is {bound}, such as 1.45", bound=SPEED_RATIO.wanted)
+        raise ValueError(stands(value, remedy))
     return float(value)  # type: ignore[arg-type]
 
 
@@ -184,7 +202,10 @@ def mu(dimension: Dimension) -> Kind:
 def _positive_scale(number: float, value: object) -> float:
     if not _MU.holds(number):
         raise ValueError(
-            f"{_said(value)} cannot be a scale factor; it is what 1 mm of paper stands for"
+            said(
+                "{text} cannot be a scale factor; it is what 1 mm of paper stands for",
+                text=_told(value),
+            )
         )
     return number
 
@@ -193,7 +214,11 @@ def _drawn(value: object, names: Names) -> float:
     metres = quantities.parse(value, "length")
     if not _PAPER.holds(metres * 1000):
         raise ValueError(
-            f'{_said(value)} is {metres:g} m on the sheet (a number is in metres); write "60 mm"'
+            said(
+                '{text} is {metres:g} m on the sheet (a number is in metres); write "60 mm"',
+                text=_told(value),
+                metres=metres,
+            )
         )
     return metres * 1000
 
@@ -203,14 +228,16 @@ def _ruler(value: object, names: Names) -> float | str:
         return "exact"
     metres = quantities.parse(value, "length")
     if not _DIVISION.holds(metres * 1000):
-        raise ValueError(f'{_said(value)} is no ruler; write "0.1 mm", "0.5 mm" or "exact"')
+        raise ValueError(
+            said('{text} is no ruler; write "0.1 mm", "0.5 mm" or "exact"', text=_told(value))
+        )
     return metres * 1000
 
 
 def _target(value: object, names: Names) -> int | str:
     if value == "frame" or (isinstance(value, int) and not isinstance(value, bool)):
         return value
-    raise ValueError(f'{kind_of(value)} stands here; write the number of a link, or "frame"')
+    raise ValueError(stands(value, said('write the number of a link, or "frame"')))
 
 
 def link_side(value: object) -> tuple[int, tuple[str, str]]:
@@ -219,17 +246,20 @@ def link_side(value: object) -> tuple[int, tuple[str, str]]:
     pair = letters.split(match.group(2)) if match else None
     if not isinstance(value, str) or match is None or pair is None:
         raise ValueError(
-            f'{kind_of(value)} stands here; write "left of AC" or "right of AC": where the inner '
-            'pin lies when one goes from A to C; for a sliding pair the side stands in "slides"'
+            stands(
+                value,
+                said(
+                    'write "left of AC" or "right of AC": where the inner pin lies when one goes from A '
+                    'to C; for a sliding pair the side stands in "slides"'
+                ),
+            )
         )
     return (1 if match.group(1) in ("left of", "слева от") else -1), pair
 
 
 def _extra(value: object, names: Names) -> tuple[float | str, ...]:
     if not isinstance(value, list):
-        raise ValueError(
-            f'{kind_of(value)} stands here; a list is wanted, ["{OTHER_EXTREME}", "105 deg"]'
-        )
+        raise ValueError(stands(value, said('a list is wanted, ["other extreme", "105 deg"]')))
     words = (OTHER_EXTREME, "другое крайнее")
     return tuple(
         OTHER_EXTREME if item in words else quantities.parse(item, "angle") for item in value
@@ -240,22 +270,20 @@ def _accelerations(value: object, names: Names) -> tuple[str, ...]:
     if value in ("all", "все"):
         return ("all",)
     if not isinstance(value, list):
-        raise ValueError(
-            f'{kind_of(value)} stands here; write a list of positions, [2, 6, "6*"], or "all"'
-        )
-    return tuple(_position(item, " in the list") for item in value)
+        raise ValueError(stands(value, said('write a list of positions, [2, 6, "6*"], or "all"')))
+    return tuple(_position(item, misfits.listed) for item in value)
 
 
-def _position(value: object, where: str = " stands here") -> str:
+def _position(value: object, wrong: Callable[[object, str], Said] = stands) -> str:
     whole = isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= 10**6
     if not whole and not (isinstance(value, str) and re.fullmatch(r"[0-9]{1,6}\*{0,3}", value)):
-        raise ValueError(f'{kind_of(value)}{where}; a position is a number, 6, or a text, "6*"')
+        raise ValueError(wrong(value, said('a position is a number, 6, or a text, "6*"')))
     return str(value)
 
 
 def _letters(value: object, names: Names) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-        raise ValueError(f'{kind_of(value)} stands here; a list of letters is wanted, ["C", "S2"]')
+        raise ValueError(stands(value, said('a list of letters is wanted, ["C", "S2"]')))
     return tuple(value)
 
 

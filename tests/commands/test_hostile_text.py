@@ -53,7 +53,7 @@ def draw(folder: Path, path: Path, forms: str = "svg") -> dict[str, bytes]:
 def refused(folder: Path, path: Path, *words: str) -> str:
     """Draw what cannot be drawn: status 2, one line that says why, no file or folder more."""
     before = sorted(folder.rglob("*"))
-    result = invoke("draw", path, "-o", folder / "out", "-f", "svg,pdf,dxf")
+    result = invoke("draw", path, "-o", folder / "out", "-f", "svg,pdf,dxf", "-l", "en")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert sorted(folder.rglob("*")) == before
     assert isinstance(result.exception, SystemExit)
@@ -219,7 +219,7 @@ def test_what_cannot_be_drawn_is_refused_once_with_its_key(
 
 def test_a_text_of_many_strange_characters_is_told_in_a_few_lines(tmp_path: Path) -> None:
     path = worded(tmp_path, title="".join(map(chr, range(0x4E00, 0x4E00 + 200))))
-    result = invoke("draw", path, "-o", tmp_path / "out")
+    result = invoke("draw", path, "-o", tmp_path / "out", "-l", "en")
     assert result.exit_code == 2
     assert "200 different characters cannot be lettered" in result.stderr
     assert result.stderr.count("\n") <= 6
@@ -250,7 +250,7 @@ def test_letters_and_guides_hold_no_markup(old: str, letter: str, tmp_path: Path
     path = worded(tmp_path)
     text = path.read_text(encoding="utf-8").replace(old, f'"{letter}"{old[1:]}', 1)
     path.write_text(text, encoding="utf-8")
-    result = invoke("draw", path, "-o", tmp_path / "out")
+    result = invoke("draw", path, "-o", tmp_path / "out", "-l", "en")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     where = "frame" if old[0] == "x" else "link 1, points"
     meant = letter.replace("\\\\", "\\")

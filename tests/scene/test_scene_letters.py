@@ -38,11 +38,13 @@ def test_two_letters_together():
 
 
 def test_an_unknown_letter_names_the_near_one():
-    assert unknown("А", ["A", "B"], "letters") == (
-        '; did you mean "A" (Latin, not Russian)?; letters are A, B'
+    assert unknown("no", "А", ["A", "B"], "letters") == (
+        'no; did you mean "A" (Latin, not Russian)?; letters are A, B'
     )
-    assert unknown("S2", ["S3", "B"], "letters") == '; did you mean "S3"?; letters are B, S3'
-    assert unknown("Q", [], "letters of link 2") == "; letters of link 2 are none"
+    assert (
+        unknown("no", "S2", ["S3", "B"], "letters") == 'no; did you mean "S3"?; letters are B, S3'
+    )
+    assert unknown("no", "Q", [], "letters of link 2") == "no; letters of link 2 are none"
 
 
 def test_texts():

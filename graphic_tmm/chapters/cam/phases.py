@@ -11,6 +11,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
 from graphic_tmm.chapters.cam.task import CamOrder, Law
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
 
@@ -120,9 +121,14 @@ def _division(order: CamOrder, name: str, extent: float, law: Law) -> Division:
             if whole and min(b - a for a, b in pairwise(at)) > least - 0.5:
                 return parts, shares
     raise StructureError(
-        f"cam, {name}: no division into {wanted} … {4 * wanted} parts has a position at every jump of the "
-        "acceleration: let the jumps stand at simple shares of the phase",
+        said(
+            "no division into {wanted} … {most} parts has a position at every jump of the "
+            "acceleration: let the jumps stand at simple shares of the phase",
+            wanted=wanted,
+            most=4 * wanted,
+        ),
         "cam.law_points" if name == "rise" else "cam.return_points",
+        head=f"cam, {name}",
     )
 
 

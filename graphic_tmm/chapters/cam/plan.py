@@ -21,6 +21,7 @@ from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
 from graphic_tmm.chapters.cam.task import ASKED, CamOrder, FlatFollower, RockerFollower
 from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
 
@@ -131,17 +132,30 @@ def _refuse_triangle(order: CamOrder) -> None:
         least, most = abs(follower.centres - follower.lever), follower.centres + follower.lever
         if not least < r0 < most:
             raise StructureError(
-                f"cam: with a lever of {follower.lever:g} m and centres {follower.centres:g} m apart r0 lies "
-                f"between {least:.4g} and {most:.4g} m, not at {r0:g} m",
+                said(
+                    "with a lever of {lever:g} m and centres {centres:g} m apart r0 lies between "
+                    "{least:.4g} and {most:.4g} m, not at {r0:g} m",
+                    lever=follower.lever,
+                    centres=follower.centres,
+                    least=least,
+                    most=most,
+                    r0=r0,
+                ),
                 "cam.r0",
                 "cam.lever",
                 "cam.centres",
+                head="cam",
             )
     elif not isinstance(follower, FlatFollower) and abs(follower.offset) >= r0:
         raise StructureError(
-            f"cam: the offset {follower.offset:g} m is not less than r0 = {r0:g} m: take a smaller one",
+            said(
+                "the offset {offset:g} m is not less than r0 = {r0:g} m: take a smaller one",
+                offset=follower.offset,
+                r0=r0,
+            ),
             "cam.offset",
             "cam.r0",
+            head="cam",
         )
 
 

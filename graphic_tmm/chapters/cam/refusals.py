@@ -95,10 +95,9 @@ def _refuse_choices(order: CamOrder) -> None:
             _bounded("parts", count)
     if order.turns not in ("clockwise", "counterclockwise"):
         raise StructureError(
-            said(
-                'cam: it turns "{turns}": take "clockwise" or "counterclockwise"', turns=order.turns
-            ),
+            said('it turns "{turns}": take "clockwise" or "counterclockwise"', turns=order.turns),
             "cam.turns",
+            head="cam",
         )
 
 
@@ -121,18 +120,18 @@ def _fault_of(law: Law) -> str:
     """Return what is wrong with the points of an acceleration diagram; "" if nothing is."""
     points, shares = law.points, [share for share, _ in law.points]
     if len(points) < 2 or not np.isfinite(points).all():
-        return "an acceleration diagram needs two points at least"
+        return said("an acceleration diagram needs two points at least")
     if (
         any(b < a - SLACK for a, b in pairwise(shares))
         or abs(shares[0]) + abs(shares[-1] - 1) > SLACK
     ):
-        return "the points of the diagram go from share 0 to share 1"
+        return said("the points of the diagram go from share 0 to share 1")
     if any(c - a <= SLACK for a, c in zip(shares, shares[2:], strict=False)):
-        return "more than two points of the diagram have one share"
+        return said("more than two points of the diagram have one share")
     areas = [(b[0] - a[0]) * (a[1] + b[1]) / 2.0 for a, b in pairwise(points)]
     size = sum((b[0] - a[0]) * (abs(a[1]) + abs(b[1])) / 2.0 for a, b in pairwise(points))
     if size == 0.0 or abs(sum(areas)) > BALANCE * size:
-        return (
+        return said(
             "the areas of the acceleration diagram above and below the axis differ, so the follower would not "
             "stop: make them equal"
         )
@@ -142,5 +141,7 @@ def _fault_of(law: Law) -> str:
         for (a, b), v, area in zip(pairwise(points), speeds, areas, strict=True)
     )
     if not lift > 0.0:
-        return "by this diagram the follower goes the wrong way: begin with a positive acceleration"
+        return said(
+            "by this diagram the follower goes the wrong way: begin with a positive acceleration"
+        )
     return ""

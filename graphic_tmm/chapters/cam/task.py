@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.chapter import Asked
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import listed, stands
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -86,7 +87,7 @@ def is_angle(value: object) -> bool:
 def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     if not isinstance(value, list) or len(value) < 2:
         raise ValueError(
-            f"{kind_of(value)} stands here; write points of the acceleration, [[0, 0], [0.25, 1], ...]"
+            stands(value, said("write points of the acceleration, [[0, 0], [0.25, 1], ...]"))
         )
     found = []
     for item in value:
@@ -95,7 +96,7 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
             isinstance(x, (int, float)) and not isinstance(x, bool) for x in item
         ):
             raise ValueError(
-                f"{kind_of(item)} in the list; a point is a share of the phase and a number, [0.25, 1]"
+                listed(item, said("a point is a share of the phase and a number, [0.25, 1]"))
             )
         found.append((float(item[0]), float(item[1])))
     return tuple(found)
@@ -247,34 +248,38 @@ class CamOrder:
 ASKED: Asked[CamOrder] = Asked("cam")
 
 
-def check(said: Said, parts: Parts) -> Iterator[Found]:
+def check(cam: Said, parts: Parts) -> Iterator[Found]:
     """Every contradiction of the section."""
-    rocks, angle = said.follower == "rocker", is_angle(parts.doc["cam"]["stroke"])
+    rocks, angle = cam.follower == "rocker", is_angle(parts.doc["cam"]["stroke"])
     if rocks and not angle:
-        yield Found(("cam", "stroke"), 'a rocker swings through an angle; write "20 deg"')
+        yield Found(("cam", "stroke"), said('a rocker swings through an angle; write "20 deg"'))
     if not rocks and angle:
         yield Found(
-            ("cam", "stroke"), 'this follower moves along its guide; write a length, "28 mm"'
+            ("cam", "stroke"), said('this follower moves along its guide; write a length, "28 mm"')
         )
     for name in ("lever", "centres"):
-        if rocks and getattr(said, name) is None:
-            yield Found(("cam", name), 'a rocker needs it; write, for example, "80 mm"')
-        if not rocks and getattr(said, name) is not None:
-            yield Found(("cam", name), f'the follower "{said.follower}" has none; leave it out')
-    if said.pressure is not None and said.transmission is not None:
-        yield Found(("cam", "transmission"), "pressure says the same; leave one of them out")
-    yield from _laws(said)
+        if rocks and getattr(cam, name) is None:
+            yield Found(("cam", name), said('a rocker needs it; write, for example, "80 mm"'))
+        if not rocks and getattr(cam, name) is not None:
+            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
+            yield Found(("cam", name), says)
+    if cam.pressure is not None and cam.transmission is not None:
+        says = said("pressure says the same; leave one of them out")
+        yield Found(("cam", "transmission"), says)
+    yield from _laws(cam)
 
 
-def _laws(said: Said) -> Iterator[Found]:
+def _laws(cam: Said) -> Iterator[Found]:
     """The law diagram without points, and points of another law."""
     for law, points in (("law", "law_points"), ("return_law", "return_points")):
-        given, name = getattr(said, points) is not None, getattr(said, law)
-        others = points == "return_points" and said.law_points
+        given, name = getattr(cam, points) is not None, getattr(cam, law)
+        others = points == "return_points" and cam.law_points
         if name == "diagram" and not given and not others:
-            yield Found(("cam", points), "the law diagram needs points, [[0, 0], [0.25, 1], ...]")
+            says = said("the law diagram needs points, [[0, 0], [0.25, 1], ...]")
+            yield Found(("cam", points), says)
         if given and name not in ("diagram", None):
-            yield Found(("cam", points), f'only {law} = "diagram" takes points; leave them out')
+            says = said('only {law} = "diagram" takes points; leave them out', law=law)
+            yield Found(("cam", points), says)
 
 
 def _refuse(order: CamOrder) -> None:

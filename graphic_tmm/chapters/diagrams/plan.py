@@ -33,6 +33,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
 VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
@@ -112,10 +113,17 @@ def sliding_leg(
         if isinstance(leg, GuideLeg) and leg.body == frame and not leg.inner
         for point in positions.bodies[leg.link].link.points
     ]
-    there = f"points that do are {', '.join(sliding)}" if sliding else "this mechanism has none"
+    there = said("this mechanism has none")
+    if sliding:
+        there = said("points that do are {listed}", listed=", ".join(sliding))
     raise StructureError(
-        f"{section}: point {letter} does not slide along a straight guide of the frame; {there}",
+        said(
+            "point {letter} does not slide along a straight guide of the frame; {there}",
+            letter=letter,
+            there=there,
+        ),
         key or f"{section}.point",
+        head=section,
     )
 
 
@@ -124,8 +132,13 @@ def _refuse_poles(order: KinematicOrder) -> None:
         drawn: ScaleOrder = getattr(order, symbol)
         if drawn.pole is not None and not drawn.pole > 0.0:
             raise StructureError(
-                f"diagrams: the pole distance H_{symbol} = {drawn.pole:g} mm is not greater than 0",
+                said(
+                    "the pole distance {key} = {pole:g} mm is not greater than 0",
+                    key=f"H_{symbol}",
+                    pole=drawn.pole,
+                ),
                 f"diagrams.H_{symbol}",
+                head="diagrams",
             )
 
 

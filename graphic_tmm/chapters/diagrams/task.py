@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.chapter import Asked
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 
@@ -82,26 +83,40 @@ class KinematicOrder:
 ASKED: Asked[KinematicOrder] = Asked("diagrams")
 
 
-def check(said: Said, parts: Parts) -> Iterator[Found]:
+def check(asked: Said, parts: Parts) -> Iterator[Found]:
     """Every contradiction of the section: two keys that fix one size, a base that is another's."""
-    yield from parts.moves(("diagrams", "point"), said.point)
+    yield from parts.moves(("diagrams", "point"), asked.point)
     yield from parts.intervals("diagrams")
-    lengths = [name for name in ("base", "mu_t", "mu_phi") if getattr(said, name) is not None]
+    lengths = [name for name in ("base", "mu_t", "mu_phi") if getattr(asked, name) is not None]
     for name in lengths[1:]:
-        says = f"{lengths[0]} fixes the base already; leave one of them out"
+        says = said("{key} fixes the base already; leave one of them out", key=lengths[0])
         yield Found(("diagrams", name), says)
-    other = {"time": ("mu_phi", "mu_t"), "angle": ("mu_t", "mu_phi")}[said.over]
+    other = {"time": ("mu_phi", "mu_t"), "angle": ("mu_t", "mu_phi")}[asked.over]
     if other[0] in lengths:
-        says = f'the diagrams are over {said.over}; write {other[1]}, or over = "'
-        yield Found(("diagrams", other[0]), says + {"time": 'angle"', "angle": 'time"'}[said.over])
+        says = said(
+            'the diagrams are over {over}; write {key}, or over = "{instead}"',
+            over=asked.over,
+            key=other[1],
+            instead={"time": "angle", "angle": "time"}[asked.over],
+        )
+        yield Found(("diagrams", other[0]), says)
     for symbol in ("S", "V", "a"):
-        if getattr(said, f"mu_{symbol}") is not None and getattr(said, f"H_{symbol}") is not None:
-            says = f"H_{symbol} and mu_{symbol} both fix the same scale; leave one of them out"
+        if getattr(asked, f"mu_{symbol}") is not None and getattr(asked, f"H_{symbol}") is not None:
+            says = said(
+                "{drawn} and {factor} both fix the same scale; leave one of them out",
+                drawn=f"H_{symbol}",
+                factor=f"mu_{symbol}",
+            )
             yield Found(("diagrams", f"H_{symbol}"), says)
-    first = {"displacement": "S", "velocity": "V"}[said.start]
-    if getattr(said, f"H_{first}") is not None:
-        says = f"the diagram of {first} is laid off, not differentiated: it has no pole"
-        yield Found(("diagrams", f"H_{first}"), f"{says}; write mu_{first}, or leave it out")
+    first = {"displacement": "S", "velocity": "V"}[asked.start]
+    if getattr(asked, f"H_{first}") is not None:
+        says = said(
+            "the diagram of {symbol} is laid off, not differentiated: it has no pole; write {key}, or leave "
+            "it out",
+            symbol=first,
+            key=f"mu_{first}",
+        )
+        yield Found(("diagrams", f"H_{first}"), says)
 
 
 SECTIONS = (

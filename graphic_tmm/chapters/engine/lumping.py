@@ -18,6 +18,7 @@ from graphic_tmm.chapters.engine.task import EngineOrder
 from graphic_tmm.chapters.indicator.cylinder import Machine
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link
 
 
@@ -61,11 +62,16 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrd
         whole = draft.take(Number, "m", order.mass, "kg")
     elif slider.mass is None or parts is None:
         raise StructureError(
-            f"engine: links {rod.number} and {slider.number} need a mass, and the rod a share or its centre: "
-            "give them, or the mass that goes to and fro",
+            said(
+                "links {rod} and {slider} need a mass, and the rod a share or its centre: give "
+                "them, or the mass that goes to and fro",
+                rod=rod.number,
+                slider=slider.number,
+            ),
             f"link {rod.number}, mass",
             f"link {slider.number}, mass",
             "engine.share",
+            head="engine",
         )
     else:
         own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")

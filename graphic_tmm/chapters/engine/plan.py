@@ -42,6 +42,7 @@ from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
 VIEW = "engine"
@@ -153,9 +154,13 @@ def _legs(machine: Machine, cylinder: Cylinder, order: EngineOrder) -> _Legs:
             assert isinstance(second, GuideLeg)
             return _Legs(first, second)
     raise StructureError(
-        f"engine: no connecting rod joins the crank to {order.point}: "
-        "these forces are those of a crank, a rod and a slider on the frame",
+        said(
+            "no connecting rod joins the crank to {point}: these forces are those of a crank, a "
+            "rod and a slider on the frame",
+            point=order.point,
+        ),
         "engine.point",
+        head="engine",
     )
 
 

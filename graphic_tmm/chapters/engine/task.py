@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
-from graphic_tmm.scene import letters
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.references import no_moving
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -57,16 +58,17 @@ class EngineOrder:
 ASKED: Asked[EngineOrder] = Asked("engine")
 
 
-def check(said: Said, parts: Parts) -> Iterator[Found]:
+def check(engine: Said, parts: Parts) -> Iterator[Found]:
     """What an engine needs besides its own section."""
-    if said.point not in parts.names.moving:
-        hint = letters.unknown(said.point, parts.names.moving, "moving points")
-        yield Found(("engine", "point"), f'"{said.point[:20]}" is no moving point{hint}')
+    if engine.point not in parts.names.moving:
+        yield Found(("engine", "point"), no_moving(engine.point, parts.names))
     if "indicator" not in parts.doc:
-        yield Found(("engine",), "no pressures are given; write a section [indicator]")
+        says = said("no pressures are given; write a section [indicator]")
+        yield Found(("engine",), says)
     if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
-        says = (
-            f"diagrams need {INTERVALS.least} positions at least; write positions = 12 in [drive]"
+        says = said(
+            "diagrams need {least} positions at least; write positions = 12 in [drive]",
+            least=INTERVALS.least,
         )
         yield Found(("engine",), says)
 

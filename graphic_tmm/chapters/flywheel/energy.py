@@ -12,6 +12,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 
@@ -36,8 +37,9 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         parts |= _of_link(draft, mechanism, link, velocities)
     if not parts:
         raise StructureError(
-            "flywheel: no link has a mass or J: write mass and J of the links that have them",
+            said("no link has a mass or J: write mass and J of the links that have them"),
             "flywheel",
+            head="flywheel",
         )
     total: Mark | None = None
     for part in parts.values():

@@ -43,6 +43,7 @@ from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.declare import bound_of
 
@@ -145,7 +146,9 @@ def _refuse(order: FlywheelOrder) -> None:
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(
-            f"flywheel: the pole distance H = {pole:g} mm is not greater than 0", "flywheel.H"
+            said("the pole distance H = {pole:g} mm is not greater than 0", pole=pole),
+            "flywheel.H",
+            head="flywheel",
         )
 
 
@@ -168,14 +171,17 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
     if forces is None:
         raise StructureError(
-            "flywheel: nothing drives or resists: give an [indicator], or loads and [forces]",
+            said("nothing drives or resists: give an [indicator], or loads and [forces]"),
             "flywheel",
+            head="flywheel",
         )
     moments = forces.lever.moments
     found = [one.value for load in forces.loads.outer for one in moments if one.load == load]
     if not found:
         raise StructureError(
-            "flywheel: no load does work: give gravity or a [[load]] besides inertia", "flywheel"
+            said("no load does work: give gravity or a [[load]] besides inertia"),
+            "flywheel",
+            head="flywheel",
         )
     total = found[0]
     for more in found[1:]:

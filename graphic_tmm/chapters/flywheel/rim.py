@@ -11,6 +11,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.flywheel.task import Rim
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 
 WIDEST = 0.5
 """A rim wider than this share of its outer diameter is a drum."""
@@ -41,15 +42,25 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
     """
     if not 0.0 < order.ratio < 1.0:
         raise StructureError(
-            f"flywheel: D_i/D_e = {order.ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85",
+            said(
+                "D_i/D_e = {ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85",
+                ratio=order.ratio,
+            ),
             "flywheel.ratio",
+            head="flywheel",
         )
     most = 2.0 * order.speed_limit / abs(speed)
     if order.outer > most:
         raise StructureError(
-            f"flywheel: a rim of {order.outer:g} m runs faster than {order.speed_limit:g} m/s at this speed: "
-            f"D_e is {most:.3g} m at most",
+            said(
+                "a rim of {outer:g} m runs faster than {limit:g} m/s at this speed: D_e is "
+                "{most:.3g} m at most",
+                outer=order.outer,
+                limit=order.speed_limit,
+                most=most,
+            ),
             "flywheel.D_e",
+            head="flywheel",
         )
     limit = draft.take(Number, "v_{max}", order.speed_limit, "m/s")
     largest = draft.draw(largest_rim, "D_{max}", limit, omega, unit="m")

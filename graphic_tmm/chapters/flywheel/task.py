@@ -10,6 +10,7 @@ from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.bounds import Bound
 from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 
@@ -113,19 +114,23 @@ class FlywheelOrder:
 ASKED: Asked[FlywheelOrder] = Asked("flywheel")
 
 
-def check(said: Said, parts: Parts) -> Iterator[Found]:
+def check(flywheel: Said, parts: Parts) -> Iterator[Found]:
     """What a flywheel needs besides its own section."""
     yield from parts.intervals("flywheel")
     if "indicator" not in parts.doc and "forces" not in parts.doc:
-        says = "nothing drives or resists; write a section [indicator], or loads and [forces]"
+        says = said("nothing drives or resists; write a section [indicator], or loads and [forces]")
         yield Found(("flywheel",), says)
 
 
-def _defaults(said: Said, parts: Parts) -> Iterator[str]:
+def _defaults(flywheel: Said, parts: Parts) -> Iterator[str]:
     if "constant" not in parts.doc["flywheel"]:
-        yield (
-            f"flywheel.constant: it is left out, so the {said.constant} moment is taken as constant; "
-            'write constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives'
+        driving = flywheel.constant == "driving"
+        yield said(
+            "flywheel.constant: it is left out, so the {constant} moment is taken as constant; write "
+            'constant = "resisting" for an engine, constant = "driving" for a machine that a motor drives',
+            constant=said("driving", context="moment")
+            if driving
+            else said("resisting", context="moment"),
         )
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from itertools import pairwise
 
 from graphic_tmm.bounds import Bound
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names
-from graphic_tmm.scene.quantities import Dimension, kind_of
+from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.quantities import Dimension
 
 AGAINST = "against"
 """The direction of a load that resists: against the velocity of its point, or the rotation of its link."""
@@ -25,7 +27,7 @@ _RESISTING = (
 def _switch(value: object, names: Names) -> bool:
     if isinstance(value, bool):
         return value
-    raise ValueError(f"{kind_of(value)} stands here; write true, or leave the effect out")
+    raise ValueError(stands(value, said("write true, or leave the effect out")))
 
 
 def _direction(value: object, names: Names) -> float | str:
@@ -35,8 +37,12 @@ def _direction(value: object, names: Names) -> float | str:
         return quantities.parse(value, "angle")
     except ValueError:
         raise ValueError(
-            f'{kind_of(value)} stands here; write "against velocity", "against rotation", or the angle '
-            'from the x axis, "-90 deg"'
+            stands(
+                value,
+                said(
+                    'write "against velocity", "against rotation", or the angle from the x axis, "-90 deg"'
+                ),
+            )
         ) from None
 
 
@@ -56,35 +62,35 @@ def _is_moment(value: object) -> bool:
 
 def _sizes(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list) or not value:
-        raise ValueError(
-            f'{kind_of(value)} stands here; write the size in each position, ["190 N", "0 N"]'
-        )
+        raise ValueError(stands(value, said('write the size in each position, ["190 N", "0 N"]')))
     return tuple(_size(item, names) for item in value)
 
 
 def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, float], ...]:
     example = '[[0, "0 N"], ["90 deg", "190 N"]]' if angle else '[[0, "0 N"], [1, "190 N"]]'
     if not isinstance(value, list) or len(value) < 2:
-        raise ValueError(f"{kind_of(value)} stands here; write points of the table, {example}")
+        remedy = said("write points of the table, {example}", example=example)
+        raise ValueError(stands(value, remedy))
     found = []
     for item in value:
         if not isinstance(item, list) or len(item) != 2:
-            raise ValueError(f"{kind_of(item)} in the list; a point is a list of two, {example}")
+            remedy = said("a point is a list of two, {example}", example=example)
+            raise ValueError(listed(item, remedy))
         at = quantities.parse(item[0], "angle") if angle else v.within(item[0])
         found.append((at, _size(item[1], names)))
     if any(a >= b for (a, _), (b, _) in pairwise(found)):
         raise ValueError(
-            "the points of the table do not follow one after the other; put them in order"
+            said("the points of the table do not follow one after the other; put them in order")
         )
     if angle and not (found[0][0] >= 0 and found[-1][0] <= 360):
-        raise ValueError("the angles go from 0 to 360°, from the zero position on")
+        raise ValueError(said("the angles go from 0 to 360°, from the zero position on"))
     return tuple(found)
 
 
 def _limit(value: object, names: Names) -> float:
     found = quantities.parse(value, "ratio") * 100 if isinstance(value, str) else value
     if not _SHARE.holds(found):
-        raise ValueError(f'{kind_of(value)} stands here; write a share, "5 %"')
+        raise ValueError(stands(value, said('write a share, "5 %"')))
     return float(found)  # type: ignore[arg-type]
 
 
@@ -93,7 +99,7 @@ def _links(value: object, names: Names) -> tuple[int, ...]:
         isinstance(item, int) and not isinstance(item, bool) for item in value
     )
     if not isinstance(value, list) or not whole_numbers:
-        raise ValueError(f"{kind_of(value)} stands here; a list of links is wanted, [3]")
+        raise ValueError(stands(value, said("a list of links is wanted, [3]")))
     return tuple(value)
 
 

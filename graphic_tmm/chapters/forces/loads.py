@@ -34,6 +34,7 @@ from graphic_tmm.chapters.indicator.cylinder import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 
@@ -208,13 +209,20 @@ def _gas(ground: Ground, cylinder: Cylinder) -> Force:
 def _given(ground: Ground, load: Load) -> Force | Couple:
     links = ground.mechanism.by_number
     if load.link not in links or load.link == ground.mechanism.frame.number:
-        raise StructureError(f"load: there is no moving link {load.link}", "link")
+        raise StructureError(
+            said("there is no moving link {link}", link=load.link), "link", head="load"
+        )
     if load.point is None:
         return _moment(ground, load)
     if load.point not in links[load.link].points:
         known = ", ".join(links[load.link].points)
         raise StructureError(
-            f"load on link {load.link}: it has no point {load.point}; its points are {known}",
+            said(
+                "load on link {link}: it has no point {point}; its points are {known}",
+                link=load.link,
+                point=load.point,
+                known=known,
+            ),
             "point",
         )
     draft = ground.draft
@@ -227,7 +235,11 @@ def _given(ground: Ground, load: Load) -> Force | Couple:
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
         raise StructureError(
-            f"load on link {load.link}: {load.point} does not move: give the direction as an angle",
+            said(
+                "load on link {link}: {point} does not move: give the direction as an angle",
+                link=load.link,
+                point=load.point,
+            ),
             "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N")
@@ -266,7 +278,10 @@ def _moment(ground: Ground, load: Load) -> Couple:
     rate = plan.rates.get(load.link)
     if rate is None:
         raise StructureError(
-            f"load on link {load.link}: it does not turn: leave the moment's direction out",
+            said(
+                "load on link {link}: it does not turn: leave the moment's direction out",
+                link=load.link,
+            ),
             "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N·m")
@@ -290,8 +305,12 @@ def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     elif isinstance(load.size, tuple):
         if len(load.size) != intervals:
             raise StructureError(
-                f"load on link {load.link}: {len(load.size)} sizes for {intervals} positions: "
-                "give one for each",
+                said(
+                    "load on link {link}: {n} sizes for {count} positions: give one for each",
+                    link=load.link,
+                    n=len(load.size),
+                    count=intervals,
+                ),
                 "by_position",
             )
         value = np.array([*load.size, *[np.nan] * (ground.numbers.size - intervals)])[None, :]

@@ -22,6 +22,7 @@ from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.forces.task import Travel
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 
 SLACK = 1e-9
@@ -82,10 +83,14 @@ def _parts(
     along = ((point - start) * np.conj(last - start)).real / np.abs(last - start) ** 2
     if along.min() < -SLACK:
         raise StructureError(
-            f"load: the row does not begin where the travel of {travel.of} does: begin at an extreme "
-            f'position, zero = {{ point = "{travel.of}", at = "left" }}',
+            said(
+                "the row does not begin where the travel of {point} does: begin at an extreme "
+                'position, zero = {{ point = "{point}", at = "left" }}',
+                point=travel.of,
+            ),
             "drive.zero",
             "of",
+            head="load",
         )
     turn = numbers[int(np.argmax(shares))]
     return [

@@ -6,21 +6,20 @@ from dataclasses import dataclass
 
 from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.chapter import Asked
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, Section, key
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import listed, stands
 
 
 def _stations(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list):
-        raise ValueError(f'{kind_of(value)} stands here; a list of lengths is wanted, ["23.5 mm"]')
+        raise ValueError(stands(value, said('a list of lengths is wanted, ["23.5 mm"]')))
     found = tuple(1000.0 * quantities.parse(item, "length") for item in value)
     for item, station in zip(value, found, strict=True):
         if not POSITIVE.holds(station):
-            raise ValueError(
-                f"{kind_of(item)} in the list; a station lies beyond N1: write it positive"
-            )
+            raise ValueError(listed(item, said("a station lies beyond N1: write it positive")))
     return found
 
 

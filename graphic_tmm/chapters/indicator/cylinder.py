@@ -21,6 +21,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.project import Bench
 
@@ -113,17 +114,26 @@ def _refuse_zero(
     given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
     found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
     point = order.point
-    remedy = f"begin where {point} is farthest from the crank, by zero in [drive]"
+    remedy = said("begin where {point} is farthest from the crank, by zero in [drive]", point=point)
     fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
     if abs(found[0]) > STANDS * fastest:
         raise StructureError(
-            f"indicator: the row does not begin at a dead centre of {point}: {remedy}",
+            said(
+                "the row does not begin at a dead centre of {point}: {remedy}",
+                point=point,
+                remedy=remedy,
+            ),
             "drive.zero",
             "indicator.point",
+            head="indicator",
         )
     sides = (order.cover, order.shaft)
     if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
         raise StructureError(
-            f"indicator: its parts are counted from the cover, the row begins at the other end: {remedy}",
+            said(
+                "its parts are counted from the cover, the row begins at the other end: {remedy}",
+                remedy=remedy,
+            ),
             "drive.zero",
+            head="indicator",
         )

@@ -28,6 +28,7 @@ from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.chapters.indicator.strokes import by_stretches
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 
 VIEW = "indicator"
 AUXILIARY = -30.0
@@ -141,8 +142,13 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
         pressure = draft.take(Number, f"p_{sign}", values, "Pa")
     else:
         raise StructureError(
-            f"indicator, {name}: {len(gas.pressures)} pressures for {count} positions: give one for each",
+            said(
+                "{n} pressures for {count} positions: give one for each",
+                n=len(gas.pressures),
+                count=count,
+            ),
             f"indicator.{name}",
+            head=f"indicator, {name}",
         )
     height = draft.draw(to_board, f"h_{sign}", pressure)
     points = draft.draw(lay_off, sign, on.lines, height)

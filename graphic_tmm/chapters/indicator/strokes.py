@@ -15,6 +15,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.indicator.task import Gas, Stretch
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 
 SLACK = 1e-9
 """A share of the stroke that is over by less than this is on the stretch still."""
@@ -78,8 +79,13 @@ def _at(gas: Gas, place: int, shares: Reals) -> Stretch:
         if stretch.stroke == way and low - SLACK <= share <= high + SLACK:
             return stretch
     raise StructureError(
-        f"indicator: no part of the diagram stands over {share:.3f} of the stroke {way}: "
-        "let its parts go from 0 to 1 and back",
+        said(
+            "no part of the diagram stands over {share:.3f} of the stroke {way}: let its parts "
+            "go from 0 to 1 and back",
+            share=share,
+            way=way,
+        ),
         "indicator.cover_strokes",
         "indicator.shaft_strokes",
+        head="indicator",
     )

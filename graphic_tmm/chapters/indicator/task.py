@@ -8,10 +8,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.bounds import Bound
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import listed, stands
 from graphic_tmm.scene.tables import Several, Table
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 def _pressures(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list) or not value:
         raise ValueError(
-            f'{kind_of(value)} stands here; write the pressure in each position, ["300 kPa", "240 kPa"]'
+            stands(value, said('write the pressure in each position, ["300 kPa", "240 kPa"]'))
         )
     return tuple(quantities.parse(item, "pressure") for item in value)
 
@@ -29,13 +30,15 @@ def _pressures(value: object, names: Names) -> tuple[float, ...]:
 def _traced(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     if not isinstance(value, list) or len(value) < 2:
         raise ValueError(
-            f'{kind_of(value)} stands here; write points of the stroke, [[0, "300 kPa"], [1, "60 kPa"]]'
+            stands(value, said('write points of the stroke, [[0, "300 kPa"], [1, "60 kPa"]]'))
         )
     found = []
     for item in value:
         if not isinstance(item, list) or len(item) != 2:
             raise ValueError(
-                f'{kind_of(item)} in the list; a point is a share of the stroke and a pressure, [0.4, "2 bar"]'
+                listed(
+                    item, said('a point is a share of the stroke and a pressure, [0.4, "2 bar"]')
+                )
             )
         found.append((v.within(item[0]), quantities.parse(item[1], "pressure")))
     return tuple(found)
@@ -182,65 +185,88 @@ class Wish(NamedTuple):
     order: IndicatorOrder
 
 
-def check(said: Said, parts: Parts) -> Iterator[Found]:
+def check(asked: Said, parts: Parts) -> Iterator[Found]:
     """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
-    yield from parts.moves(("indicator", "point"), said.point)
+    yield from parts.moves(("indicator", "point"), asked.point)
     count = parts.drive.positions if parts.drive is not None else None
     for side in ("cover", "shaft"):
-        told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(said, k)]
+        told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(asked, k)]
         for other in told[1:]:
-            says = f"{told[0]} gives the pressures of that side already; leave one of them out"
+            says = said(
+                "{key} gives the pressures of that side already; leave one of them out", key=told[0]
+            )
             yield Found(("indicator", other), says)
         if side == "cover" and not told:
-            says = 'it is missing; write the pressures, ["300 kPa", ...], or cover_points, or cover_strokes'
+            says = said(
+                'it is missing; write the pressures, ["300 kPa", ...], or cover_points, or cover_strokes'
+            )
             yield Found(("indicator", "cover"), says)
-        yield from _turns(said, side)
-        yield from _strokes(said, side)
-        given = getattr(said, side)
+        yield from _turns(asked, side)
+        yield from _strokes(asked, side)
+        given = getattr(asked, side)
         if given is not None and count is not None and len(given) != count:
-            says = f"{len(given)} pressures for {count} positions; give one for each, from the first on"
+            says = said(
+                "{n} pressures for {count} positions; give one for each, from the first on",
+                n=len(given),
+                count=count,
+            )
             yield Found(("indicator", side), says)
-    others = said.shaft or said.shaft_points or said.shaft_strokes
-    if said.rod is not None and not others:
-        says = "it matters on the side of the shaft only; write shaft as well"
+    others = asked.shaft or asked.shaft_points or asked.shaft_strokes
+    if asked.rod is not None and not others:
+        says = said("it matters on the side of the shaft only; write shaft as well")
         yield Found(("indicator", "rod"), says)
-    if said.rod is not None and said.rod >= said.bore:
-        yield Found(("indicator", "rod"), "the rod is as thick as the cylinder; make it thinner")
+    if asked.rod is not None and asked.rod >= asked.bore:
+        says = said("the rod is as thick as the cylinder; make it thinner")
+        yield Found(("indicator", "rod"), says)
 
 
-def _turns(said: Said, side: str) -> Iterator[Found]:
+def _turns(asked: Said, side: str) -> Iterator[Found]:
     """Points that do not go from the cover to the far end and back."""
-    traced = getattr(said, f"{side}_points")
+    traced = getattr(asked, f"{side}_points")
     for way, ends in (("out", (0.0, 1.0)), ("back", (1.0, 0.0))) if traced is not None else ():
         shares = [share for share, _ in getattr(traced, way)]
         turned = any((b - a) * (ends[1] - ends[0]) <= 0 for a, b in pairwise(shares))
         if (shares[0], shares[-1]) != ends or turned:
-            says = f"the shares of the stroke {way} go from {ends[0]:g} to {ends[1]:g}, one after the other"
-            yield Found(("indicator", f"{side}_points", way), f"{says}; put them in order")
+            says = said(
+                "the shares of the stroke {way} go from {first:g} to {last:g}, one after the other; put them "
+                "in order",
+                way=way,
+                first=ends[0],
+                last=ends[1],
+            )
+            yield Found(("indicator", f"{side}_points", way), says)
 
 
-def _strokes(said: Said, side: str) -> Iterator[Found]:
+def _strokes(asked: Said, side: str) -> Iterator[Found]:
     """Polytropic parts that do not go from the cover to the far end and back."""
     reached = {"out": 0.0, "back": 1.0}
-    strokes = getattr(said, f"{side}_strokes")
+    strokes = getattr(asked, f"{side}_strokes")
     for i, part in enumerate(strokes):
         if (part.to - reached[part.stroke]) * (1 if part.stroke == "out" else -1) <= 0:
-            says = f"the stroke {part.stroke} has come to {reached[part.stroke]:g} already; go on from there"
+            says = said(
+                "the stroke {way} has come to {share:g} already; go on from there",
+                way=part.stroke,
+                share=reached[part.stroke],
+            )
             yield Found(("indicator", f"{side}_strokes", i, "to"), says)
         reached[part.stroke] = part.to
     if strokes and reached != {"out": 1.0, "back": 0.0}:
-        says = "the parts of the stroke out have to end at 1, those of the stroke back at 0"
-        yield Found(("indicator", f"{side}_strokes"), f"{says}; add the last part")
-    if any(part.n > 0 for part in strokes) and not said.clearance > 0:
-        says = "gas that is expanded or compressed needs the clearance"
-        yield Found(("indicator", "clearance"), f"{says}; write clearance = 0.08")
+        says = said(
+            "the parts of the stroke out have to end at 1, those of the stroke back at 0; add the last part"
+        )
+        yield Found(("indicator", f"{side}_strokes"), says)
+    if any(part.n > 0 for part in strokes) and not asked.clearance > 0:
+        says = said(
+            "gas that is expanded or compressed needs the clearance; write clearance = 0.08"
+        )
+        yield Found(("indicator", "clearance"), says)
 
 
-def _idle(said: Said, parts: Parts) -> Iterator[str]:
+def _idle(asked: Said, parts: Parts) -> Iterator[str]:
     effects, doc = parts.said["effects"], parts.doc
     gas = effects is not None and effects.gas and "forces" in doc
     if not (gas or "flywheel" in doc or "engine" in doc):
-        yield (
+        yield said(
             "indicator: nothing asks for the gas; add [flywheel] or [engine], or gas = true in [effects] with "
             "[forces], or take [indicator] out"
         )

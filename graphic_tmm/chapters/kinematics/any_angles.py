@@ -28,6 +28,7 @@ from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.drawn import doubted, hand_of
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.fitting.scales import Fitting, reach_of
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.formats import FORMATS, USUAL
 from graphic_tmm.project import record as recorded
@@ -98,7 +99,8 @@ def motion(
     drawn = _drawn(scene, row, mu)
     names = [name for name in drawn.marks[0] if points is None or name[0] in points]
     if points is not None and (unknown := set(points) - {letter for letter, _ in names}):
-        raise ConstructionError(f"motion: no link has a point {', '.join(sorted(unknown))}")
+        listed = ", ".join(sorted(unknown))
+        raise ConstructionError(said("motion: no link has a point {listed}", listed=listed))
     rates = [drawn.motions[0].rates, drawn.motions[1].rates]
     wanted = [plan[name] for plan in drawn.marks for name in names]
     wanted += [mark for plan in rates for mark in plan.values()]

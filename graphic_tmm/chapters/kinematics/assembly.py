@@ -18,7 +18,7 @@ from graphic_tmm.board.values import Line, Reals
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.structure import Group
 
 CHANGE = 1e-9
@@ -132,8 +132,15 @@ def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) 
     letters = dict(zip(closure.step.op.arguments, closure.step.uses, strict=True))
     words = said(closure.gap.says, **{name: mark.letter for name, mark in letters.items()})
     raise StructureError(
-        f"group {closure.group.name} never assembles: {words} "
-        f"(short by {_mm(least)} at the best crank angle, {at:.4g}°): change {_lengths(closure)}",
+        said(
+            "group {group} never assembles: {words} (short by {short:.4g} mm at the best crank angle, "
+            "{at:.4g}°): change {lengths}",
+            group=closure.group.name,
+            words=words,
+            short=least * 1000,
+            at=at,
+            lengths=_lengths(closure),
+        ),
         *(f"link {number}" for number in closure.group.links),
     )
 
@@ -141,18 +148,22 @@ def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) 
 def _lengths(closure: Closure) -> str:
     inner = closure.group.inner
     if inner.kind == "P":
-        links = " or ".join(str(leg.link) for leg in closure.group.legs)
-        return f"the distance of the guide {inner.name} from the pivots (link {links})"
-    return " or ".join(
-        f"{leg.pair.name}{inner.name} (link {leg.link})"
-        if leg.pair.kind == "R"
-        else f"the guide {leg.pair.name} (link {leg.pair.links[1]})"
-        for leg in closure.group.legs
+        return said(
+            "the distance of the guide {guide} from the pivots (link {links})",
+            guide=inner.name,
+            links=joined(said(" or "), (str(leg.link) for leg in closure.group.legs)),
+        )
+    return joined(
+        said(" or "),
+        (
+            said("{length} (link {link})", length=f"{leg.pair.name}{inner.name}", link=leg.link)
+            if leg.pair.kind == "R"
+            else said(
+                "the guide {guide} (link {link})", guide=leg.pair.name, link=leg.pair.links[1]
+            )
+            for leg in closure.group.legs
+        ),
     )
-
-
-def _mm(metres: float) -> str:
-    return f"{metres * 1000:.4g} mm"
 
 
 def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
@@ -165,28 +176,47 @@ def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
     ]
     if side.flips_at is None and touched:
         raise StructureError(
-            f"group {group.name}: its side cannot hold through the change point at crank angle "
-            f"{', '.join(f'{angle:.6g}°' for angle in touched)}, where both assemblies meet: "
-            f"say beside it where it flips, flips_at = [{places}], or flips_at = [] if it does not",
+            said(
+                "group {group}: its side cannot hold through the change point at crank angle {angles}, where "
+                "both assemblies meet: say beside it where it flips, flips_at = [{places}], or flips_at = [] "
+                "if it does not",
+                group=group.name,
+                angles=", ".join(f"{angle:.6g}°" for angle in touched),
+                places=places,
+            ),
             *keys,
         )
     flips = side.flips_at or ()
     for angle in flips:
         if min((_between(angle, place) for place in touched), default=360.0) > NEAR:
+            meeting = said("they meet nowhere")
+            if touched:
+                meeting = said("they meet at {places}", places=places)
             raise StructureError(
-                f"group {group.name}: flips_at names {angle:.6g}°, but the two assemblies do not meet there "
-                + (f"(they meet at {places})" if touched else "(they meet nowhere)")
-                + ": leave it out",
+                said(
+                    "group {group}: flips_at names {angle:.6g}°, but the two assemblies do not meet there "
+                    "({meeting}): leave it out",
+                    group=group.name,
+                    angle=angle,
+                    meeting=meeting,
+                ),
                 *keys,
             )
     if len(_apart(list(flips))) < len(flips):
         raise StructureError(
-            f"group {group.name}: flips_at names the same crank angle twice", *keys
+            said("group {group}: flips_at names the same crank angle twice", group=group.name),
+            *keys,
         )
     if len(flips) % 2 and len(flips) < len(touched):
         raise StructureError(
-            f"group {group.name}: flips_at names {len(flips)} of the {len(touched)} change points, so after a "
-            f"whole turn the group would stand on its other side: name an even number of {places}, or all",
+            said(
+                "group {group}: flips_at names {n} of the {count} change points, so after a whole turn the "
+                "group would stand on its other side: name an even number of {places}, or all",
+                group=group.name,
+                n=len(flips),
+                count=len(touched),
+                places=places,
+            ),
             *keys,
         )
 

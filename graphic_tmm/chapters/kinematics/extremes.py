@@ -77,9 +77,13 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     axis = survey.axes.get((extreme.point, name))
     if axis is None:
         raise StructureError(
-            f"zero: {extreme.point} is not a moving point of the mechanism (moving: "
-            f"{', '.join(dict.fromkeys(letter for letter, _ in survey.axes))})",
+            said(
+                "{point} is not a moving point of the mechanism (moving: {listed})",
+                point=extreme.point,
+                listed=", ".join(dict.fromkeys(letter for letter, _ in survey.axes)),
+            ),
             "drive.zero",
+            head="zero",
         )
     mark = survey.positions.point(extreme.point)
     closed = [
@@ -91,13 +95,20 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
         place = np.where(undefined(reading[root])[0], np.nan, place)
     if not np.isfinite(place).any():
         raise StructureError(
-            f"zero: {extreme.point} cannot be drawn at any crank angle", "drive.zero"
+            said("{point} cannot be drawn at any crank angle", point=extreme.point),
+            "drive.zero",
+            head="zero",
         )
     if np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
-        ways = "left nor right" if name == "x" else "up nor down"
+        ways = said("left nor right") if name == "x" else said("up nor down")
         raise StructureError(
-            f"zero: {extreme.point} moves neither {ways}: name another point, or give zero as an angle",
+            said(
+                "{point} moves neither {ways}: name another point, or give zero as an angle",
+                point=extreme.point,
+                ways=ways,
+            ),
             "drive.zero",
+            head="zero",
         )
     best = int(np.nanargmax(way * place))
     low, high = _bracket(survey, axis, float(angles[0, best]))
@@ -105,16 +116,27 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
     angle = float(tried[0, 0])
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
-            f"zero: {extreme.point} does not come to an extreme position at {extreme.at}, for the crank does "
-            f"not turn round: {check_assembly(survey).said}; change the lengths, or give zero as an angle "
-            "there",
+            said(
+                "{point} does not come to an extreme position at {at}, for the crank does not turn "
+                "round: {says}; change the lengths, or give zero as an angle there",
+                point=extreme.point,
+                at=extreme.at,
+                says=check_assembly(survey).said,
+            ),
             "drive.zero",
+            head="zero",
         )
     if not np.isfinite(angle):
         raise StructureError(
-            f"zero: {extreme.point} has no extreme position at {extreme.at} "
-            f"(near the crank angle {angles[0, best]:.4g}° it does not stand still): give zero as an angle",
+            said(
+                "{point} has no extreme position at {at} (near the crank angle {angle:.4g}° it does "
+                "not stand still): give zero as an angle",
+                point=extreme.point,
+                at=extreme.at,
+                angle=angles[0, best],
+            ),
             "drive.zero",
+            head="zero",
         )
     return _Tried(float(low), float(high), angle)
 

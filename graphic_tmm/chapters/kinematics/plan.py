@@ -109,11 +109,12 @@ def record(bench: Bench) -> KinematicPlans:
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             said(
-                "trajectories: no path closes after one turn, group {group} flips an odd number of "
+                "no path closes after one turn, group {group} flips an odd number of "
                 "times in it: leave trajectories out",
                 group=tried.returning_late[0],
             ),
             "plans.trajectories",
+            head="trajectories",
         )
     _draw_trajectories(draft, positions, scene.trajectories, row.count)
     velocities = accelerations = None
@@ -165,12 +166,12 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     if missing:
         raise StructureError(
             said(
-                "{section}: there is no position {missing}; there are {known}",
-                section=section,
+                "there is no position {missing}; there are {known}",
                 missing=", ".join(missing),
                 known=", ".join(names),
             ),
             "drive.accelerations" if section == "accelerations" else f"{section}.positions",
+            head=section,
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
@@ -212,7 +213,8 @@ def _draw_trajectories(
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
             raise StructureError(
-                said("trajectories: there is no point {letter} on the plan", letter=letter),
+                said("there is no point {letter} on the plan", letter=letter),
                 "plans.trajectories",
+                head="trajectories",
             )
         draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)

@@ -18,6 +18,7 @@ from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, VIEW, draw_extreme
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row
 
 OTHER = "other extreme"
@@ -68,9 +69,11 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
 def _refuse_repeated(row: Row) -> None:
     for place, extra in enumerate(row.extra):
         if extra in row.extra[:place]:
-            said = f'"{extra}"' if isinstance(extra, str) else f"{extra:.10g}°"
+            told = f'"{extra}"' if isinstance(extra, str) else f"{extra:.10g}°"
             raise StructureError(
-                f"extra: {said} is named twice: leave one of the two out", "drive.extra"
+                said("{told} is named twice: leave one of the two out", told=told),
+                "drive.extra",
+                head="extra",
             )
 
 
@@ -79,16 +82,23 @@ def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | s
         return draft.angle(f"φ_{{{_degrees(row, extra)}}}", extra)
     if not isinstance(row.zero, Extreme):
         raise StructureError(
-            'extra: "other extreme" needs a zero position that is an extreme itself: '
-            'give zero = { point = "D", at = "left" }, or the crank angle in degrees',
+            said(
+                '"other extreme" needs a zero position that is an extreme itself: give zero = '
+                '{ point = "D", at = "left" }, or the crank angle in degrees'
+            ),
             "drive.extra",
             "drive.zero",
+            head="extra",
         )
     if survey.returning_late:
         raise StructureError(
-            f'extra: "other extreme" may lie in the second turn (group {survey.returning_late[0]} flips an odd '
-            "number of times in a turn): give the crank angle in degrees",
+            said(
+                '"other extreme" may lie in the second turn (group {group} flips an odd number of '
+                "times in a turn): give the crank angle in degrees",
+                group=survey.returning_late[0],
+            ),
             "drive.extra",
+            head="extra",
         )
     other = Extreme(row.zero.point, OPPOSITE[row.zero.at])
     return draw_extreme(draft, survey, frame, other, "*")

@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import Bound, OrderError
 from graphic_tmm.chapter import Asked
+from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, bound_of, key, made
-from graphic_tmm.scene.quantities import kind_of
+from graphic_tmm.scene.misfits import stands
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -83,9 +84,7 @@ _RATIO = Bound(-10_000, 10_000)
 
 def _ratio(value: object, names: Names) -> float:
     if not _RATIO.holds(value) or value == 0:
-        raise ValueError(
-            f"{kind_of(value)} stands here; a ratio is a number, 4.55, negative if it reverses"
-        )
+        raise ValueError(stands(value, said("a ratio is a number, 4.55, negative if it reverses")))
     return float(value)  # type: ignore[arg-type]
 
 
@@ -97,8 +96,10 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
 
     if not isinstance(value, list) or not all(fine(z) for z in value):
         raise ValueError(
-            f"{kind_of(value)} stands here; a list of tooth numbers is wanted, "
-            '[25, "?", "?"], "?" for one to be found'
+            stands(
+                value,
+                said('a list of tooth numbers is wanted, [25, "?", "?"], "?" for one to be found'),
+            )
         )
     return tuple(None if z == "?" else z for z in value)
 
@@ -106,16 +107,14 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
 def _pair(value: object, names: Names) -> tuple[int, ...]:
     found = _teeth(value, names)
     if None in found:
-        raise ValueError("tooth numbers of a pair that stands already are wanted, [15, 25]")
+        raise ValueError(said("tooth numbers of a pair that stands already are wanted, [15, 25]"))
     return tuple(z for z in found if z is not None)
 
 
 def _satellites(value: object, names: Names) -> tuple[int, ...]:
     listed = value if isinstance(value, list) else [value]
     if not listed or not all(isinstance(k, int) and _SATELLITES.holds(k) for k in listed):
-        raise ValueError(
-            f"{kind_of(value)} stands here; write a number of satellites, 3, or [3, 4]"
-        )
+        raise ValueError(stands(value, said("write a number of satellites, 3, or [3, 4]")))
     return tuple(listed)
 
 
@@ -219,9 +218,9 @@ def scheme_of(order: PlanetaryOrder) -> Scheme:
     """
     scheme = SCHEMES.get(order.scheme)
     if scheme is None:
-        raise OrderError(
-            "planetary", "scheme", f'no scheme "{order.scheme}": take one of {", ".join(SCHEMES)}'
-        )
+        listed = ", ".join(SCHEMES)
+        says = said('no scheme "{name}": take one of {listed}', name=order.scheme, listed=listed)
+        raise OrderError("planetary", "scheme", says)
     _refuse_sizes(order, scheme)
     _refuse_counts(order, scheme)
     _refuse_ratio(order)
@@ -258,21 +257,31 @@ def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
         _bounded(name, getattr(order, name))
     if not (math.isfinite(order.speed) and order.speed != 0.0):
         raise _refuse(
-            "speed", f"the driving shaft turns at {order.speed}: give its angular velocity"
+            "speed",
+            said(
+                "the driving shaft turns at {speed}: give its angular velocity", speed=order.speed
+            ),
         )
     if order.driving not in ("1", "H"):
         raise _refuse(
-            "driving", f'wheel "{order.driving}" cannot drive: take "1" or "H", the other is driven'
+            "driving",
+            said(
+                'wheel "{name}" cannot drive: take "1" or "H", the other is driven',
+                name=order.driving,
+            ),
         )
     if order.module_2 is None:
         return
     if scheme.rows == 1:
-        raise _refuse("module_2", "a single row has one module: leave module_2 out")
+        raise _refuse("module_2", said("a single row has one module: leave module_2 out"))
     if abs(order.module * float(module_ratio(order)) - order.module_2) > 1e-9 * order.module_2:
         raise _refuse(
             "module_2",
-            f"modules of {order.module:g} and {order.module_2:g} m have no simple ratio: "
-            "take standard ones",
+            said(
+                "modules of {first:g} and {second:g} m have no simple ratio: take standard ones",
+                first=order.module,
+                second=order.module_2,
+            ),
         )
 
 
@@ -280,14 +289,19 @@ def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
     if order.teeth and len(order.teeth) != len(scheme.wheels):
         raise _refuse(
             "teeth",
-            f'scheme "{scheme.name}" has wheels {", ".join(scheme.wheels)}, '
-            f"not {len(order.teeth)}: give a tooth number for each, or none",
+            said(
+                'scheme "{name}" has wheels {wheels}, not {n}: give a tooth number for each, or none',
+                name=scheme.name,
+                wheels=", ".join(scheme.wheels),
+                n=len(order.teeth),
+            ),
         )
     for z in order.teeth:
         if z is not None:
             _bounded("teeth", z)
     if not order.satellites:
-        raise _refuse("satellites", "no number of satellites is allowed: give one, such as 3")
+        says = said("no number of satellites is allowed: give one, such as 3")
+        raise _refuse("satellites", says)
     for k in order.satellites:
         _bounded("satellites", k)
     limits = order.limits
@@ -295,29 +309,32 @@ def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
         _bounded(name, getattr(limits, name))
     _TEETH.refuse("planetary", "difference", limits.difference)
     if limits.least > limits.most:
-        raise _refuse("least", f"from {limits.least} to {limits.most} there is no tooth number")
+        says = said(
+            "from {least} to {most} there is no tooth number", least=limits.least, most=limits.most
+        )
+        raise _refuse("least", says)
 
 
 def _refuse_ratio(order: PlanetaryOrder) -> None:
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
             raise _refuse(
-                "ratio", "neither a ratio nor all tooth numbers are given: give one of them"
+                "ratio", said("neither a ratio nor all tooth numbers are given: give one of them")
             )
         return
     _bounded("ratio", order.ratio)
     if order.ratio == 0.0:
-        raise _refuse("ratio", "a ratio of 0 is none")
+        raise _refuse("ratio", said("a ratio of 0 is none"))
     _bounded("tolerance", order.tolerance)
 
 
-def check(said: Said, parts: Parts) -> Iterator[Found]:
+def check(asked: Said, parts: Parts) -> Iterator[Found]:
     """What the section does not say, or says of a pair that is none."""
-    if len(said.behind) not in (0, 2):
-        says = "the pair behind the train has two wheels; write [15, 25]"
+    if len(asked.behind) not in (0, 2):
+        says = said("the pair behind the train has two wheels; write [15, 25]")
         yield Found(("planetary", "behind"), says)
-    if said.ratio is None and not said.teeth:
-        says = "neither a ratio nor tooth numbers are given; write ratio = 4.55"
+    if asked.ratio is None and not asked.teeth:
+        says = said("neither a ratio nor tooth numbers are given; write ratio = 4.55")
         yield Found(("planetary", "ratio"), says)
 
 

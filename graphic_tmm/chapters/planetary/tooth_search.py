@@ -23,6 +23,7 @@ from graphic_tmm.chapters.planetary.task import (
 from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole
 from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import joined, said
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,29 +92,46 @@ def choose(order: PlanetaryOrder) -> Train:
     at = [count for _, count in left].index(0)
     name, before = left[at][0], left[at - 1][1]
     raise StructureError(
-        f'planetary: no train of scheme "{scheme.name}" {_wanted(order)}: {_emptied(name, before)}',
+        said(
+            'no train of scheme "{scheme}" {wanted}: {remedy}',
+            scheme=scheme.name,
+            wanted=_wanted(order),
+            remedy=_emptied(name, before),
+        ),
         "planetary.ratio",
         "planetary.teeth",
+        head="planetary",
     )
 
 
 def _wanted(order: PlanetaryOrder) -> str:
     name = "U_1H" if order.driving == "1" else "U_H1"
     given = "".join(f", z{i} = {z}" for i, z in enumerate(order.teeth, 1) if z is not None)
-    return f"has {name} = {order.ratio:g} within {100.0 * order.tolerance:.3g} %{given}"
+    return said(
+        "has {name} = {ratio:g} within {percent:.3g} %{given}",
+        name=name,
+        ratio=order.ratio,
+        percent=100.0 * order.tolerance,
+        given=given,
+    )
 
 
 _REMEDIES = {
-    "ratio": "none reaches the ratio: allow a larger tolerance or more teeth, or take another scheme",
-    "undercut": "all are undercut: allow a lesser number of teeth",
-    "interference": "rings foul satellites: take another scheme or more teeth",
-    "neighbours": "neighbouring satellites touch: take fewer",
-    "assembly": "the satellites cannot be put in evenly: allow another number of them",
+    "ratio": said(
+        "none reaches the ratio: allow a larger tolerance or more teeth, or take another scheme"
+    ),
+    "undercut": said("all are undercut: allow a lesser number of teeth"),
+    "interference": said("rings foul satellites: take another scheme or more teeth"),
+    "neighbours": said("neighbouring satellites touch: take fewer"),
+    "assembly": said("the satellites cannot be put in evenly: allow another number of them"),
 }
 
 
 def _emptied(name: str, before: int) -> str:
-    return _REMEDIES[name] if name == "ratio" else f"of {before} left till then, {_REMEDIES[name]}"
+    remedy = _REMEDIES[name]
+    if name == "ratio":
+        return remedy
+    return said("of {n} left till then, {remedy}", n=before, remedy=remedy)
 
 
 def _checked(order: PlanetaryOrder, scheme: Scheme) -> Train:
@@ -125,10 +143,14 @@ def _checked(order: PlanetaryOrder, scheme: Scheme) -> Train:
         wrong = [verdict.text for verdict in check(order, train) if not verdict.holds]
         if not wrong:
             return train
-        broken.append(f"with {k} satellite{'s' if k > 1 else ''}: {'; '.join(wrong)}")
-    raise StructureError(
-        f"planetary: {', '.join(map(str, teeth))} {'. '.join(broken)}", "planetary.teeth"
-    )
+        listed = joined("; ", wrong)
+        broken.append(
+            said(
+                "with {n} satellite: {listed}", "with {n} satellites: {listed}", n=k, listed=listed
+            )
+        )
+    says = joined(" ", (", ".join(map(str, teeth)), joined(". ", broken)))
+    raise StructureError(says, "planetary.teeth", head="planetary")
 
 
 def _search(order: PlanetaryOrder) -> tuple[Solutions, list[Left]]:
@@ -136,8 +158,9 @@ def _search(order: PlanetaryOrder) -> tuple[Solutions, list[Left]]:
     scheme, q = scheme_of(order), module_ratio(order)
     if order.ratio is None:
         raise StructureError(
-            "planetary: tooth numbers are sought, but no ratio is wanted: give it",
+            said("tooth numbers are sought, but no ratio is wanted: give it"),
             "planetary.ratio",
+            head="planetary",
         )
     z = _candidates(order, scheme, q)
     z = z.at(c.within(order, scheme, z) & _within_limits(order, scheme, z))

@@ -14,6 +14,7 @@ from graphic_tmm.chapters.planetary.task import (
     scheme_of,
 )
 from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths
+from graphic_tmm.language.said import said
 
 CONDITIONS = ("ratio", "coaxial", "neighbours", "assembly", "undercut", "interference")
 """The names of the conditions, in the order in which they are checked."""
@@ -85,12 +86,19 @@ def _ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ..
     if order.ratio is None:
         if holds:
             return ()
-        return (Verdict("ratio", "", False, found, f"ratio: {name} = {found:g}: a shaft stands"),)
+        stands = said("ratio: {name} = {found:g}: a shaft stands", name=name, found=found)
+        return (Verdict("ratio", "", False, found, stands),)
     miss = 100.0 * (found / order.ratio - 1.0)
-    relation = "within" if holds else "not within"
-    text = (
-        f"ratio: {name} = {found:.6g} is {miss:+.2g} % from {order.ratio:g}, "
-        f"{relation} {100.0 * order.tolerance:.3g} %"
+    text = said(
+        "ratio: {name} = {found:.6g} is {miss:+.2g} % from {wanted:g}, {relation} {percent:.3g} %",
+        name=name,
+        found=found,
+        miss=miss,
+        wanted=order.ratio,
+        relation=said("within", context="tolerance")
+        if holds
+        else said("not within", context="tolerance"),
+        percent=100.0 * order.tolerance,
     )
     return (Verdict("ratio", "", holds, found, text),)
 
@@ -104,9 +112,17 @@ def _coaxial(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Verdict:
     if q != 1:
         sides[1] = f"({sides[1]})·{_whole(float(q))}"
     holds = _said(c.coaxial(scheme, z, q))
-    text = f"coaxial: {sides[0]} = {_whole(first)}, {sides[1]} = {_whole(second)}"
-    if not holds:
-        text += " is another distance of the axes" if first > 0 else ": no distance of the axes"
+    fault = (
+        said(" is another distance of the axes") if first > 0 else said(": no distance of the axes")
+    )
+    text = said(
+        "coaxial: {first} = {distance}, {second} = {other}{fault}",
+        first=sides[0],
+        distance=_whole(first),
+        second=sides[1],
+        other=_whole(second),
+        fault="" if holds else fault,
+    )
     return Verdict("coaxial", "", holds, float(second), text)
 
 
@@ -115,11 +131,17 @@ def _neighbours(order: PlanetaryOrder, train: Train, z: Teeth) -> Verdict:
     (z1,), (z2,), _, _ = z
     holds = _said(c.neighbours(scheme, z, k, q, order.ha))
     if k == 1:
-        return Verdict("neighbours", "", holds, math.inf, "neighbours: a single satellite has none")
+        alone = said("neighbours: a single satellite has none")
+        return Verdict("neighbours", "", holds, math.inf, alone)
     (axes,), (tips,) = c.room(scheme, z, k, q, order.ha)
     sign = "+" if scheme.first > 0 else "−"
-    text = f"neighbours: ({z1} {sign} {z2})·sin(180°/{k}) = {axes:.5g}"
-    text += f" > {tips:g}" if holds else f" is not greater than {tips:g}: satellites touch"
+    touch = said(" is not greater than {tips:g}: satellites touch", tips=tips)
+    text = said(
+        "neighbours: {formula} = {axes:.5g}{relation}",
+        formula=f"({z1} {sign} {z2})·sin(180°/{k})",
+        axes=axes,
+        relation=f" > {tips:g}" if holds else touch,
+    )
     return Verdict("neighbours", "", holds, float(axes), text)
 
 
@@ -127,8 +149,12 @@ def _assembly(train: Train, z: Teeth) -> Verdict:
     scheme, k = train.scheme, train.satellites
     number, holds = c.assembly(scheme, z, k), _said(c.assembles(scheme, z, k))
     (found,) = number.found()
-    text = f"assembly: {number.said()}"
-    text += f" = {found:.6g} is {'' if holds else 'not '}whole"
+    text = said(
+        "assembly: {formula} = {found:.6g} is {whole}",
+        formula=number.said(),
+        found=found,
+        whole=said("whole", context="assembly") if holds else said("not whole", context="assembly"),
+    )
     return Verdict("assembly", "", holds, float(found), text)
 
 
@@ -137,7 +163,15 @@ def _undercut(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict,
     for name in c.external(scheme):
         (count,), wheel = getattr(z, name), _wheel(scheme, name)
         holds = bool(count >= order.limits.least)
-        text = f"undercut: z{wheel} = {count} is {'not ' if holds else ''}less than {order.limits.least}"
+        text = said(
+            "undercut: {number} = {count} is {relation} {least}",
+            number=f"z{wheel}",
+            count=count,
+            relation=said("not less than", context="teeth")
+            if holds
+            else said("less than", context="teeth"),
+            least=order.limits.least,
+        )
         made.append(Verdict("undercut", wheel, holds, float(count), text))
     return tuple(made)
 
@@ -147,13 +181,26 @@ def _interference(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verd
     for ring, rim in c.internal(scheme):
         outer, inner = getattr(z, ring), getattr(z, rim)
         names = _wheel(scheme, ring), _wheel(scheme, rim)
-        mesh, begun = "-".join(names), f"interference: z{names[0]}"
+        mesh = "-".join(names)
         between, least = int(outer[0] - inner[0]), order.limits.difference
         holds = between >= least
-        text = f"{begun} − z{names[1]} = {between} is {'not ' if holds else ''}less than {least}"
+        text = said(
+            "interference: {difference} = {between} is {relation} {least}",
+            difference=f"z{names[0]} − z{names[1]}",
+            between=between,
+            relation=said("not less than", context="teeth")
+            if holds
+            else said("less than", context="teeth"),
+            least=least,
+        )
         made.append(Verdict("interference", mesh, holds, float(between), text))
         holds = _said(c.clear_roots(outer, inner, order.alpha, order.ha))
-        where = "clear of" if holds else "in"
-        text = f"{begun} = {outer[0]}: its tips are {where} the roots of {inner[0]} teeth"
+        text = said(
+            "interference: {number} = {teeth}: its tips are {where} the roots of {inner} teeth",
+            number=f"z{names[0]}",
+            teeth=outer[0],
+            where=said("clear of", context="tips") if holds else said("in", context="tips"),
+            inner=inner[0],
+        )
         made.append(Verdict("interference", mesh, holds, float(outer[0]), text))
     return tuple(made)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.quantities import near
+from graphic_tmm.scene.misfits import near
 
 HEADS = (
     said("plan", context="column"),
