@@ -152,7 +152,7 @@ def scene_of(tmp_path: Path, name: str, *edits: tuple[str, str]) -> Path:
 def test_what_cannot_be_made_is_one_message(
     tmp_path: Path, name: str, edit: tuple[str, str], says: str
 ) -> None:
-    done = invoke("table", scene_of(tmp_path, name, edit))
+    done = invoke("table", scene_of(tmp_path, name, edit), "-l", "en")
     assert done.exit_code == 2
     assert says in done.stderr
     assert "Traceback" not in done.stderr
@@ -164,7 +164,7 @@ def test_a_cam_that_is_too_small_is_named_with_its_angle(tmp_path: Path) -> None
     (part,) = parts(make(scene))
     told = warnings(part)
     assert any("pressure angle reaches" in text and "φ" in text for text in told)
-    done = invoke("table", tmp_path / "scene.toml")
+    done = invoke("table", tmp_path / "scene.toml", "-l", "en")
     assert "pressure angle reaches" in done.stderr
 
 

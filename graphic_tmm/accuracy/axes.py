@@ -27,6 +27,7 @@ RULERS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
 SIZES = (0.5, 1.0, 2.0, 4.0)
 """How many times as large the drawing is; 2: every μ twice as fine, and four times the paper."""
 POLES = (0.5, 1.0, 2.0)
+"""How many times as large the pole distances are: halved and doubled shows which way it goes."""
 TRIALS = (10, 30, 100, 300, 1000)
 """Numbers of drawings, up to ten times as many as are asked for."""
 

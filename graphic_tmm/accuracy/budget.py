@@ -41,7 +41,9 @@ DRAWINGS, FEW = 100, 20
 HOPELESS = 2.0
 """A setting that errs by so many times the budget in a few drawings is not looked at any closer."""
 SIZES = (1.0, 2.0)
+"""How many times as large a drawing is tried; chosen by eye."""
 POLES = (1.0, 2.0)
+"""How many times as large pole distances are tried; chosen by eye."""
 
 
 @dataclass(frozen=True)

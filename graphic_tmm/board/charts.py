@@ -17,9 +17,6 @@ from graphic_tmm.board.operations.formulas import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 
-HEIGHT = {"A1": 120.0, "A4": 45.0}
-"""Of the graphs of moment, work and energy by format: how high one may be, mm; three stand in a column."""
-
 
 @dataclass(frozen=True)
 class ScaleOrder:
@@ -42,7 +39,7 @@ class Chart(NamedTuple):
     ``end``: the ordinate at the end of the base where it was integrated to (Length). ``chosen``: its scale is
     a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
     of the ordinates takes ``room`` mm at most. ``room`` None: the whole figure, from its lowest to its highest
-    point, takes at most the `HEIGHT` of the format; ``figure``: its points, where they are not the ordinates.
+    point, takes at most what the format has for a graph; ``figure``: its points, where they are not the ordinates.
     """
 
     view: str

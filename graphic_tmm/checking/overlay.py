@@ -12,7 +12,8 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
-from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
+from graphic_tmm.paper.formats import size_of
+from graphic_tmm.paper.frame.frame import drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack
 from graphic_tmm.paper.lettering.letters import (
     escape,
@@ -53,7 +54,7 @@ def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
     edge = frame(
         size, language=report.language, first=True, number=1, count=1, fields={"name": report.title}
     )
-    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid), report.language)
+    return Sheet("overlay", report.title, size, *size_of(size), (edge, *laid), report.language)
 
 
 def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, ...]]:

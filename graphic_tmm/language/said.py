@@ -53,13 +53,11 @@ def said(template: str, plural: str = "", /, *, context: str = "", **values: Any
 
 
 def joined(separator: str, parts: Iterable[str]) -> Said:
-    """Return texts one after another, each of which can still be said in another language.
+    """Return texts one after another, each of which can still be said in another language, as can the separator.
 
-    >>> joined("; ", ["a", said("b")])
-    'a; b'
+    >>> joined("; ", ["a", said("b")]), joined(said(" or "), "xyz")
+    ('a; b', 'x or y or z')
     """
     parts = tuple(parts)
-    template = (
-        separator.replace("{", "{{").replace("}", "}}").join(f"{{p{k}}}" for k in range(len(parts)))
-    )
-    return Said(template, "", "", {f"p{k}": part for k, part in enumerate(parts)})
+    template = "{s}".join(f"{{p{k}}}" for k in range(len(parts)))
+    return Said(template, "", "", {"s": separator, **{f"p{k}": p for k, p in enumerate(parts)}})

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.records import Link, Mechanism, Slide
 
 
@@ -248,7 +248,7 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
                         "other; make them one link",
                         first=first,
                         second=second,
-                        listed=", ".join(shared),
+                        listed=joined(said(" and "), shared),
                     ),
                     f"link {first}, points",
                     f"link {second}, points",

@@ -17,7 +17,9 @@ from graphic_tmm.paper.lettering.letters import (
 )
 
 CAPTION = 5.0
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 STACK = 5.0
 """Clear height between two diagrams of a stack, mm."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isfinite
+from math import isnan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,7 +56,7 @@ class Column:
     def told(self) -> tuple[Row, Row]:
         """The figures of the first drawing, mm and value."""
         mm, value = (
-            [x if isfinite(x) else None for x in row[0].tolist()] for row in (self.mm, self.value)
+            [None if isnan(x) else x for x in row[0].tolist()] for row in (self.mm, self.value)
         )
         return mm, value
 

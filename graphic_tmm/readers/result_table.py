@@ -25,6 +25,7 @@ from graphic_tmm.readers.columns import (
 )
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 
 def result_table(

@@ -67,8 +67,9 @@ def joined_results(blocks: Sequence[tuple[int, Results]]) -> Results:
 
 def _joined(blocks: Sequence[Reals], trials: Sequence[int]) -> Reals:
     """Return rows of blocks one below the other; a single one where nothing varies."""
-    if all(len(rows) == 1 for rows in blocks):
-        return blocks[0]
+    first = blocks[0]
+    if len(first) == 1 and all(np.array_equal(rows, first, equal_nan=True) for rows in blocks):
+        return first
     pairs = zip(blocks, trials, strict=True)
     return np.concatenate([np.broadcast_to(rows, (n, *rows.shape[1:])) for rows, n in pairs])
 

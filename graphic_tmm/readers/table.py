@@ -35,6 +35,14 @@ def columns_of(drawn: Drawn) -> list[Column]:
     return [column.without(drawn.undrawn) for column in found]
 
 
+def results_of(drawn: Drawn) -> Results:
+    """Return the results of a board."""
+    found: dict[str, tuple[Reals, str]] = {}
+    for chapter in drawn.project.chapters:
+        found |= chapter.results(drawn)
+    return found
+
+
 def scene_columns(made: DrawnScene) -> list[Column]:
     """Return the columns of a scene: of its mechanism and of its parts, which have positions of their own."""
     return [column for drawn in made.boards for column in columns_of(drawn)]
@@ -44,8 +52,7 @@ def scene_results(made: DrawnScene) -> Results:
     """Return the results of a scene."""
     found: dict[str, tuple[Reals, str]] = {}
     for drawn in made.boards:
-        for chapter in drawn.project.chapters:
-            found |= chapter.results(drawn)
+        found |= results_of(drawn)
     return found
 
 

@@ -21,6 +21,7 @@ _ALIKE = str.maketrans(
     "ABEKMHOPCTYXaeopcyxABEZHIKMNOPTYXo",
 )
 LONGEST_TEXT = 200
+"""Characters of a text of the scene at the most; chosen by eye."""
 NAMED = 4
 """Of the characters of a text that cannot be lettered so many are named."""
 

@@ -94,7 +94,7 @@ BAD = {
 def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = BAD[what]
     path, out = edited(tmp_path, *edits), tmp_path / "out"
-    result = invoke("draw", str(path), "-o", str(out))
+    result = invoke("draw", str(path), "-o", str(out), "-l", "en")
     assert result.exit_code == 2, result.output
     assert all(word in result.stderr for word in words), result.stderr
     assert str(path) in result.stderr
@@ -105,7 +105,7 @@ def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> 
 @pytest.mark.slow
 def test_lengths_that_assemble_in_part_are_drawn_in_part(tmp_path: Path) -> None:
     path = edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"'))
-    result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
+    result = invoke("draw", str(path), "-o", str(tmp_path / "out"), "-l", "en")
     assert result.exit_code == 0
     assert "positions 3, 4, 5, 9, 10, 11 cannot be drawn" in result.stderr
     assert "123.56° to 236.44°" in result.stderr  # sin φ = 0.25/0.3
@@ -199,7 +199,7 @@ MORE_BAD = {
 def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = MORE_BAD[what]
     path, out = edited(tmp_path, *edits), tmp_path / "out"
-    result = invoke("draw", str(path), "-o", str(out))
+    result = invoke("draw", str(path), "-o", str(out), "-l", "en")
     assert result.exit_code == 2, result.output
     assert all(word in result.stderr for word in words), result.stderr
     assert result.stdout == ""
@@ -213,7 +213,7 @@ def test_every_command_tells_a_bad_scene_alike(command: str, what: str, tmp_path
     edits, words = BAD[what]
     path = edited(tmp_path, *edits)
     options = ("-o", str(tmp_path / "out")) if command == "draw" else ()
-    result = invoke(command, str(path), *options)
+    result = invoke(command, str(path), *options, "-l", "en")
     assert (result.exit_code, result.stdout) == (2, "")
     assert result.stderr.startswith("graphic-tmm: ")
     assert all(word in result.stderr for word in words), result.stderr

@@ -12,6 +12,12 @@ from support.command import invoke
 from support.gallery import ROOT
 from support.refusals import SCENE, refused, run
 
+
+def in_english(arguments: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the arguments of a command that is asked to speak English, whatever scene it is given."""
+    return (arguments[0], "-l", "en", *arguments[1:])
+
+
 # names
 
 
@@ -48,7 +54,7 @@ def test_a_name_that_is_wrong(arguments: tuple[str, ...], words: list[str], tmp_
     home = os.getcwd()
     os.chdir(tmp_path)
     try:
-        done = invoke(*arguments)
+        done = invoke(*in_english(arguments))
     finally:
         os.chdir(home)
     refused(done, *words)
@@ -101,7 +107,7 @@ OPTIONS = [
 
 @pytest.mark.parametrize(("arguments", "words"), OPTIONS, ids=[" ".join(a) for a, _ in OPTIONS])
 def test_a_wrong_option(arguments: tuple[str, ...], words: list[str], tmp_path: Path) -> None:
-    refused(run(tmp_path, *arguments, "-l", "en"), *words)
+    refused(run(tmp_path, *in_english(arguments)), *words)
 
 
 # readings
@@ -163,7 +169,8 @@ MINUTES = {
 def test_wrong_minutes(what: str, tmp_path: Path) -> None:
     text, words = MINUTES[what]
     (tmp_path / "m.toml").write_text(text, encoding="utf-8")
-    done = run(tmp_path, "accuracy", "cam", "--minutes", "m.toml", "-o", "out")
+    asked = in_english(("accuracy", "cam", "--minutes", "m.toml", "-o", "out"))
+    done = run(tmp_path, *asked)
     refused(done, "m.toml", *words)
 
 

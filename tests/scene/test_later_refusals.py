@@ -51,7 +51,7 @@ def test_a_refusal_tells_file_line_key_and_remedy(
     name: str, old: str, new: str, key: str, begins: str, says: str, tmp_path: Path
 ) -> None:
     path = _written(tmp_path, name, old, new)
-    done = CliRunner().invoke(main, ["table", str(path)])
+    done = CliRunner().invoke(main, ["table", str(path), "-l", "en"])
     assert done.exit_code == 2
     told = re.fullmatch(rf"graphic-tmm: {re.escape(str(path))}:(\d+): (.+?): (.+)\n", done.stderr)
     assert told, done.stderr

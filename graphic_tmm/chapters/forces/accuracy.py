@@ -19,6 +19,7 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.varied import Accuracy, Axis
 
 PASSES = (2, 3, 4, 6, 8)
+"""Numbers of passes of friction that are held against those that have settled."""
 SETTLED = 12
 """Passes of friction after which nothing changes any more."""
 FORCE, MOMENT = "P_bal", "M_bal"

@@ -34,8 +34,11 @@ TURN = 16.0
 ANGLE = 0.4
 """Radius of the arc of α_w, of the length N1N2."""
 HEAD = 3.0
+"""Length of an arrowhead on an arc, mm."""
 SIZE, NUMBER = 5.0, 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 ROOM = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 class _Ink:

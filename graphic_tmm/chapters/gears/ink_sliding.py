@@ -19,8 +19,11 @@ from graphic_tmm.paper.symbols.kinematic import arrowhead
 OVER = 12.0
 """How far an axis goes on behind what stands on it, mm."""
 DOT, TICK = 0.5, 1.0
+"""Radius of a point, half a tick on the axis, mm."""
 SIZE, NUMBER, SMALL = 5.0, 3.5, 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 ROOM = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 class _Ink:

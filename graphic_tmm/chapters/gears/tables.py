@@ -16,6 +16,7 @@ from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 PLACES = 3
 """Decimals of lengths in mm and of coefficients."""
 DIGITS = 4

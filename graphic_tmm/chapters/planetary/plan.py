@@ -31,7 +31,8 @@ class Planetary:
     """The train as drawn: what was asked and settled, μ_l, its sizes, views, picture and plan.
 
     ``results``: marks (Number) by the names under which tables give them: planetary_z1 …, planetary_satellites,
-    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where wheels stand ``overall``.
+    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where wheels
+    stand ``overall``.
     """
 
     order: PlanetaryOrder

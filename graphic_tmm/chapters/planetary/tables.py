@@ -24,6 +24,7 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.ruled import PADDING, table
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
 WORDS = Tongues(

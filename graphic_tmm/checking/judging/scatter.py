@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.cells import Cell, Key, cells, figures, points, spots
+from graphic_tmm.board.values import Reals
+from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.judging.sample import Sample
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.studio import blocks
 
 NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
 """A figure an order of magnitude off is absurd where no drawing of the hand is off by four times: a decimal
@@ -24,8 +24,6 @@ READ = 0.8
 """A figure that scatters by this share of the slip of reading, or more, has it in it already: a length that
 was calculated scatters by less, one that was measured by the whole slip; and of 20 drawings, the fewest
 that there are, a scatter is off by 16 %. With 0.5, 0.65 or 1 one verdict of 2000 changes, with 1.25 ten."""
-NOTHING = np.full(1, np.nan)
-"""A figure that no drawing has."""
 
 
 class Limits(NamedTuple):
@@ -77,38 +75,27 @@ class Scatter(NamedTuple):
 
 
 def scatter(
-    made: DrawnScene, by: Reader, wanted: Mapping[Key, Iterable[bool]], limits: Limits
+    made: DrawnScene,
+    drawn: Sample,
+    by: Reader,
+    wanted: Mapping[Key, Iterable[bool]],
+    limits: Limits,
 ) -> dict[tuple[Key, bool], Scatter]:
     """Return how what is read of the hand's drawings scatters, by figure and whether it is in mm."""
-    due, stand = cells(made), points(made)
-    rows: dict[tuple[Key, bool], list[Reals]] = {
-        (key, in_mm): []
+    due, stand, none = cells(made), points(made), np.empty(0)
+    at = {
+        (key, in_mm): _limited(
+            drawn.figures.get((key, in_mm), none), key, due[key], by, limits, in_mm
+        )
         for key, kinds in wanted.items()
         for in_mm in kinds
         if _figure(due.get(key), in_mm) is not None
     }
-    placed: dict[Key, list[Complexes]] = {key: [] for key in wanted if key in stand}
-    for block in blocks(made, by.hand):
-        where = spots(block) if placed else {}
-        for key, seen in placed.items():
-            seen.append(_known(where[key], block.trials))
-        found = {in_mm: figures(block, in_mm=in_mm) for in_mm in {kind for _, kind in rows}}
-        for (key, in_mm), of in rows.items():
-            of.append(_known(found[in_mm].get(key, NOTHING), block.trials))
-    at = {
-        (key, in_mm): _limited(np.concatenate(of), key, due[key], by, limits, in_mm)
-        for (key, in_mm), of in rows.items()
-    }
-    for key, seen in placed.items():
-        read = by.pointed(np.concatenate(seen)[:, None], "|".join(key))
-        at[key, True] = limited(np.sort(np.abs(read[:, 0] - stand[key])), limits)
+    for key in wanted:
+        if key in stand:
+            read = by.pointed(drawn.spots[key][:, None], "|".join(key))
+            at[key, True] = limited(np.sort(np.abs(read[:, 0] - stand[key])), limits)
     return at
-
-
-def _known(row: Any, trials: int) -> Any:
-    """Return what is known of a figure in so many trials; of a single number, that all of them are alike."""
-    whole = np.broadcast_to(row, trials)
-    return whole[np.isfinite(whole)]
 
 
 def limited(deviations: np.ndarray, limits: Limits) -> Scatter:

@@ -9,10 +9,7 @@ from graphic_tmm.checking.readings.csv_cells import heads
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Results
 from graphic_tmm.language.numbers import decimal_sign
-from graphic_tmm.readers.columns import (
-    Column,
-    empty,
-)
+from graphic_tmm.readers.columns import Column, empty, row_of
 
 _SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
 """By the decimal sign: separator and what a file begins with, so that spreadsheets take it as it is."""
@@ -73,7 +70,7 @@ def template(
 def result_columns(results: Results) -> tuple[Column, ...]:
     """Return results by name as columns of the plan "results" of one figure each."""
     return tuple(
-        Column(RESULTS, name, name, unit, empty(1), figures[:, None])
+        Column(RESULTS, name, name, unit, empty(1), row_of(figures[:, None], [0], 1))
         for name, (figures, unit) in results.items()
     )
 

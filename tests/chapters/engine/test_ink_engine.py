@@ -126,5 +126,5 @@ def test_the_arms_of_the_rod_are_told_by_its_pins_and_not_by_the_order_of_its_le
     found = []
     for text in (SCENE, shuffled):
         path.write_text(text, encoding="utf-8")
-        found.append(scene_results(make(read(path)))["m_rod_at_slider"][0])
+        found.append(scene_results(make(read(path)))["m_rod_at_slider"][0][0])
     assert found == pytest.approx([3 * 0.3 / 0.4] * 2, rel=1e-9)  # D is 300 mm from K
