@@ -6,6 +6,7 @@ from collections import Counter
 
 import pytest
 from support import triangle
+from support.command import invoke
 from support.each import each
 
 from graphic_tmm.captions import COMMON, captions, view_name
@@ -59,3 +60,8 @@ def test_a_result_is_called_by_its_caption_or_its_letter(
     result: str, english: str, russian: str
 ) -> None:
     assert (result_name(result, "en"), result_name(result, "ru")) == (english, russian)
+
+
+def test_a_warning_names_the_point_of_a_diagram() -> None:
+    told = invoke("table", "slider-diagrams", "-f", "json", "--hand", "student", "--seed", "7")
+    assert "диаграмма перемещений точки B, шаг" in told.stderr
