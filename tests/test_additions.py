@@ -1,4 +1,4 @@
-"""What one touches to add something: done in a copy of the package, in so many files as the architecture says."""
+"""What one touches to add something: done in a copy, in so many files as the architecture says."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SHEET = """
 import sys
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files
-text = open(sys.argv[1]).read().replace('format = "A4"', 'format = "A3"').replace('format = "A1"', 'format = "A3"')
+text = open(sys.argv[1]).read().replace('format = "A4"', 'format = "A3"')
 open("scene.toml", "w").write(text)
 (first, *_) = sheet_files(read("scene.toml"))[1].values()
 print(first[:400])

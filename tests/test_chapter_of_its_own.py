@@ -1,4 +1,4 @@
-"""A chapter written in one file is read, refused, drawn, tabulated, told, checked and costed as those of the book."""
+"""A chapter written in one file is read, drawn, tabulated, told, checked and costed as those of the book."""
 
 from __future__ import annotations
 

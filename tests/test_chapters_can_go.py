@@ -1,4 +1,4 @@
-"""A chapter is a folder that can be deleted: with those that build on it gone, the scenes left are drawn as before."""
+"""A chapter is a folder that can be deleted, with those that build on it: the scenes left are drawn as before."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Chart(NamedTuple):
     ``end``: the ordinate at the end of the base where it was integrated to (Length). ``chosen``: its scale is
     a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
     of the ordinates takes ``room`` mm at most. ``room`` None: the whole figure, from its lowest to its highest
-    point, takes at most what the format has for a graph; ``figure``: its points, where they are not the ordinates.
+    point, takes at most what the format has for a graph; ``figure``: its points, if not the ordinates.
     """
 
     view: str

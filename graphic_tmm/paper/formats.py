@@ -11,7 +11,7 @@ from types import MappingProxyType
 class Format:
     """A format: width and height (mm), the width s of its main line (mm), ``called`` so in Russian scenes too.
 
-    ``room``: for a plan of positions, and ``graph``: for the height of a graph, three of which stand in a column
+    ``room``: for a plan of positions, and ``graph``: for how high a graph is, three of which stand in a column
     (mm); on a small sheet both are what it holds beside its title block.
     """
 

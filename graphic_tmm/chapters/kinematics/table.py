@@ -29,7 +29,7 @@ RATE_NAMES = {VELOCITIES: "omega", ACCELERATIONS: "epsilon"}
 
 
 def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
-    """Return the columns of one plan at its positions: segments, magnitudes; rates of links, with their sign."""
+    """Return the columns of one plan at its positions: segments, magnitudes; rates with their sign."""
     motion, reading, log = KINEMATICS.on(drawn).motion(plan), drawn.of(plan), drawn.construction
     view = log.view(plan)
     if reading is None or view is None or view.scale is None:
