@@ -304,7 +304,7 @@ def test_a_doubtful_point_tells_how_many_of_its_digits_are_sure() -> None:
     step = next(s for s in work.project.construction.steps if s.it.view == "velocities")
     for share, digits in ((3e-5, 4), (1e-6, 6), (0.5, 0), (20.0, 0), (math.inf, 0)):
         one = Finding("doubtful", step, 1, (2,), share)
-        english, russian = (finding(one, work.project.names, language) for language in ("en", "ru"))
+        english, russian = (finding(one, work.project, language) for language in ("en", "ru"))
         assert f"the point is uncertain, digits that are sure: {digits}; positions" in english
         assert f"точка ненадёжна, верных цифр: {digits};" in russian
 
@@ -319,7 +319,7 @@ def test_a_finding_names_plan_step_reason_amount_and_positions(tmp_path: Path) -
     # at position 4 the crank stands up: OA - AB = 60 - 50 mm; at 3 and 5 it is 60·sin 60° - 50
     assert math.isclose(abs(found.amount), 10.0, abs_tol=1e-9)
     assert [names[k] for k in found.positions] == ["3", "4", "5", "9", "10", "11"]
-    english, russian = (finding(found, names, language) for language in ("en", "ru"))
+    english, russian = (finding(found, work.project, language) for language in ("en", "ru"))
     assert english.startswith("plan of positions, step ")
     assert "the arc does not reach the line" in english
     assert "10 mm" in english

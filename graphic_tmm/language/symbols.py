@@ -79,29 +79,16 @@ def symbol(name: str, language: str) -> str:
     return name
 
 
-RESULTS = {
-    "alpha_w": "α_{w}",
-    "delta_y": "Δy",
-    "contact_ratio": "ε_{α}",
-    "contact_ratio_drawn": "ε_{dr}",
-    "contact_ratio_difference": "Δε",
-    "arc_of_engagement1": "c_{1}d_{1}",
-    "arc_of_engagement2": "c_{2}d_{2}",
-    "overall_ratio": "U_{0}",
-    "rim_width": "b",
-}
-"""Results whose machine name is no letter of theirs."""
-_INDEXED = re.compile(r"(?:planetary_)?([A-Za-z])_?(\w*)")
+_INDEXED = re.compile(r"([A-Za-z])_?(\w*)")
 
 
 def result_symbol(name: str, language: str) -> str:
-    """Return the letter of a result by its machine name, as mark-up.
+    """Return the letter of a result by its machine name, which is that letter and its index, as mark-up.
 
-    >>> result_symbol("r_b1", "en"), result_symbol("planetary_z3", "ru"), result_symbol("a", "en")
+    >>> result_symbol("r_b1", "en"), result_symbol("z3", "ru"), result_symbol("a", "en")
     ('r_{b1}', 'z_{3}', 'a')
     """
-    known = RESULTS.get(name)
     found = _INDEXED.fullmatch(name)
-    if known is None and found is not None:
-        known = f"{found[1]}_{{{found[2]}}}" if found[2] else found[1]
-    return symbol(known or name, language)
+    if found is not None:
+        name = f"{found[1]}_{{{found[2]}}}" if found[2] else found[1]
+    return symbol(name, language)

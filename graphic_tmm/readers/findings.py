@@ -6,13 +6,14 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.captions import captions
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
+from graphic_tmm.project import Project
 from graphic_tmm.readers.sentences import letters_of
+from graphic_tmm.readers.titles import title_of
 
 _WHY = {
     "touching": said("the figures touch"),
@@ -22,16 +23,16 @@ _WHY = {
 }
 
 
-def finding(found: Finding, names: tuple[str, ...], language: str) -> str:
+def finding(found: Finding, project: Project, language: str) -> str:
     """Return a finding as a sentence: plan, step, letter, why, positions."""
     _ = speaking(language)
     return _(
         "{plan}, step {number} '{it}': {why}; positions {places}",
-        plan=_in_sentence(found.step.it.view, language),
+        plan=_in_sentence(project, found.step.it.view, language),
         number=found.number,
         it=spoken(found.step.it, language),
         why=_why(found, _),
-        places=", ".join(names[i] for i in found.positions),
+        places=", ".join(project.names[i] for i in found.positions),
     )
 
 
@@ -52,13 +53,13 @@ def _undrawn(found: Finding, speech: Speech) -> str:
     return f"{why} ({text}, {number(found.amount, language, 3)} {unit('mm', language)})"
 
 
-def _in_sentence(view: str, language: str) -> str:
+def _in_sentence(project: Project, view: str, language: str) -> str:
     """Return what a view is called within a sentence: small, but for a man's name."""
-    name = captions(language).get(view, view)
-    return name if name.startswith("Zhukovsky") else name[:1].lower() + name[1:]
+    name = title_of(project, view, language)
+    return name if name.partition(" ")[0].endswith("'s") else name[:1].lower() + name[1:]
 
 
-def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) -> Iterator[str]:
+def left_out(found: Sequence[Finding], project: Project, language: str) -> Iterator[str]:
     """Yield, as sentences, the figures of which no digit is sure, together those of the same positions."""
     _ = speaking(language)
     for places in dict.fromkeys(one.positions for one in found):
@@ -66,11 +67,11 @@ def left_out(found: Sequence[Finding], names: tuple[str, ...], language: str) ->
         told = []
         for plan in dict.fromkeys(one.step.it.view for one in some):
             letters = ", ".join(_letters_of(one) for one in some if one.step.it.view == plan)
-            told.append(f"{_in_sentence(plan, language)} {letters}")
+            told.append(f"{_in_sentence(project, plan, language)} {letters}")
         yield _(
             "rounding leaves no digit that is sure, left out are: {figures}; positions {places}",
             figures="; ".join(told),
-            places=", ".join(names[i] for i in places),
+            places=", ".join(project.names[i] for i in places),
         )
 
 

@@ -15,9 +15,9 @@ from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.synthesis import Found, rocker
-from graphic_tmm.project import Project
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
+from graphic_tmm.readers.titles import title_of
 from graphic_tmm.scene.records import Scene
 
 MOST = 0.8
@@ -176,12 +176,6 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
     for line in lines:
         yield from _printed(line)
     yield ""
-
-
-def title_of(project: Project, view: str, language: str) -> str:
-    """Return what a view is called in a protocol, as plain text."""
-    titles = (one.titles(project, view, language) for one in project.chapters)
-    return next((title for title in titles if title), "") or view_name(view, language)
 
 
 def _position(drawn: Drawn, name: str | None) -> int:

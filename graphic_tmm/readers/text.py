@@ -7,6 +7,7 @@ from itertools import groupby
 from typing import Any
 
 from graphic_tmm.captions import captions
+from graphic_tmm.chapter import chapters
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
@@ -62,11 +63,18 @@ def column_name(column: Column, language: str) -> str:
 
 
 def result_name(name: str, language: str) -> str:
-    """Return what a result is called, as plain text; of many drawings, behind it which of their quantiles."""
+    """Return what a result is called, as plain text; of many drawings, behind it which of their quantiles.
+
+    One that has no caption is called by its letter, without the name of its chapter before it.
+    """
     stem, _, quantile = name.rpartition("_")
     if stem and quantile in QUANTILES:
         return f"{result_name(stem, language)} {quantile}"
-    return plain(captions(language).get(name) or result_symbol(name, language))
+    if caption := captions(language).get(name):
+        return plain(symbol(caption, language))
+    for one in chapters():
+        name = name.removeprefix(f"{one.name}_")
+    return plain(result_symbol(name, language))
 
 
 def _rows(

@@ -25,7 +25,7 @@ def _told(drawn: Drawn, language: str) -> Iterator[str]:
         _ = speaking(language)
         yield _("positions {missing} cannot be drawn{over}", missing=missing, over=over)
     findings = drawn.findings()
-    yield from (finding(f, names, language) for f in findings if f.kind not in SILENT)
-    yield from left_out([f for f in findings if f.kind == "lost"], names, language)
+    yield from (finding(f, project, language) for f in findings if f.kind not in SILENT)
+    yield from left_out([f for f in findings if f.kind == "lost"], project, language)
     for chapter in project.chapters:
         yield from chapter.warnings(drawn, language)

@@ -19,6 +19,10 @@ CAPTIONS: dict[str, str] = {
     "rim_mass": said("m_{F}"),
     "p_mean_cover": said("p_{mean}, cover"),
     "p_mean_shaft": said("p_{mean}, shaft"),
+    "D_max": "D_{max}",
+    "D_e": "D_{e}",
+    "D_i": "D_{i}",
+    "rim_width": "b",
 }
 
 _RESISTING = said("Reduced moment of the resisting forces")

@@ -39,8 +39,6 @@ from graphic_tmm.readers.result_table import (
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
-SYMBOLS = {"D_max": "D_{max}", "D_e": "D_{e}", "D_i": "D_{i}", "rim_width": "b"}
-"""The letters of results that are the same in both languages."""
 
 
 def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -150,7 +148,7 @@ def _results(drawn: Drawn) -> Drawing:
     words, found = captions(language), single(flywheel_results(drawn))
     _ = speaking(language)
     rows = [
-        [words.get(name, SYMBOLS.get(name, name)), number(value, language), unit(of, language)]
+        [words[name], number(value, language), unit(of, language)]
         for name, (value, of) in found.items()
     ]
     if {"J_fly", "J_fly_energy_mass"} <= set(found):

@@ -1,4 +1,4 @@
-"""What people call the views of a pair of gears."""
+"""What people call the views and the results of a pair of gears."""
 
 from __future__ import annotations
 
@@ -10,4 +10,11 @@ CAPTIONS: dict[str, str] = {
     "gear-rolling-1": said("Construction of a tooth of wheel 1"),
     "gear-rolling-2": said("Construction of a tooth of wheel 2"),
     "sliding": said("Specific sliding"),
+    "alpha_w": "α_{w}",
+    "delta_y": "Δy",
+    "contact_ratio": "ε_{α}",
+    "contact_ratio_drawn": "ε_{dr}",
+    "contact_ratio_difference": "Δε",
+    "arc_of_engagement1": "c_{1}d_{1}",
+    "arc_of_engagement2": "c_{2}d_{2}",
 }

@@ -12,4 +12,5 @@ CAPTIONS: dict[str, str] = {
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),
     "planetary_difference": said("Δ_{U}"),
+    "overall_ratio": "U_{0}",
 }
