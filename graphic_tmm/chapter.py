@@ -1,4 +1,4 @@
-"""A chapter of the book: what it asks of a scene, records on a board, shows on sheets. Nobody outside names one.
+"""A chapter of the book: what it asks of a scene, records on a board, shows on sheets.
 
 A chapter is a folder of `graphic_tmm.chapters` whose package declares a `Chapter` called CHAPTER. It is found
 by being there, and gone when its folder is. What a chapter is asked and what it made are got by keys (`Asked`,
@@ -10,12 +10,12 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
-from graphic_tmm.readers.varied import NOTHING, Accuracy
+from graphic_tmm.varied import NOTHING, Accuracy
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,11 +27,14 @@ if TYPE_CHECKING:
     from graphic_tmm.board.hand import Hand
     from graphic_tmm.board.record import Mark
     from graphic_tmm.board.scales import Scale
-    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.drawn import Drawn, Results
     from graphic_tmm.fitting.scales import Fitting
+    from graphic_tmm.language.catalogue import Speech
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
-    from graphic_tmm.readers.columns import Column
+    from graphic_tmm.readers.columns import (
+        Column,
+    )
     from graphic_tmm.scene.declare import Section
     from graphic_tmm.scene.records import Scene
 
@@ -87,10 +90,10 @@ class Size:
 
     ``usual``: room for it ``in_mm``, which sets the μ of a plan, or a share (1) of its usual room; what the
     formats of a scene's sheets suggest. ``least``: where this is reached, something else has to give way.
-    ``rooms``: what it grows to, mm, as far as the sheets have room, the largest first. ``extent``: what there is
-    to draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says how large it is, "" if it
-    does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with a free size, what to
-    write for the key.
+    ``rooms``: what it grows to, mm, as far as the sheets have room, the largest first. ``extent``: what there
+    is to draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says how large it is, "" if
+    it does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with a free size, what
+    to write for the key.
     """
 
     name: str
@@ -108,12 +111,12 @@ class Size:
 class Place:
     """What a sheet can show, by the name that scenes write.
 
-    ``draw``: a drawn board, lettered? -> its views; ``plain``: a scene -> views that no board is needed for. ``rank``: where it stands on a sheet that does not say what
-    stands there; 0 where only a sheet that names it shows it. ``shows``: the plans of which it shows something,
-    ``beside``: those of which it does so where they are drawn;
-    ``follows``: the plans whose μ its room depends on. ``together``: it is these
-    places, one after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends,
-    in the order in which they give way.
+    ``draw``: a drawn board, lettered? -> its views; ``plain``: a scene -> views that no board is needed for.
+    ``rank``: where it stands on a sheet that does not say what stands there; 0 where only a sheet that names
+    it shows it. ``shows``: the plans of which it shows something, ``beside``: those of which it does so where
+    they are drawn; ``follows``: the plans whose μ its room depends on. ``together``: it is these places, one
+    after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends, in the
+    order in which they give way.
     """
 
     name: str
@@ -135,26 +138,40 @@ def _no_plan(
 
 @dataclass(frozen=True)
 class Chapter:
-    """What a chapter declares of itself.
+    """What a chapter declares of itself; what it leaves out it has nothing to say to.
 
-    ``number``: its place in the book, and in everything that is read. ``board``: on which board it stands, ""
-    for none: then what it draws is told by a scene alone. ``builds_on``: the chapters whose marks it uses.
+    **What it is.** ``number``: its place in the book, and in everything that is read. ``board``: on which board
+    it stands, "" for none: then what it draws is told by a scene alone. ``builds_on``: the chapters whose marks
+    it uses, which therefore record before it.
 
-    ``sections``: what scenes may write for it; ``asked``: whether a scene calls for it; ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by name: a chapter,
-    or what another chapter understands. ``record``: what it leaves on its board.
-    ``charts``: of what it made, the graphs on axes. ``reach``: what its scale factors go by, found once.
-    ``plan_scales``: μ of the plans at a size, without drawing them. ``scales``: put the values of its scale
-    factors into what is given. ``named``: further scale factors as drawn, by view, of those
-    that were given a value.
-    ``scale_key``: what machines call the scale factor of a view.
-    ``undrawn``: the positions that cannot be drawn; ``ranges``: the end of a sentence that tells those that can.
-    ``nothing``: by slot, where a figure has no meaning; ``coarse``: by slot, what leaves fewer digits of it.
-    ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of its own.
-    ``warnings``: what else people are told. ``columns``, ``results``, ``facts``: what tables tell.
-    ``plans``: what protocols call its plans, ``plans_rank``: where these stand among the plans of all chapters if
-    not in the order of the book (ten a chapter); ``views``: the views of the board that each is drawn in.
-    ``equations``: a view -> lines that stand before its protocol. ``titles``: a view -> what it is called there.
+    **What is asked.** ``sections``: what scenes may write for it; ``asked``: whether a scene calls for it;
+    ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by
+    name: a chapter, or what another chapter understands.
+
+    **What it records and draws.** ``record``: what it leaves on its board. ``charts``: of what it made, the
+    graphs on axes. ``places``: what sheets can show of it, ``sizes``: how large.
+
+    **Its scale factors.** ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size,
+    without drawing them. ``scales``: the values of its scale factors, put into what is given. ``named``:
+    further scale factors as drawn, by view, of those that were given a value; ``scale_key``: what machines
+    call the scale factor of a view.
+
+    **What goes wrong.** ``undrawn``: the positions that cannot be drawn; ``ranges``: the end of a sentence that
+    tells those that can. ``nothing``: by slot, where a figure has no meaning; ``coarse``: by slot, what leaves
+    fewer digits of it. ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of
+    its own; ``warnings``: what else people are told.
+
+    **What readers tell.** ``columns``, ``results``, ``facts``: what tables tell. ``plans``: what protocols call
+    its plans, ``plans_rank``: where these stand among the plans of all chapters if not in the order of the book
+    (ten a chapter); ``views``: the views of the board that each is drawn in. ``equations``: a view -> lines
+    that stand before its protocol. ``captions``: what its views, plans, letters of columns and results are
+    called, English, by name; ``called``: a view whose name it makes up -> what that is called in a language;
+    ``titles``: a view -> what it is called in the protocol of what was made, where that tells more.
     ``accuracy``: what it tells of its accuracy.
+
+    **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
+    in one position, lettered clear of what is drawn upon it. ``named_marks``: marks by plan and the name that
+    machines read; ``speeds``: the marks that tell how fast the mechanism runs.
     """
 
     name: str
@@ -186,7 +203,7 @@ class Chapter:
     findings: Callable[[Drawn], Iterable[Finding]] = lambda drawn: ()
     warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
     columns: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
-    results: Callable[[Drawn], Mapping[str, tuple[float, str]]] = lambda drawn: {}
+    results: Callable[[Drawn], Results] = lambda drawn: {}
     facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}
     plans: tuple[str, ...] = ()
     plans_rank: int = 0
@@ -196,6 +213,8 @@ class Chapter:
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     speeds: Callable[[Project], Iterable[Mark]] = lambda project: ()
+    captions: Mapping[str, str] = field(default_factory=dict)
+    called: Callable[[str, Speech], str] = lambda view, speech: ""
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
     accuracy: Accuracy = NOTHING
 

@@ -13,10 +13,15 @@ from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.board.values import Angle
+from graphic_tmm.board.values import Angle, Length, Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
+
+Results = Mapping[str, tuple[Reals, str]]
+"""Results by name: figures, (trial,), NaN where there is none, and their unit."""
+MEASURED: Mapping[Any, str] = {Angle: "°", Length: "mm"}
+"""The units of what is measured on the sheet."""
 
 
 class Numbers(NamedTuple):
@@ -135,6 +140,11 @@ class DrawnScene(NamedTuple):
         return next((one for one in self.boards if one.board == MECHANISM), None)
 
     @property
+    def trials(self) -> int:
+        """How often everything is drawn."""
+        return max((one.hand.trials for one in self.boards), default=1)
+
+    @property
     def exact(self) -> bool:
         """Whether lengths are read without rounding."""
         return all(one.hand.ruler is None for one in self.boards)
@@ -200,12 +210,15 @@ def view_scales(project: Project, reading: Reading) -> dict[str, Scale]:
     }
 
 
-def results_of(drawn: Drawn, marks: Mapping[str, Mark]) -> dict[str, tuple[float, str]]:
-    """Return marks that are one number each: by name the figure and its unit."""
+def results_of(drawn: Drawn, marks: Mapping[str, Mark]) -> dict[str, tuple[Reals, str]]:
+    """Return marks that are one number in every drawing: by name the figures, (trial,), and their unit."""
+    reading = drawn.reading
     return {
-        name: (
-            float(drawn.reading.figure(mark).ravel()[0]),
-            "°" if mark.kind is Angle else mark.unit,
-        )
+        name: (reading.figure(mark)[:, 0].copy(), MEASURED.get(mark.kind, mark.unit))
         for name, mark in marks.items()
     }
+
+
+def single(results: Results) -> dict[str, tuple[float, str]]:
+    """Return the results of the first drawing: by name a figure and its unit."""
+    return {name: (float(figures[0]), unit) for name, (figures, unit) in results.items()}

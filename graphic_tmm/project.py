@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 class Project:
     """The log of a board and what is given on it but for the scale factors that are chosen.
 
-    ``made``: what the chapters made, by chapter. ``names`` and ``angles`` (degrees, None where there are none) run
-    along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at which a view is
-    drawn, if these are not all; ``told``: those at which what becomes of a view is told.
+    ``made``: what the chapters made, by chapter. ``names`` and ``angles`` (degrees, None where there are
+    none) run along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at
+    which a view is drawn, if these are not all; ``told``: those at which what becomes of a view is told.
     """
 
     board: str
@@ -67,8 +67,9 @@ class Project:
 class Bench:
     """What lies on the board while chapters record: the scene, the draft, what is wanted, what was made so far.
 
-    ``wanted``: places of sheets; ``needed``: what chapters said that they need, of several wishes the greatest. ``sizes``: of what is drawn at a
-    share of its usual size; ``usual``: the same drawn in the usual size, where there are such.
+    ``wanted``: places of sheets; ``needed``: what chapters said that they need, of several wishes the
+    greatest. ``sizes``: of what is drawn at a share of its usual size; ``usual``: the same drawn in the usual
+    size, where there are such.
     """
 
     def __init__(

@@ -50,13 +50,18 @@ def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:
     return scene.mechanism is not None or not (parts or scene.shown <= plain)
 
 
-def drawings(made: DrawnScene, hand: Hand) -> Iterator[DrawnScene]:
-    """Yield the drawings that a hand makes, one a trial; so many as a block has are held at a time."""
+def blocks(made: DrawnScene, hand: Hand) -> Iterator[DrawnScene]:
+    """Yield the drawings that a hand makes, all trials of a block at once: so much is held at a time."""
     for first in range(0, hand.trials, MOST):
         some = hand._replace(first=hand.first + first, trials=min(MOST, hand.trials - first))
-        boards = [one.drawn_by(some) for one in made.boards]
-        for k in range(some.trials):
-            yield DrawnScene(made.scene, tuple(one.trial(k) for one in boards))
+        yield DrawnScene(made.scene, tuple(one.drawn_by(some) for one in made.boards))
+
+
+def drawings(made: DrawnScene, hand: Hand) -> Iterator[DrawnScene]:
+    """Yield the drawings that a hand makes, one a trial."""
+    for block in blocks(made, hand):
+        for k in range(block.trials):
+            yield DrawnScene(made.scene, tuple(one.trial(k) for one in block.boards))
 
 
 def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:

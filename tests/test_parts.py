@@ -13,8 +13,8 @@ from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.table import table
@@ -93,7 +93,7 @@ def test_every_unit_of_a_part_has_its_russian_name(name: str) -> None:
     for part in parts(made(name)):
         log = part.construction
         assert all(known(m.unit) for m in (*log.given, *(s.it for s in log.steps)))
-        assert all(s.it.view in CAPTIONS["en"] for s in log.steps)
+        assert all(s.it.view in captions("en") for s in log.steps)
 
 
 @pytest.mark.slow

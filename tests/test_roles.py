@@ -25,10 +25,10 @@ ALLOWED = {
     "chapters/kinematics/motion.py: known[leg.letter]",
     "chapters/kinematics/motion.py: known[closing.letter]",
     # readers are told of which view a mark is where two of a sentence are called alike
-    "language/words.py: mark.name in elsewhere",
+    "readers/sentences.py: mark.name in elsewhere",
     # words that stand for the name of a column
-    "paper/result_table.py: words.get(column.letter)",
-    "readers/text.py: CAPTIONS[language].get(column.letter)",
+    "readers/result_table.py: words.get(column.letter)",
+    "readers/text.py: captions(language).get(column.letter)",
     # people name what they read by the names of the table
     "checking/judging/taken_marks.py: found.setdefault((mark.view, segment_name(mark.letter)), step)",
     # what strokes a text is lettered with

@@ -9,7 +9,7 @@ from graphic_tmm.accuracy.lessons import Optimum, along, divisions
 from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
 from graphic_tmm.accuracy.words import WORDS, counted
-from graphic_tmm.language.words import number
+from graphic_tmm.language.numbers import number
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import sentence
 

@@ -13,9 +13,10 @@ from typing import NamedTuple
 from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, at_count, named
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.chapter import MECHANISM, chapters
+from graphic_tmm.language.said import said
 from graphic_tmm.project import called_on
-from graphic_tmm.readers.varied import Axis
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Axis
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
@@ -26,6 +27,7 @@ RULERS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
 SIZES = (0.5, 1.0, 2.0, 4.0)
 """How many times as large the drawing is; 2: every μ twice as fine, and four times the paper."""
 POLES = (0.5, 1.0, 2.0)
+"""How many times as large the pole distances are: halved and doubled shows which way it goes."""
 TRIALS = (10, 30, 100, 300, 1000)
 """Numbers of drawings, up to ten times as many as are asked for."""
 
@@ -48,7 +50,12 @@ def _rows(scene: Scene) -> Iterator[tuple[str, Scene]]:
                 yield str(n), found
 
 
-POSITIONS = Axis("positions", _rows, parts=lambda scene: scene.row.count)
+POSITIONS = Axis(
+    "positions",
+    _rows,
+    parts=lambda scene: scene.row.count,
+    counted=said("{n} position", "{n} positions"),
+)
 """The row of positions, which is that of all chapters on the mechanism's board."""
 
 

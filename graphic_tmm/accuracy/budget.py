@@ -30,9 +30,9 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.measuring import Trial, needed
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.words import fixed, number
-from graphic_tmm.readers.quantity import Quantity
+from graphic_tmm.quantity import Quantity
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
@@ -41,7 +41,9 @@ DRAWINGS, FEW = 100, 20
 HOPELESS = 2.0
 """A setting that errs by so many times the budget in a few drawings is not looked at any closer."""
 SIZES = (1.0, 2.0)
+"""How many times as large a drawing is tried; chosen by eye."""
 POLES = (1.0, 2.0)
+"""How many times as large pole distances are tried; chosen by eye."""
 
 
 @dataclass(frozen=True)

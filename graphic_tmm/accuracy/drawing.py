@@ -13,9 +13,9 @@ from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import DrawnScene, doubted
 from graphic_tmm.fitting.scales import executed, reach_of, usual
 from graphic_tmm.project import Project, own_boards, record
-from graphic_tmm.readers.varied import Trial
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism
+from graphic_tmm.varied import Trial
 
 PER_MM = "/mm"
 Pinned = Mapping[tuple[str, str, str], object]
@@ -30,7 +30,7 @@ def pinned(made: DrawnScene) -> dict[tuple[str, str, str], object]:
         kept = [m for each in one.project.chapters for m in each.accuracy.kept(one.project)]
         for mark in (*scales, *kept):
             if mark in one.given:
-                found[one.board, mark.view, mark.letter] = one.given[mark]
+                found[one.board, *mark.key] = one.given[mark]
     return found
 
 
@@ -77,15 +77,14 @@ def tried(project: Project) -> dict[Mark, Trial]:
 
 
 def _pin(project: Project, scales: Pinned) -> dict[Mark, object]:
-    """Return what is given with the pinned scales; a view that had none takes those of one like it."""
+    """Return what is given with the pinned scales; what is drawn pass after pass has those of the last one."""
+    last = {view.name: view.last for view in project.construction.views}
     given = dict(project.given)
     for mark in project.construction.given:
-        views = [chapter.accuracy.scaled_as(mark.view) for chapter in project.chapters]
-        for view in (mark.view, *views):
-            key = project.board, view, mark.letter
-            if key in scales:
-                given[mark] = scales[key]
-                break
+        view, letter = mark.key
+        for name in (last.get(view, view), view):
+            if (project.board, name, letter) in scales:
+                given[mark] = scales[project.board, name, letter]
     return given
 
 

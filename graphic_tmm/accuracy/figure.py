@@ -13,7 +13,7 @@ from graphic_tmm.accuracy.measure import Run
 from graphic_tmm.accuracy.settings import GRID
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
-from graphic_tmm.language.words import number
+from graphic_tmm.language.numbers import number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

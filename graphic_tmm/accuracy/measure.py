@@ -18,7 +18,7 @@ from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity
+from graphic_tmm.quantity import Quantity
 
 SHARE = 0.9
 """An error is so large that this share of all readings keeps within it."""

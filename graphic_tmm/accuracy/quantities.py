@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import in_order
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity
+from graphic_tmm.quantity import Quantity
 
 
 def quantities(project: Project) -> tuple[Quantity, ...]:

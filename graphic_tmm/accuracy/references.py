@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import TmmError
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference
+from graphic_tmm.quantity import Quantity, Reference
 from graphic_tmm.scene.records import Scene
 
 TURN = 192

@@ -12,7 +12,7 @@ from graphic_tmm.accuracy.measure import NOISE, Run
 from graphic_tmm.accuracy.settings import GRID
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
-from graphic_tmm.language.words import fixed, number
+from graphic_tmm.language.numbers import fixed, number
 
 TOP = 3
 """So many steps of a construction are named for each quantity."""

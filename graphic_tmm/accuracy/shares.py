@@ -18,7 +18,7 @@ from graphic_tmm.board.hand import Hand, slip_of
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity
+from graphic_tmm.quantity import Quantity
 
 EACH = 16
 """How often each step slips alone."""

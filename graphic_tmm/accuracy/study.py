@@ -16,6 +16,7 @@ from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.chapter import chapters
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
@@ -134,7 +135,9 @@ def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
 def _nothing(scene: Scene) -> str:
     shown = ", ".join(sorted(scene.called))
     *first, last = (place for one in chapters() for place in one.accuracy.places)
-    return (
-        f"it calls for {shown}: nothing whose error can be told; place {', '.join(first)} or {last} on a "
-        "[[sheet]]"
+    return said(
+        "it calls for {shown}: nothing whose error can be told; place {first} or {last} on a [[sheet]]",
+        shown=shown,
+        first=", ".join(first),
+        last=last,
     )

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
+from graphic_tmm.accuracy.axes import dividing
+from graphic_tmm.chapter import chapters
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
+from graphic_tmm.language.tables import Tongues, Words
 
 TEXTS: dict[str, str] = {
     "title": said("{title}. What accuracy costs"),
@@ -16,17 +20,10 @@ TEXTS: dict[str, str] = {
     "axis": said("varied"),
     "value": said("value"),
     "positions": said("positions", context="how many"),
-    "parts": said("parts of a phase"),
-    "steps": said("rolling steps"),
     "slip": said("single slip of the student"),
     "ruler": said("ruler, mm"),
     "size": said("drawing, times as large"),
-    "method": said("differentiation"),
-    "start": said("taken from the plans"),
     "pole": said("pole distance H, times"),
-    "passes": said("passes of friction"),
-    "rod": said("mass of the rod"),
-    "inertia": said("inertia force"),
     "trials": said("drawings by the student"),
     "others": said(
         "One thing varied about the scene's own setting ({hand}); in brackets minutes "
@@ -42,13 +39,6 @@ TEXTS: dict[str, str] = {
     "swing": said("square and protractor"),
     "reading": said("reading"),
     "digits": said("digits"),
-    "chords": said("chords"),
-    "tangents": said("tangents"),
-    "displacement": said("displacement"),
-    "velocity": said("velocity"),
-    "lever rule": said("by the lever rule"),
-    "plan": said("plan of accelerations"),
-    "series": said("series of two terms"),
     "minutes": said("min"),
     "milliseconds": said("ms"),
     "quartiles": said("ms (quartiles)"),
@@ -97,18 +87,6 @@ TEXTS: dict[str, str] = {
     "optima": said("Best numbers"),
     "advices": said("Advice"),
     "left out": said("Not drawn: {text}"),
-    "v": said("v by plans"),
-    "a": said("a by plans"),
-    "V_diagram": said("V by diagram"),
-    "a_diagram": said("a by diagram"),
-    "P_bal": said("P_bal"),
-    "M_bal": said("M_bal"),
-    "M_engine": said("M of the engine"),
-    "J_fly": said("J of the flywheel"),
-    "J_fly_energy_mass": said("J, energy–mass"),
-    "r0_min": said("r₀ min of the cam"),
-    "contact_ratio": said("contact ratio, line"),
-    "contact_arc": said("contact ratio, arc"),
     "budget": said("budget {percent} %: {setting}; {minutes} min at the board; {errors}"),
     "budget size": said("{times} times as large"),
     "budget pole": said("H {times} times as far"),
@@ -122,18 +100,23 @@ TEXTS: dict[str, str] = {
         "(N^{error}), the work grows as N^{minutes}."
     ),
 }
-WORDS = Tongues(TEXTS)
-COUNTED = {
-    "positions": said("{n} position", "{n} positions"),
-    "parts": said("{n} part", "{n} parts"),
-    "steps": said("{n} step", "{n} steps"),
-}
+
+
+class _Words(Tongues):
+    """These texts and what chapters tell of, in every language."""
+
+    def __getitem__(self, language: str) -> Words:
+        told = (one.accuracy.words.items() for one in chapters())
+        return Words({**TEXTS, **dict(chain.from_iterable(told))}, speaking(language))
+
+
+WORDS = _Words(TEXTS)
 
 
 def counted(number: int, axis: str, language: str) -> str:
-    """Return a number of positions, parts or steps with its noun.
+    """Return a number of what an axis divides a drawing into, with its noun.
 
     >>> counted(24, "positions", "ru"), counted(1, "steps", "en")
     ('24 положения', '1 step')
     """
-    return speaking(language)(COUNTED[axis], n=number)
+    return speaking(language)(dividing()[axis].counted, n=number)

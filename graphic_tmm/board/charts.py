@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,9 +16,6 @@ from graphic_tmm.board.operations.formulas import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-
-HEIGHT = {"A1": 120.0, "A4": 45.0}
-"""Of the graphs of moment, work and energy by format: how high one may be, mm; three stand in a column."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +39,7 @@ class Chart(NamedTuple):
     ``end``: the ordinate at the end of the base where it was integrated to (Length). ``chosen``: its scale is
     a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
     of the ordinates takes ``room`` mm at most. ``room`` None: the whole figure, from its lowest to its highest
-    point, takes at most the `HEIGHT` of the format; ``figure``: its points, where they are not the ordinates.
+    point, takes at most what the format has for a graph; ``figure``: its points, if not the ordinates.
     """
 
     view: str
@@ -108,3 +105,8 @@ def _scaled(
     mu = draft.scale(f"μ_{symbol}", unit)
     distance = draft.draw(pole_distance, letter, *in_order(mu), known[1], role=roles.POLE_DISTANCE)
     return Scaled(mu, True, distance)
+
+
+def distances(given: Iterable[Mark], view: str) -> list[Mark]:
+    """Return the distances of poles that are given in a view."""
+    return [mark for mark in given if mark.role == roles.POLE_DISTANCE and mark.view == view]

@@ -67,7 +67,7 @@ def formula(
     """Turn an annotated function whose docstring is a formula into an `Operation`.
 
     ``holds``: a condition on the arguments, in the same language ("{z1}·{z3} ≠ 0, {z2} > 0"). Elsewhere there
-    is no answer (NaN), and ``fails`` says why, as for any `operation`; but a body answers in its own way.
+    is no answer (NaN), and ``fails`` says why; but a body answers in its own way.
 
     Raises
     ------

@@ -88,6 +88,7 @@ class Hand(NamedTuple):
 
 
 _LEAST = 307
+"""10⁻³⁰⁷ is the least power of ten that a float holds to full precision."""
 _TENS = np.array([float(f"1e{k}") for k in range(-_LEAST, 309)])
 """Powers of ten by their exponent + 307."""
 _BY_TWO = np.floor(np.arange(-1076, 1025) * np.log10(2.0)).astype(np.intp)

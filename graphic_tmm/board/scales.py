@@ -9,12 +9,15 @@ import math
 from typing import NamedTuple
 
 REDUCTIONS = (2, 2.5, 4, 5, 10, 15, 20, 25, 40, 50, 75, 100, 200, 400, 500, 800, 1000)
+"""Scales of reduction, 1 : so many (ГОСТ 2.302)."""
 ENLARGEMENTS = (2, 2.5, 4, 5, 10, 20, 40, 50, 100)
+"""Scales of enlargement, so many : 1 (ГОСТ 2.302)."""
 LENGTHS = tuple(
     sorted([0.001 / n for n in ENLARGEMENTS] + [0.001] + [0.001 * n for n in REDUCTIONS])
 )
 """μ_l of the standard scales of ГОСТ 2.302, m/mm, in order of size."""
 MANTISSAS = (1.0, 2.0, 2.5, 4.0, 5.0)
+"""Mantissas of a standard scale factor: millimetres times these are worked out in the head."""
 
 
 class Scale(NamedTuple):

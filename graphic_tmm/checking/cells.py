@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.board.values import Point
+from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.chapter import chapters
-from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.drawn import DrawnScene, single
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import scene_columns, scene_results
 
 Key = tuple[str, str, str]
@@ -44,17 +47,34 @@ def position_names(made: DrawnScene) -> tuple[str, ...]:
 
 def cells(made: DrawnScene) -> dict[Key, Cell]:
     """Return every figure that a scene has."""
-    names = position_names(made)
     found: dict[Key, Cell] = {}
-    for column in scene_columns(made):
-        own = [name for name, _ in column.at] or names
-        rows = zip(own, column.mm, column.value, strict=True)
-        for name, mm, value in rows:
+    for names, column in _columns(made):
+        for name, mm, value in zip(names, *column.told, strict=True):
             if mm is not None or value is not None:
                 found[column.plan, column.segment, name] = Cell(mm, value, column.unit)
-    for name, (value, unit) in scene_results(made).items():
+    for name, (value, unit) in single(scene_results(made)).items():
         found[RESULTS, name, ""] = Cell(None, value if math.isfinite(value) else None, unit)
     return found
+
+
+def figures(made: DrawnScene, *, in_mm: bool) -> dict[Key, Reals]:
+    """Return every figure of many drawings, mm or the quantity; each (trial,), NaN where there is none.
+
+    Of a single trial where all drawings are alike.
+    """
+    found: dict[Key, Reals] = {}
+    for names, column in _columns(made):
+        rows = column.mm if in_mm else column.value
+        found |= {(column.plan, column.segment, name): rows[:, k] for k, name in enumerate(names)}
+    if not in_mm:
+        found |= {(RESULTS, name, ""): row for name, (row, _) in scene_results(made).items()}
+    return found
+
+
+def _columns(made: DrawnScene) -> Iterator[tuple[Sequence[str], Column]]:
+    names = position_names(made)
+    for column in scene_columns(made):
+        yield [name for name, _ in column.at] or names, column
 
 
 def longest(
@@ -75,8 +95,14 @@ def longest(
 
 def points(made: DrawnScene) -> dict[Key, complex]:
     """Return where every point of a mechanism's plans stands, mm from the pole (or the crank's pivot)."""
+    found = ((key, complex(row[0])) for key, row in spots(made).items())
+    return {key: spot for key, spot in found if cmath.isfinite(spot)}
+
+
+def spots(made: DrawnScene) -> dict[Key, Complexes]:
+    """Return where points stand in many drawings, as `points`; each (trial,), NaN where it is not drawn."""
     drawn, plans = made.mechanism, pointed()
-    found: dict[Key, complex] = {}
+    found: dict[Key, Complexes] = {}
     for step in drawn.construction.steps if drawn is not None else ():
         plan = step.it.view
         if drawn is None or plan not in plans or step.it.kind is not Point or step.op.across:
@@ -84,11 +110,9 @@ def points(made: DrawnScene) -> dict[Key, complex]:
         reading = drawn.of(plan)
         if reading is None:
             continue
-        row = reading[step.it][0]
+        rows = reading[step.it]
         for k, place in enumerate(drawn.row(plan)):
-            z = complex(row[k if row.size > 1 else 0])
-            if cmath.isfinite(z):
-                found[(*step.it.key, drawn.names[place])] = z
+            found[(*step.it.key, drawn.names[place])] = rows[:, k if rows.shape[1] > 1 else 0]
     return found
 
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphic_tmm.captions import captions
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
-from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
+from graphic_tmm.paper.formats import size_of
+from graphic_tmm.paper.frame.frame import drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack
 from graphic_tmm.paper.lettering.letters import (
     escape,
@@ -43,17 +44,17 @@ def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
         raise SheetError(
             said("--overlay: no points were read; give x and y of points in the CSV file")
         )
-    words = CAPTIONS[report.language]
+    words = captions(report.language)
     views = []
     for (plan, position), read in by_plan.items():
-        title = f"{words[plan]}, {words['position']} {escape(position)}"
+        title = f"{words.get(plan, plan)}, {words['position']} {escape(position)}"
         upon = [stroke for one in read for stroke in _read(one, exact[one.taken.key], enlarge)]
         views.append(captioned(_plan(made, plan, position, upon, title), title))
     size, laid = _laid(views, report.language)
     edge = frame(
         size, language=report.language, first=True, number=1, count=1, fields={"name": report.title}
     )
-    return Sheet("overlay", report.title, size, *SIZES[size], (edge, *laid), report.language)
+    return Sheet("overlay", report.title, size, *size_of(size), (edge, *laid), report.language)
 
 
 def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, ...]]:

@@ -6,9 +6,10 @@ from collections.abc import Callable, Sequence
 
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.words import number
+from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
-from graphic_tmm.paper.frame.frame import SIZES, drawing_area, frame
+from graphic_tmm.paper.formats import size_of
+from graphic_tmm.paper.frame.frame import drawing_area, frame
 from graphic_tmm.paper.layout import Room, pack, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
 
@@ -36,7 +37,7 @@ def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
             fields=_fields(scene, boards),
         )
         name = f"sheet-{index + 1}" if count > 1 else "sheet"
-        width, height = SIZES[format]
+        width, height = size_of(format)
         drawings = (edge, *placed)
         sheets.append(Sheet(name, scene.title, format, width, height, drawings, scene.language))
     return tuple(sheets)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.charts import HEIGHT, Chart
+from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
@@ -19,6 +19,7 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import Drawn, hand_of, read
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.formats import FORMATS, USUAL, narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -35,8 +36,8 @@ def usual(scene: Scene) -> dict[str, float]:
 class Fitting:
     """What chapters choose their scale factors by.
 
-    ``given``: what is given so far, scale factors chosen before among it; ``reach``: by chapter, what it goes by.
-    What is lost by ``doubts`` sets no scale factor, and is not there.
+    ``given``: what is given so far, scale factors chosen before among it; ``reach``: by chapter, what it goes
+    by. What is lost by ``doubts`` sets no scale factor, and is not there.
     """
 
     project: Project
@@ -143,16 +144,15 @@ def _graph_scales(fitting: Fitting) -> dict[Mark, float]:
     project, share = fitting.project, fitting.sizes.get("graphs", 1.0)
     heights: dict[str, float] = {}
     for one in project.chapters:
-        height = HEIGHT[_graphs_on(fitting.scene, {place.name for place in one.places})]
+        height = _graphs_on(fitting.scene, {place.name for place in one.places})
         heights |= {chart.view: height * share for chart in one.charts(project.made[one.name])}
     charts = [chart.shrunk(share) for chart in project.charts]
     return free_scales(charts, project.construction, fitting.given, heights, fitting.doubts.lost)
 
 
-def _graphs_on(scene: Scene, places: set[str]) -> str:
-    """Return the format of the sheet that shows the graphs of some places; of several the smaller."""
-    formats = {sheet.format for sheet in scene.sheets if places & set(sheet.place)}
-    return "A4" if "A4" in formats else "A1"
+def _graphs_on(scene: Scene, places: set[str]) -> float:
+    """Return how high a graph of some places may be on the sheets that show them, mm."""
+    return narrowest(sheet.format for sheet in scene.sheets if places & set(sheet.place)).graph
 
 
 def free_scales(
@@ -173,7 +173,7 @@ def free_scales(
     found: dict[Mark, float] = {}
     for chart in charts:
         if chart.chosen:
-            height = heights.get(chart.view, HEIGHT["A1"])
+            height = heights.get(chart.view, FORMATS[USUAL].graph)
             mu = chart.wanted or standard(*_figure(chart, reading, height))
             found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
     return found
@@ -199,7 +199,7 @@ def _told(project: Project, reading: Reading) -> dict[str, Scale]:
 
 
 def extent(points: Sequence[np.ndarray]) -> float:
-    """Return how far points (mm) reach, along the axis along which they reach farther; 0 where there are none."""
+    """Return how far points (mm) reach along the axis of their longer reach; 0 where there are none."""
     flat = np.concatenate([np.ravel(p) for p in points])
     flat = flat[np.isfinite(flat)]
     if not flat.size:

@@ -53,7 +53,7 @@ def said(template: str, plural: str = "", /, *, context: str = "", **values: Any
 
 
 def joined(separator: str, parts: Iterable[str]) -> Said:
-    """Return texts one after another, each of which can still be said in another language, as can the separator.
+    """Return texts one after another, each of which can be said in another language, as can the separator.
 
     >>> joined("; ", ["a", said("b")]), joined(said(" or "), "xyz")
     ('a; b', 'x or y or z')

@@ -8,7 +8,8 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.language.words import number, unit
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Within
 from graphic_tmm.paper.layout import bounds, settled
 from graphic_tmm.paper.lettering.letters import (
@@ -16,7 +17,9 @@ from graphic_tmm.paper.lettering.letters import (
 )
 
 CAPTION = 5.0
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 STACK = 5.0
 """Clear height between two diagrams of a stack, mm."""
 

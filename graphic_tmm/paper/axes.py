@@ -16,9 +16,8 @@ from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 9.0
 """How far an axis goes on behind what stands on it, mm."""
-
-
 DOT = 0.5
+"""Radius of a point, mm."""
 
 
 ASIDE = 14.0
@@ -26,6 +25,7 @@ ASIDE = 14.0
 
 
 ROOM = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 def axes(left: float, right: float, low: float, high: float) -> list[Stroke]:
@@ -64,9 +64,11 @@ def largest(values: Reals) -> float:
 
 
 SIZE = 5.0
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 
 NUMBER = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 
 class Spots:
@@ -76,21 +78,26 @@ class Spots:
         self.construction, self.reading, self.row = construction, reading, row
 
     def all(self, mark: Mark) -> Complexes:
+        """Return a mark at the positions of the row, (row,)."""
         return np.broadcast_to(self.reading[mark][0], (self.reading.positions,))[: self.row]
 
     def one(self, mark: Mark) -> complex:
+        """Return a mark that is one place."""
         return complex(self.reading[mark][0, 0])
 
     def curve(self, mark: Mark) -> Iterator[Bezier]:
+        """Yield a curve as cubic arcs in the main pen."""
         for controls in bezier(self.reading[mark]):
             yield Bezier("main", tuple(complex(z) for z in controls), mark.name)
 
     def dots(self, mark: Mark) -> Iterator[Stroke]:
+        """Yield a point at each position at which the mark is there."""
         for z in self.all(mark):
             if np.isfinite(z):
                 yield circle("main", complex(z), DOT, filled=True)
 
     def lines(self, starts: Complexes, ends: Complexes) -> Iterator[Stroke]:
+        """Yield thin lines between two rows of places, but for those too short to see."""
         for a, b in zip(starts, ends, strict=True):
             if np.isfinite(a) and np.isfinite(b) and abs(b - a) > 0.3:
                 yield line("thin", complex(a), complex(b))

@@ -42,6 +42,7 @@ ASIDE = 14.0
 LEAST = 0.3
 """Shorter lines are points, mm."""
 SIZE, NUMBER = 5.0, 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 ON_AXIS = {roles.EXTREME: (SIZE, -1 + 0j), roles.MEAN: (NUMBER, -1 - 0.5j)}
 """Points on the axis of the ordinates that bear their letters: how large, on which side."""
 ROOM = 6.0

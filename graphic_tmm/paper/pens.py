@@ -12,15 +12,16 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-
-MAIN_WIDTH: Mapping[str, float] = MappingProxyType({"A1": 0.8, "A4": 0.6})
-"""Width s of the main line in mm, by format."""
+from graphic_tmm.paper.formats import FORMATS
 
 DASHED = (5.0, 1.5)
+"""Stroke and gap, mm (ГОСТ 2.303: 2…8 and 1…2)."""
 CENTRE = (12.0, 1.5, 1.0, 1.5)
+"""Stroke, gap, dot, gap, mm (ГОСТ 2.303: strokes of 5…30, 3…5 between two of them)."""
 SHORTEST = 5.0
 """The shortest stroke of a dash-dot line, mm."""
 PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
+"""The same with two dots."""
 
 
 class Pen(NamedTuple):
@@ -45,11 +46,10 @@ def pens(format: str) -> Mapping[str, Pen]:
     runs over a slider to its pin), "over" (a medium line that does), "paper" (hides what lies under
     it, draws no line), "joint" (a main line round white: pins, uppermost).
     """
-    size = format.removesuffix(" portrait")
-    if size not in MAIN_WIDTH:
-        known = ", ".join(MAIN_WIDTH)
+    if format not in FORMATS:
+        known = ", ".join(FORMATS)
         raise SheetError(f"no pens for the format {format!r}: choose one of {known}")
-    s = MAIN_WIDTH[size]
+    s = FORMATS[format].main
     thin = max(0.2, round(s / 3, 2))
     return MappingProxyType(
         {

@@ -10,7 +10,9 @@ import numpy as np
 
 Controls = tuple[complex, ...]
 _SAMPLES = 16
+"""Places of an arc that are tried before the best of them is narrowed; chosen by eye."""
 _NARROWINGS = 60
+"""Each leaves two thirds: 60 leave 3·10⁻¹¹ of an arc, far below what ink shows."""
 _THIRD = 1.0 / 3.0
 
 

@@ -19,7 +19,9 @@ from graphic_tmm.paper.lettering.letters import (
 CLEAR = 0.8
 """Clear space about a label, mm."""
 RINGS = (0.0, 1.2, 3.0, 6.0, 10.0, 15.0)
+"""How much farther than next to its point a label is tried, mm; chosen by eye."""
 DIRECTIONS = 24
+"""Directions in which a label is tried, every 15°; chosen by eye."""
 _HEAVY = ("main", "medium", "joint", "body", "rod")
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""

@@ -96,7 +96,8 @@ def ends_of(letter: str) -> list[str]:
 def equations(construction: Construction, plan: str, *, turned: bool = False) -> Iterator[Equation]:
     """Yield the vector equations of a plan of velocities or accelerations, group by group.
 
-    ``turned``: plans of velocities are turned by 90°, so that what is drawn along a line is square to it in truth.
+    ``turned``: plans of velocities are turned by 90°, so that what is drawn along a line is square to it in
+    truth.
     """
     view = construction.view(plan)
     if view is None or view.pole is None or view.pole.role not in VECTORS:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.numbers import number
@@ -54,7 +54,7 @@ def _undrawn(found: Finding, speech: Speech) -> str:
 
 def _in_sentence(view: str, language: str) -> str:
     """Return what a view is called within a sentence: small, but for a man's name."""
-    name = CAPTIONS[language].get(view, view)
+    name = captions(language).get(view, view)
     return name if name.startswith("Zhukovsky") else name[:1].lower() + name[1:]
 
 

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.board.values import Length
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, row_of, segment_name
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 
 def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
@@ -19,7 +24,7 @@ def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
         mu = view.scale if view is not None else None
         mm = drawn.reading.figure(step.it)
         count = mm.shape[1]
-        value = drawn.reading.figure(step.it, mu) if mu is not None else np.full_like(mm, np.nan)
+        value = drawn.reading.figure(step.it, mu) if mu is not None else empty(count)
         lengths, figures = (row_of(row, range(count), count) for row in (mm, value))
         unit = mu.unit.removesuffix("/mm").strip("()") if mu is not None else ""
         unit = "" if unit == "1" else unit

@@ -9,7 +9,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
@@ -65,7 +65,7 @@ def protocol(
             continue  # told with the sum that it is a part of
         at = next((k for k in own if defined(reading, step.it, k)), place)
         if at != told and own.get(at) and not _still(reading, step.it):
-            yield Line(0, f"{CAPTIONS[language]['position']} {own[at]}")
+            yield Line(0, f"{captions(language)['position']} {own[at]}")
             told = at
         note = calculation(step, reading, at, language, terms)
         yield Line(counted, sentence(step, language, reading, at), note, first)
@@ -108,7 +108,7 @@ _EXTREMES = {
 
 def _remark(note: str, language: str) -> str:
     """Return a remark of the log in words: "D: left" is the extreme left position of D."""
-    words = CAPTIONS[language]
+    words = captions(language)
     if f"phase {note}" in words:
         return words[f"phase {note}"]
     letter, _, way = note.partition(": ")

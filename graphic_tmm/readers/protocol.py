@@ -9,12 +9,11 @@ import numpy as np
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.captions import captions, view_name
 from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.language.said import said
-from graphic_tmm.language.words import view_name
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.project import Project
 from graphic_tmm.readers.narration import Line
@@ -103,7 +102,7 @@ def part_protocol(
     first = [names.index(position)] if position is not None else []
     places = _covering(drawn.reading, [step.it for step in log.steps], first)
     others = [(k, names[k]) for k in places]
-    at = f", {CAPTIONS[language]['position']} {names[places[0]]}" if len(names) > 1 else ""
+    at = f", {captions(language)['position']} {names[places[0]]}" if len(names) > 1 else ""
     for view in dict.fromkeys(step.it.view for step in log.steps):
         yield f"{view_name(view, language)}{at}"
         for line in narrate(log, view, drawn.reading, places[0], language, elsewhere=others):
@@ -171,7 +170,7 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
         if not lines:
             return
         title = title_of(drawn.project, view, language)
-        yield f"{title}, {CAPTIONS[language]['position']} {drawn.names[place]}"
+        yield f"{title}, {captions(language)['position']} {drawn.names[place]}"
         for one in drawn.project.chapters:
             yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
     for line in lines:

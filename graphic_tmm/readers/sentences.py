@@ -13,9 +13,9 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Length, Side
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions, view_name
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import spoken, view_name
+from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
 
@@ -64,14 +64,14 @@ def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
             return plus if _value(reading, mark, place) > 0 else minus
         called = spoken(mark, language) or _with_unit(mark, reading, place, language)
         if mark.view != step.it.view and mark.name in elsewhere:
-            called += CAPTIONS[language]["of view"].format(view=view_name(mark.view, language))
+            called += captions(language)["of view"].format(view=view_name(mark.view, language))
         return called
 
     here = [mark for mark in (step.it, *step.uses) if mark.view == step.it.view]
     elsewhere = {mark.name for mark in here if mark.kind is not Side}
     words = letters_of(step, name)
     if step.op.formula:
-        return f"{CAPTIONS[language]['calculate']} {words['it']}."
+        return f"{captions(language)['calculate']} {words['it']}."
     words |= {key: sides[0 if choice > 0 else 1] for key, choice in step.choice.items()}
     return _segments(_(step.op.sentence), words).format(**words)
 
@@ -87,7 +87,7 @@ def calculation(
         return ""
     it = spoken(step.it, language)
     if not np.isfinite(_value(reading, step.it, place)):
-        return f"{it}: {CAPTIONS[language]['undrawn']}"
+        return f"{it}: {captions(language)['undrawn']}"
     result = _with_unit(step.it, reading, place, language)
     if step.op.reads:
         return f"{it} = {result}"

@@ -2,55 +2,87 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.board.values import Reals
+from graphic_tmm.drawn import Results
+from graphic_tmm.readers.columns import (
+    Column,
+)
 
 QUANTILES = {"median": 0.5, "p5": 0.05, "p95": 0.95}
 """What is told of the trials, by the end of a column's name."""
-Results = Mapping[str, tuple[float, str]]
 
 
-def spread_columns(base: Sequence[Column], trials: Sequence[Sequence[Column]]) -> list[Column]:
+def spread_columns(base: Sequence[Column], trials: Sequence[Column]) -> list[Column]:
     """Return each column followed by its quantiles over the trials; a trial that failed is left out of them.
 
-    ``trials``: the columns of every trial, in the order of ``base``.
+    ``trials``: the same columns of many drawings, in the order of ``base``.
     """
     found = []
-    for k, column in enumerate(base):
+    for column, drawn in zip(base, trials, strict=True):
         found.append(column)
-        mm = _rows([trial[k].mm for trial in trials])
-        value = _rows([trial[k].value for trial in trials])
-        for name, share in QUANTILES.items():
+        rows = zip(quantiles(drawn.mm), quantiles(drawn.value), strict=True)
+        for name, (mm, value) in zip(QUANTILES, rows, strict=True):
             segment, letter = f"{column.segment}_{name}", f"{column.letter} {name}"
-            rows = _quantile(mm, share), _quantile(value, share)
-            found.append(Column(column.plan, segment, letter, column.unit, *rows, column.at))
+            told = {"segment": segment, "letter": letter, "mm": mm[None], "value": value[None]}
+            found.append(replace(column, **told))
     return found
 
 
-def spread_results(base: Results, trials: Sequence[Results]) -> dict[str, tuple[float, str]]:
+def spread_results(base: Results, trials: Results) -> Results:
     """Return each result followed by its quantiles over the trials that have it."""
-    found: dict[str, tuple[float, str]] = {}
-    for name, (value, unit) in base.items():
-        found[name] = (value, unit)
-        drawn = np.array([trial[name][0] for trial in trials if name in trial])
-        drawn = drawn[np.isfinite(drawn)]
-        for key, share in QUANTILES.items():
-            if drawn.size:
-                found[f"{name}_{key}"] = (float(np.quantile(drawn, share)), unit)
+    found: dict[str, tuple[Reals, str]] = {}
+    for name, (figures, unit) in base.items():
+        found[name] = figures, unit
+        if name in trials and np.isfinite(trials[name][0]).any():
+            told = quantiles(trials[name][0][:, None])
+            keys = (f"{name}_{key}" for key in QUANTILES)
+            found |= {key: (figure, unit) for key, figure in zip(keys, told, strict=True)}
     return found
 
 
-def _rows(rows: Sequence[Sequence[float | None]]) -> np.ndarray:
-    return np.array([[np.nan if x is None else x for x in row] for row in rows], dtype=np.float64)
+def joined_columns(blocks: Sequence[tuple[int, Sequence[Column]]]) -> list[Column]:
+    """Return the columns of blocks of drawings, each of so many trials, as those of all of them."""
+    trials = [n for n, _ in blocks]
+    found = []
+    for same in zip(*(columns for _, columns in blocks), strict=True):
+        mm, value = (
+            _joined(rows, trials) for rows in zip(*((c.mm, c.value) for c in same), strict=True)
+        )
+        found.append(replace(same[0], mm=mm, value=value))
+    return found
 
 
-def _quantile(rows: np.ndarray, share: float) -> tuple[float | None, ...]:
-    """Return the quantile of every position; None where no trial has a figure."""
-    found: list[float | None] = []
-    for column in rows.T:
-        there = column[np.isfinite(column)]
-        found.append(float(np.quantile(there, share)) if there.size else None)
-    return tuple(found)
+def joined_results(blocks: Sequence[tuple[int, Results]]) -> Results:
+    """Return the results of blocks of drawings, each of so many trials, as those of all of them."""
+    trials, nothing = [n for n, _ in blocks], np.full(1, np.nan)
+    units = {name: unit for _, some in blocks for name, (_, unit) in some.items()}
+    rows = {name: [some.get(name, (nothing,))[0] for _, some in blocks] for name in units}
+    return {name: (_joined(rows[name], trials), unit) for name, unit in units.items()}
+
+
+def _joined(blocks: Sequence[Reals], trials: Sequence[int]) -> Reals:
+    """Return rows of blocks one below the other; a single one where nothing varies."""
+    first = blocks[0]
+    if len(first) == 1 and all(np.array_equal(rows, first, equal_nan=True) for rows in blocks):
+        return first
+    pairs = zip(blocks, trials, strict=True)
+    return np.concatenate([np.broadcast_to(rows, (n, *rows.shape[1:])) for rows, n in pairs])
+
+
+def quantiles(rows: Reals) -> Reals:
+    """Return the `QUANTILES` over the trials, (quantile, position); NaN where no trial has a figure.
+
+    ``rows``: (trial, position), NaN where a trial failed.
+    """
+    rows = np.sort(np.where(np.isfinite(rows), rows, np.nan), axis=0)
+    there = np.isfinite(rows).sum(axis=0)
+    found = np.full((len(QUANTILES), rows.shape[1]), np.nan)
+    for count in np.unique(there[there > 0]):
+        alike = there == count
+        found[:, alike] = np.quantile(rows[:count, alike], tuple(QUANTILES.values()), axis=0)
+    return found

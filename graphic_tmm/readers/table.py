@@ -6,14 +6,23 @@ import math
 from itertools import chain
 from typing import Any
 
+from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
-from graphic_tmm.drawn import Drawn, DrawnScene, hand_of
-from graphic_tmm.readers.columns import Column, Positions
-from graphic_tmm.readers.spread import spread_columns, spread_results
+from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
+from graphic_tmm.readers.columns import (
+    Column,
+    Positions,
+)
+from graphic_tmm.readers.spread import (
+    joined_columns,
+    joined_results,
+    spread_columns,
+    spread_results,
+)
 from graphic_tmm.readers.text import result_tables, rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
 from graphic_tmm.scenes import scene_name
-from graphic_tmm.studio import drawings
+from graphic_tmm.studio import blocks
 
 WIDTH = 220
 """Characters of a line of text where no terminal tells how many it has."""
@@ -26,9 +35,9 @@ def columns_of(drawn: Drawn) -> list[Column]:
     return [column.without(drawn.undrawn) for column in found]
 
 
-def results_of(drawn: Drawn) -> dict[str, tuple[float, str]]:
-    """Return the results of a board by name: value and unit."""
-    found: dict[str, tuple[float, str]] = {}
+def results_of(drawn: Drawn) -> Results:
+    """Return the results of a board."""
+    found: dict[str, tuple[Reals, str]] = {}
     for chapter in drawn.project.chapters:
         found |= chapter.results(drawn)
     return found
@@ -39,9 +48,9 @@ def scene_columns(made: DrawnScene) -> list[Column]:
     return [column for drawn in made.boards for column in columns_of(drawn)]
 
 
-def scene_results(made: DrawnScene) -> dict[str, tuple[float, str]]:
-    """Return the results of a scene by name."""
-    found: dict[str, tuple[float, str]] = {}
+def scene_results(made: DrawnScene) -> Results:
+    """Return the results of a scene."""
+    found: dict[str, tuple[Reals, str]] = {}
     for drawn in made.boards:
         found |= results_of(drawn)
     return found
@@ -59,22 +68,22 @@ def table(
     scene = made.scene
     found, numbers = scene_columns(made), scene_results(made)
     if trials > 1:
-        drawn = list(drawings(made, hand_of(scene, trials)))
-        found = spread_columns(found, [scene_columns(one) for one in drawn])
-        numbers = spread_results(numbers, [scene_results(one) for one in drawn])
+        hand = hand_of(scene, trials)
+        drawn = [(one.trials, scene_columns(one), scene_results(one)) for one in blocks(made, hand)]
+        found = spread_columns(found, joined_columns([(n, some) for n, some, _ in drawn]))
+        numbers = spread_results(numbers, joined_results([(n, some) for n, _, some in drawn]))
+    told = single(numbers)
     positions = _positions(made)
     if form == "csv":
         return as_csv(positions, found, None if made.exact else made.division, comma=comma)
     if form == "text":
         decimals = 3 if made.exact else decimals_of(made.division)
         tables = rich_tables(found, positions, scene.language, scene.title, decimals, width)
-        return [*tables, *result_tables(numbers, scene.language, scene.title)]
-    told = {
-        name: {"value": value, "unit": of}
-        for name, (value, of) in numbers.items()
-        if math.isfinite(value)
-    }
-    results = {**_facts(made), **told}
+        return [*tables, *result_tables(told, scene.language, scene.title)]
+    results = _facts(made)
+    for name, (value, of) in told.items():
+        if math.isfinite(value):
+            results[name] = {"value": value, "unit": of}
     return as_json(scene_name(scene.source), _scales(made), positions, found, results)
 
 

@@ -6,10 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
-from graphic_tmm.language.words import fixed, number, plain, unit
-from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.language.units import unit
+from graphic_tmm.readers.columns import Column, Positions, known_at
 from graphic_tmm.readers.spread import QUANTILES
 
 FRAME = 3
@@ -30,14 +32,14 @@ def rich_tables(
     mm are told with ``decimals``. What does not fit beside one another stands in blocks below one another, each
     with its heads.
     """
-    words, made = CAPTIONS[language], []
+    words, made = captions(language), []
     for (plan, at), group in groupby(table, key=lambda column: (column.plan, column.at)):
         columns = list(group)
         names = [name for name, _ in at or positions]
-        shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
+        shown = known_at(columns)
         heads = [words["segment"], words["unit"], *(names[k] for k in shown)]
         rows = [row for column in columns for row in _rows(column, shown, decimals, language)]
-        told = f"{title}. {words[plan]}"
+        told = f"{title}. {words.get(plan, plan)}"
         for k, block in enumerate(_blocks([heads, *rows], width)):
             made += _ruled(told if k == 0 else f"{told} ({words['continued']})", block)
     return made
@@ -47,7 +49,7 @@ def result_tables(results: Mapping[str, tuple[float, str]], language: str, title
     """Return the table of results for a terminal; none if there are none."""
     if not results:
         return []
-    words = CAPTIONS[language]
+    words = captions(language)
     rows = [[words["results"], words["value"], words["unit"]]]
     for name, (value, of) in results.items():
         rows.append([result_name(name, language), number(value, language, 6), unit(of, language)])
@@ -56,7 +58,7 @@ def result_tables(results: Mapping[str, tuple[float, str]], language: str, title
 
 def column_name(column: Column, language: str) -> str:
     """Return what a column is called, as mark-up: a word of the catalogue, or its mark's name."""
-    return CAPTIONS[language].get(column.letter) or symbol(column.letter, language)
+    return captions(language).get(column.letter) or symbol(column.letter, language)
 
 
 def result_name(name: str, language: str) -> str:
@@ -64,18 +66,18 @@ def result_name(name: str, language: str) -> str:
     stem, _, quantile = name.rpartition("_")
     if stem and quantile in QUANTILES:
         return f"{result_name(stem, language)} {quantile}"
-    return plain(CAPTIONS[language].get(name) or result_symbol(name, language))
+    return plain(captions(language).get(name) or result_symbol(name, language))
 
 
 def _rows(
     column: Column, shown: Sequence[int], decimals: int, language: str
 ) -> Iterator[list[str]]:
     """Yield the rows of a column: its mm, if it has any, and the quantity, if it is one."""
-    letter = plain(column_name(column, language))
-    if any(x is not None for x in column.mm):
-        cells = [fixed(column.mm[k], decimals, language) for k in shown]
+    letter, (mm, value) = plain(column_name(column, language)), column.told
+    if column.drawn:
+        cells = [fixed(mm[k], decimals, language) for k in shown]
         yield [letter, unit("mm", language), *cells]
-    figures = [column.value[k] for k in shown]
+    figures = [value[k] for k in shown]
     yield [
         letter,
         unit(column.unit, language),

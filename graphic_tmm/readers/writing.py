@@ -9,7 +9,11 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.readers.columns import (
+    Column,
+    Positions,
+    Row,
+)
 
 DIGITS = 4
 """Significant digits of a quantity that is not read off a length itself, as the protocol tells it."""
@@ -27,20 +31,17 @@ def as_json(
         "scene": scene,
         "scales": scales,
         "positions": [{"number": name, "angle_deg": angle} for name, angle in positions],
-        "columns": [
-            {
-                "plan": c.plan,
-                "segment": c.segment,
-                "unit": c.unit,
-                "positions": [name for name, _ in c.at or positions],
-                "mm": _tidy(c.mm),
-                "value": _tidy(c.value),
-            }
-            for c in table
-        ],
+        "columns": [_written(column, positions) for column in table],
         "results": results,
     }
     return json.dumps(document, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+
+
+def _written(column: Column, positions: Positions) -> dict[str, Any]:
+    mm, value = map(_tidy, column.told)
+    names = [name for name, _ in column.at or positions]
+    told = {"plan": column.plan, "segment": column.segment, "unit": column.unit}
+    return {**told, "positions": names, "mm": mm, "value": value}
 
 
 def as_csv(
@@ -87,10 +88,10 @@ def decimals_of(division: float) -> int:
 
 def _figures(column: Column, division: float | None) -> Iterator[tuple[str, str]]:
     """Yield the figures of a column as text, mm and quantity of each position; "" for none."""
-    pairs = zip(column.mm, column.value, strict=True)
-    known = [(mm, value) for mm, value in pairs if mm and value]
+    told = column.told
+    known = [(mm, value) for mm, value in zip(*told, strict=True) if mm and value]
     mu = abs(known[0][1] / known[0][0]) if known else None
-    for mm, value in zip(_tidy(column.mm), _tidy(column.value), strict=True):
+    for mm, value in zip(*map(_tidy, told), strict=True):
         if division is None:
             yield _plain(mm), _plain(value)
             continue
@@ -120,6 +121,6 @@ def _fixed(value: float, places: int) -> str:
     return text.lstrip("-") if float(text) == 0 else text
 
 
-def _tidy(row: Sequence[float | None]) -> list[float | None]:
+def _tidy(row: Row) -> Row:
     """Return figures without the noise of the last bits: 12 significant digits, no -0."""
     return [None if x is None else float(f"{x:.12g}") + 0.0 for x in row]

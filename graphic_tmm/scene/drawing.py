@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from graphic_tmm.bounds import Bound
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.formats import FORMATS, USUAL, others
 from graphic_tmm.scene import places
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
@@ -100,9 +101,7 @@ _PLACES = Kind(
 class SheetOrder:
     """A sheet, and what is placed on it, in order."""
 
-    format: str = key(
-        v.choice("A1", "A1 portrait", "A4", А1="A1", А4="A4"), "the format of the sheet", "A1", "A1"
-    )
+    format: str = key(v.choice(*FORMATS, **others()), "the format of the sheet", USUAL, USUAL)
     place: tuple[str, ...] = made(
         lambda said: said.place or (),
         ("positions", "velocities", "accelerations"),

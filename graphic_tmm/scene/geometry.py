@@ -12,7 +12,9 @@ from graphic_tmm.scene import letters
 from graphic_tmm.scene.mechanism import Guide as GuideTable
 
 SAME_PLACE = 1e-9
+"""Points of a link nearer than this, m, are one point: nothing so small is made or drawn."""
 _SQUARE = 1e-6
+"""A side whose direction has no more than this in common (cosine) with a guide lies on neither side of it."""
 _WORDS = {"right": (1, 0), "left": (-1, 0), "above": (0, 1), "below": (0, -1)}
 
 

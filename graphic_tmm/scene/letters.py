@@ -27,6 +27,7 @@ _ALPHABETS = {
     "GREEK": said("Greek", context="letter"),
 }
 LONGEST_TEXT = 200
+"""Characters of a text of the scene at the most; chosen by eye."""
 NAMED = 4
 """Of the characters of a text that cannot be lettered so many are named."""
 

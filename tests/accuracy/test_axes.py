@@ -63,7 +63,7 @@ def test_passes_of_friction_and_steps_of_rolling_change_the_log() -> None:
         own = by(name, "scene")
         along = [p.setting.scene for p in (*singly(own, 9), *grid(own, 9)) if p.axis == axis]
         changed = (along[0], along[-1])
-        sizes = {len(drawing(name, one).log.steps) for one in changed}
+        sizes = {len(drawing(name, one).construction.steps) for one in changed}
         counts = {drawing(name, one).count for one in changed}
         assert len(sizes) > 1 or len(counts) > 1
     assert scene("windrower").tasks.get("diagrams") is not None

@@ -9,8 +9,9 @@ import pytest
 from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.cost import count
-from graphic_tmm.accuracy.drawing import draw
+from graphic_tmm.accuracy.drawing import draw, tried
 from graphic_tmm.accuracy.measure import LEAST, off, timed, work_of
+from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import at_count
 from graphic_tmm.board.execute import execute
 from graphic_tmm.mechanism.records import Extreme
@@ -99,23 +100,23 @@ def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     own = scene("crank-rocker")
     changed = replace(own, row=replace(own.row, zero=Extreme("E", "top"), extra=()))
     drawn = drawing("crank-rocker", changed)
-    ((mark, trial),) = drawn.tried.items()
+    ((mark, trial),) = tried(drawn).items()
     assert mark.letter == "φ_{0}"
     v = quantity(drawn, "v")
-    tried, plain = (
-        work_of(d, v).operations["measure_along"] for d in (drawn, replace(drawn, tried={}))
-    )
+    whole = work_of(drawn, v)
+    alone = count(drawn.construction, varying(drawn.given), v.marks, positions=drawn.count)
+    with_trials, plain = (work.operations["measure_along"] for work in (whole, alone))
     once = count(trial.log, [trial.angle], [trial.reading]).operations["measure_along"]
-    assert tried - plain == (17 + 15) * once > 0
-    assert work_of(drawn, v).untold == ()
-    assert not drawing("windrower").tried
+    assert with_trials - plain == (17 + 15) * once > 0
+    assert (whole.untold, alone.untold) == ((), (mark,))
+    assert not tried(drawing("windrower"))
 
 
 def test_a_larger_drawing_is_the_same_for_an_exact_hand() -> None:
     own, larger = (draw(scene("windrower"), scales("windrower"), k)[0] for k in (1.0, 2.0))
     for name in ("v", "a", "V_diagram", "a_diagram", "P_bal", "J_fly", "J_fly_energy_mass"):
         one, two = (
-            quantity(d, name).read(execute(d.log, d.given, quantity(d, name).marks), 1)
+            quantity(d, name).read(execute(d.construction, d.given, quantity(d, name).marks), 1)
             for d in (own, larger)
         )
         assert np.abs(one - two).max() < 1e-9 * np.abs(one).max()

@@ -24,9 +24,9 @@ def test_variances_of_single_steps_add_up_to_that_of_all(name: str) -> None:
     for one, row in shares(drawn, SMALL, each=40).items():
         q = quantity(drawn, one)
         values = q.read(
-            execute(drawn.log, drawn.given, q.marks, hand=SMALL._replace(trials=400)), 400
+            execute(drawn.construction, drawn.given, q.marks, hand=SMALL._replace(trials=400)), 400
         )
-        exact = q.read(execute(drawn.log, drawn.given, q.marks), 1)
+        exact = q.read(execute(drawn.construction, drawn.given, q.marks), 1)
         largest = np.abs(exact).max()
         whole = np.mean((100.0 * (values - exact) / largest) ** 2)
         assert sum(s.deviation**2 for s in row) == pytest.approx(whole, rel=0.3)
@@ -39,7 +39,7 @@ def test_every_step_that_slips_and_is_needed_has_a_share() -> None:
     v = quantity(drawn, "v")
     steps = {
         step.it
-        for step in needed(drawn.log, v.marks)
+        for step in needed(drawn.construction, v.marks)
         if (slip := slip_of(step.op, step.it.view, step.it.letter)) and slip.kind != "digits"
     }
     assert {share.step.it for share in shares(drawn, HANDS["student"])["v"]} == steps
@@ -54,7 +54,7 @@ def test_the_reading_itself_has_the_variance_of_its_slip() -> None:
     """
     drawn = drawing("slider-diagrams")
     v = quantity(drawn, "v")
-    reading = execute(drawn.log, drawn.given)
+    reading = execute(drawn.construction, drawn.given)
     mu = float(reading[v.values[0].by][0, 0])  # type: ignore[index]
     largest = np.abs(v.read(reading, 1)).max()
     due = 100.0 * np.sqrt((0.75**2 + 0.5**2 / 12) / 2) * mu / largest

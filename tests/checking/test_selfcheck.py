@@ -16,8 +16,8 @@ from graphic_tmm.checking.cells import cells, position_names
 from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, WRONG, Report
-from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.language.words import fixed, number
+from graphic_tmm.drawn import DrawnScene, single
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.readers.table import scene_columns, scene_results, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
@@ -41,7 +41,7 @@ def printed(made: DrawnScene) -> Iterator[list[str]]:
     names = position_names(made)
     for column in scene_columns(made):
         own = [name for name, _ in column.at] or names
-        for name, mm, value in zip(own, column.mm, column.value, strict=True):
+        for name, mm, value in zip(own, *column.told, strict=True):
             length = typed(fixed(mm, 1, "en"))
             figure = "" if value is None else typed(number(value, "en"))
             if length or figure:
@@ -50,7 +50,7 @@ def printed(made: DrawnScene) -> Iterator[list[str]]:
 
 
 def results(made: DrawnScene) -> Iterator[list[str]]:
-    for name, (value, unit) in scene_results(made).items():
+    for name, (value, unit) in single(scene_results(made)).items():
         if value == value:
             yield ["results", "", name, "", typed(number(value, "en", 6)), unit or "1"]
 

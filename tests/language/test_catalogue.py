@@ -25,6 +25,7 @@ OTHERS = tuple(language for language in languages() if language != "en")
 CYRILLIC = re.compile("[а-яА-ЯёЁ]")
 
 RUSSIAN_BY_NATURE = {
+    "paper/formats.py": "А4 as people write it in Russian: input",
     "paper/lettering/cyrillic.py": "the Cyrillic alphabet's own strokes",
     "paper/lettering/latin.py": "letters that have the strokes of Cyrillic ones",
     "paper/lettering/greek.py": "letters that have the strokes of Cyrillic ones",

@@ -13,7 +13,8 @@ from support.each import each
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import placing
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
-from graphic_tmm.paper.frame.frame import FIELDS, SIZES, drawing_area, frame
+from graphic_tmm.paper.formats import FORMATS, size_of
+from graphic_tmm.paper.frame.frame import FIELDS, drawing_area, frame
 from graphic_tmm.paper.frame.titleblock import BLOCKS, FORM_1, FORM_2A, Block
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import pens
@@ -30,7 +31,7 @@ FILLED = {
     "mass": "–",
     "date": "12.03.26",
 }
-SHEETS = list(itertools.product(SIZES, ("ru", "en"), (True, False)))
+SHEETS = list(itertools.product(FORMATS, ("ru", "en"), (True, False)))
 
 
 def made(format: str = "A1", language: str = "ru", first: bool = True, count: int = 3) -> Drawing:
@@ -141,7 +142,7 @@ def test_no_two_slots_share_room(block: Block) -> None:
 @each("format, language, first", SHEETS)
 def test_everything_is_on_the_paper(format: str, language: str, first: bool) -> None:
     drawing = made(format, language, first)
-    width, height = SIZES[format]
+    width, height = size_of(format)
     box_of_pens = pens(format)
     for stroke in drawing.strokes:
         assert isinstance(stroke, Stroke)
@@ -174,7 +175,7 @@ def test_the_frame_stands_where_the_standard_has_it(
     format: str, language: str, first: bool
 ) -> None:
     drawing = made(format, language, first)
-    width, height = SIZES[format]
+    width, height = size_of(format)
     other = 5 if language == "ru" else 10
     frames = [s for s in drawing.strokes if isinstance(s, Stroke) and s.closed and s.pen == "main"]
     corners = {(x, y) for s in frames for x, y, _ in s.path}
@@ -289,7 +290,7 @@ def test_no_entry_leaves_its_box_whatever_it_says(
     format, language, first = sheet
     drawing = frame(format, language=language, first=first, number=1, count=9, fields=fields)
     rulings = inked(drawing, format)
-    paper = box(0, 0, *SIZES[format])
+    paper = box(0, 0, *size_of(format))
     for label in drawing.labels:
         if ink(label):
             place = box(*bounds(label))

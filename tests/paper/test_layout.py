@@ -43,7 +43,9 @@ def test_views_never_overlap_or_leave_their_room(rows: list, first: bool) -> Non
 
 
 def test_plans_stand_in_rows_beside_the_plan_of_positions() -> None:
-    views = [view("positions", 200, 300)] + [view(f"velocities-{k}", 100, 90) for k in range(8)]
+    views = [view("positions", 200, 300)._replace(leads=True)] + [
+        view(f"velocities-{k}", 100, 90) for k in range(8)
+    ]
     (sheet,) = pack(views, (ROOM, ROOM), "A1")
     first, *rest = map(bounds, sheet)
     assert first[0] == 20 + GAP

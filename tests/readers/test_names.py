@@ -22,9 +22,9 @@ from support.scenes import calling, written
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
+from graphic_tmm.captions import captions
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import plain, spoken
+from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.paper.lettering.markup import plain as lettered
 from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.readers.protocol import protocol as told
@@ -157,7 +157,7 @@ def names_in(lines: tuple[str, ...]) -> set[str]:
 
 
 def catalogue(language: str) -> set[str]:
-    return {lettered(text) for text in CAPTIONS[language].values() if len(text) < 20}
+    return {lettered(text) for text in captions(language).values() if len(text) < 20}
 
 
 @pytest.mark.parametrize("name", PACKAGED)
@@ -167,7 +167,7 @@ def test_a_table_calls_its_rows_as_the_protocol_does(name: str, language: str) -
     text = "\n".join(lines)
     for column in scene_columns(made):
         called = plain(column_name(column, language))
-        own = column.letter in CAPTIONS[language]  # both methods side by side, differences, series
+        own = column.letter in captions(language)  # both methods side by side, differences, series
         assert own or called in text or called[0] in "ωε", (column, called)
 
 

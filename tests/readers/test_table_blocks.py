@@ -7,6 +7,7 @@ import io
 import json
 import math
 import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 from rich.table import Table
+from support.columns import along
 from support.command import invoke, printed
 from support.scenes import calling, source, written
 
 from graphic_tmm.checking.readings.decoding import text_of
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, decimals_of
@@ -72,7 +76,9 @@ def test_a_narrow_table_holds_every_figure_of_a_wide_one(name: str) -> None:
 
 
 def test_a_single_column_that_is_wider_than_the_terminal_is_printed_whole() -> None:
-    column = Column("velocities", "pb", "pb", "m/s", (1.0,) * 3, (123456.0, 1.0, 2.0))
+    column = Column(
+        "velocities", "pb", "pb", "m/s", along(1.0, 1.0, 1.0), along(123456.0, 1.0, 2.0)
+    )
     positions = tuple((f"{k}" * 12, 0.0) for k in range(3))
     parts = rich_tables([column], positions, "en", "T", 1, 20)
     tables = [part for part in parts if isinstance(part, Table)]
@@ -88,7 +94,7 @@ def test_a_single_column_that_is_wider_than_the_terminal_is_printed_whole() -> N
 @given(st.integers(1, 40), st.integers(30, 200), st.integers(0, 6))
 def test_blocks_hold_as_many_positions_as_fit(count: int, width: int, digits: int) -> None:
     value = float(10**digits)
-    column = Column("velocities", "pb", "pb", "m/s", (value,) * count, (value,) * count)
+    column = Column("velocities", "pb", "pb", "m/s", *[along(*[value] * count)] * 2)
     positions = tuple((str(k), 0.0) for k in range(count))
     tables = [
         p for p in rich_tables([column], positions, "en", "T", 1, width) if isinstance(p, Table)
@@ -126,7 +132,7 @@ def test_csv_tells_lengths_to_the_ruler_and_quantities_to_what_that_stands_for(
     whole = {
         (c.plan, c.segment, at): (mm, value)
         for c in scene_columns(made)
-        for at, mm, value in zip(_names(made, c), c.mm, c.value, strict=True)
+        for at, mm, value in zip(_names(made, c), *c.told, strict=True)
     }
     assert rows
     for row in rows:
@@ -160,14 +166,14 @@ def _names(made: Any, column: Column) -> list[str]:
 
 def test_csv_has_no_noise_of_the_last_bits() -> None:
     column = Column(
-        "velocities", "pb", "pb", "m/s", (0.1 + 0.2, -1e-17), (0.30000000000000004, -0.0)
+        "velocities", "pb", "pb", "m/s", along(0.1 + 0.2, -1e-17), along(0.30000000000000004, -0.0)
     )
     rows = csv_rows(as_csv((("1", 1 / 3), ("2", 30.0)), [column], 0.1))
     assert [(r["angle_deg"], r["mm"], r["value"]) for r in rows] == [
         ("0.333", "0.3", "0.3"),
         ("30", "0.0", "0.0"),
     ]
-    exact = csv_rows(as_csv((("1", 1 / 3), ("2", 30.0)), [column._replace(mm=(1 / 3, None))]))
+    exact = csv_rows(as_csv((("1", 1 / 3), ("2", 30.0)), [replace(column, mm=along(1 / 3, None))]))
     assert exact[0]["mm"] == "0.333333333333"
     assert exact[0]["value"] == "0.3"
 

@@ -7,6 +7,7 @@ import io
 import json
 import math
 import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,12 +15,15 @@ from typing import Any
 import pytest
 from rich.console import Console
 from support import gallery
+from support.columns import along
 from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.readers.columns import Column, columns, segment_name
+from graphic_tmm.chapters.kinematics.table import plan_columns
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
@@ -36,7 +40,7 @@ MU = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
 X = [0, 42.53, 65.29, 60, 38.64, 17.47, 0, 17.47, 38.64, 60, 65.29, 42.53]
 S = [39.38, 48.37, 59.87, 60, 51.31, 42.70, 39.38, 42.70, 51.31, 60, 59.87, 48.37]
 H = [60, 53.45, 32.83, 0, 32.83, 53.45, 60, 53.45, 32.83, 0, 32.83, 53.45]
-COLUMN = Column("velocities", "pb", "pb", "m/s", (1.0, -0.0, None), (0.25, -0.0, None))
+COLUMN = Column("velocities", "pb", "pb", "m/s", along(1.0, -0.0, None), along(0.25, -0.0, None))
 
 
 @cache
@@ -152,12 +156,12 @@ def test_what_is_nothing_but_rounding_is_zero_and_has_no_sign() -> None:
 
 def test_columns_of_a_plan_that_was_not_drawn() -> None:
     made = drawn("engine")
-    assert columns(made.project.construction, made.reading, "forces", [0], 12) == ()
+    assert plan_columns(made, "forces") == ()
 
 
 def test_a_column_without_some_positions() -> None:
     made = COLUMN.without((0,))
-    assert made.mm == made.value == (None, -0.0, None)
+    assert made.told == ([None, -0.0, None],) * 2
     assert COLUMN.without(()) is COLUMN
 
 
@@ -169,11 +173,11 @@ def test_json_keeps_text_tidies_figures_and_refuses_what_json_has_not() -> None:
     assert made["columns"][0]["mm"] == [1.0, 0.0, None]
     assert "-0" not in text
     with pytest.raises(ValueError, match="JSON"):
-        as_json("", {}, (), [COLUMN._replace(mm=(float("inf"), 0.0, 0.0))], {})
+        as_json("", {}, (), [replace(COLUMN, mm=along(float("inf"), 0.0, 0.0))], {})
 
 
 def test_twelve_digits_are_kept() -> None:
-    made = json.loads(as_json("", {}, (), [COLUMN._replace(mm=(1 / 3, 0.1 + 0.2, None))], {}))
+    made = json.loads(as_json("", {}, (), [replace(COLUMN, mm=along(1 / 3, 0.1 + 0.2, None))], {}))
     assert made["columns"][0]["mm"] == [0.333333333333, 0.3, None]
 
 
@@ -242,7 +246,7 @@ def test_text_and_figures_of_a_scene_agree() -> None:
     parts = table(gallery.made("engine"), "text")
     assert isinstance(parts, list)
     text = printed(*parts)
-    due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").mm
+    due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").told[0]
     row = next(line for line in text.splitlines() if line.split()[1:2] == ["pb"])
     cells = [cell.strip() for cell in row.strip("│").split("│")][2:]
     assert cells == [f"{mm:.1f}".replace(".", ",") for mm in due if mm is not None]

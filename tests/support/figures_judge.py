@@ -20,7 +20,9 @@ from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import (
+    Column,
+)
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.records import Scene, SheetOrder
 from support import dynamics, oracle
@@ -75,9 +77,8 @@ class Told(NamedTuple):
 def scene_of(mechanism: Mechanism, order: ForcesOrder, angles: Sequence[float]) -> Scene:
     """A scene of these positions: the first the row's only one, the others extras."""
     row = Row(1, 1, angles[0], tuple(angles[1:]), ("all",))
-    return Scene(
-        "random", "random", "en", mechanism, row, forces=order, sheets=(SheetOrder("A1", SHOWN),)
-    )
+    sheets = (SheetOrder("A1", SHOWN),)
+    return Scene("random", "random", "en", mechanism, row, sheets=sheets).asking(forces=order)
 
 
 def drawn_at(one: Loaded, angles: Sequence[float]) -> tuple[Drawn, list[Column]]:
@@ -97,7 +98,7 @@ def figures(one: Loaded, angles: Sequence[float]) -> tuple[Drawn, list[Told]]:
         for column in columns:
             key = column.plan, column.segment
             if key in due:
-                found.append(Told(key, place, column.value[place], *due[key]))
+                found.append(Told(key, place, column.told[1][place], *due[key]))
     return made, found
 
 

@@ -16,9 +16,7 @@ Log = tuple[Construction, Mapping[Mark, object]]
 
 @cache
 def logs(name: str) -> tuple[Log, ...]:
-    made = gallery.exact(name)
-    found = [(board.construction, board.given) for board in made.boards]
-    return tuple(found)
+    return tuple((one.construction, one.given) for one in gallery.exact(name).boards)
 
 
 def sizes(log: Construction, given: Mapping[Mark, object]) -> Iterator[tuple[Mark, int]]:

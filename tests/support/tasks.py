@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from functools import cache
 
-from graphic_tmm.accuracy.drawing import Drawing, Pinned, draw, pinned
+from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
-from graphic_tmm.accuracy.quantities import Quantity, quantities
+from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named, whole
 from graphic_tmm.accuracy.study import Study, study
+from graphic_tmm.project import Project
+from graphic_tmm.quantity import Quantity
 from graphic_tmm.scene.records import Scene
 from support import gallery
 from support.gallery import exact
@@ -17,8 +19,7 @@ from support.gallery import exact
 
 @cache
 def scene(name: str) -> Scene:
-    found = gallery.scene(name)
-    return whole(found) if found.mechanism is not None else found
+    return whole(gallery.scene(name))
 
 
 @cache
@@ -26,12 +27,12 @@ def scales(name: str) -> Pinned:
     return pinned(exact(name))
 
 
-def drawing(name: str, changed: Scene | None = None) -> Drawing:
+def drawing(name: str, changed: Scene | None = None) -> Project:
     (found,) = draw(changed or scene(name), scales(name))
     return found
 
 
-def quantity(drawn: Drawing, name: str) -> Quantity:
+def quantity(drawn: Project, name: str) -> Quantity:
     return next(q for q in quantities(drawn) if q.name == name)
 
 

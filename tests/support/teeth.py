@@ -18,7 +18,7 @@ from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearOrder
 from graphic_tmm.chapters.gears.teeth import Flank
-from graphic_tmm.drawn import Drawn, Numbers
+from graphic_tmm.drawn import Drawn, Numbers, single
 from graphic_tmm.fitting.scales import Fitting
 from graphic_tmm.project import Project, record
 from graphic_tmm.scene.records import Scene
@@ -55,7 +55,7 @@ class Pair(NamedTuple):
             {},
             {},
         )
-        return gear_results(by)
+        return single(gear_results(by))
 
     def one(self, mark: Mark) -> complex:
         return complex(self.reading[mark][0, 0])

@@ -132,11 +132,11 @@ def neighbours(drawn: np.ndarray, *, closed: bool = True) -> list[np.ndarray]:
 
 
 def periodic(points: NDArray[Any]) -> NDArray[Any]:
-    """Return the tangents of the periodic cubic spline through evenly spaced points."""
-    n = points.size
+    """Return the tangents of periodic cubic splines through evenly spaced points, (..., point)."""
+    n = points.shape[-1]
     if n < 3:
         return np.zeros_like(points)
-    right = 3.0 * (np.roll(points, -1) - np.roll(points, 1))
+    right = 3.0 * (np.roll(points, -1, axis=-1) - np.roll(points, 1, axis=-1))
     found = np.fft.ifft(np.fft.fft(right) / (4.0 + 2.0 * np.cos(2.0 * np.pi * np.arange(n) / n)))
     return np.asarray(found if np.iscomplexobj(points) else found.real)
 

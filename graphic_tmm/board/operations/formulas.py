@@ -127,3 +127,8 @@ def scale_of_integral(mu: Number, mu_along: Number, pole: Length) -> Number:
 @formula
 def rescaled(length: Length, mu: Number, other: Number) -> Length:
     """{length}·{mu}/{other}"""
+
+
+@formula
+def pitch_radius(m: Number, z: Number) -> Number:
+    """{m}·{z}/2"""

@@ -57,7 +57,7 @@ def _closed(through: Complexes, over: Any, row: int, bend: float) -> Curve:
     for trial in np.flatnonzero(~whole):
         _in_runs(knots[trial], tangents[trial], bend)
     if whole.any():
-        m = np.array([periodic(own.imag) for own in points[whole]])
+        m = periodic(points[whole].imag)
         m = bounded(points[whole].imag, m, bend, closed=True)
         m = np.concatenate([m[:, -1:], m, m[:, :1]], axis=1)
         tangents[whole] = shift[whole] / row + 1j * m
@@ -191,7 +191,7 @@ def curve_of_two(through: Point, ordinates: Curve, *, row: int) -> Curve:
     no curve.
     """
     knots, rise = alike(through[:, :row], ordinates.tangents[:, :row])
-    along = np.array([periodic(own.real) for own in knots])
+    along = periodic(knots.real)
     along = bounded(knots.real, along, SMOOTH, closed=True)
     whole = np.isfinite(knots).all(axis=1, keepdims=True)
     return Curve(np.asarray(knots), np.where(whole, along + 1j * rise.imag, np.nan), True)

@@ -16,6 +16,7 @@ from graphic_tmm.language.said import said
 
 PARTS = 16
 PASSES = 14
+"""16¹⁴ = 2⁵⁶ parts in all."""
 REFINE = "refine"
 """What the operation is called."""
 

@@ -1,17 +1,40 @@
 """Cams: laws of motion, the region of centres by the pressure angle, the profile by reversed motion.
 
-Over every position S is laid off the follower's line, dS/dφ square to it to the side of the rise; the tangent to that
-curve, inclined by the largest pressure angle allowed, bounds the places where the cam's centre may be: every line from
-such a centre to the curve stands steeper. The profile follows by turning the whole back against the cam; the roller's
-circles envelop the working one. Under a flat face it is the radius of curvature that bounds r0 instead.
+A law is drawn as three diagrams on one base: S, dS/dφ, d²S/dφ². Sine and cosine come from semicircles,
+constant acceleration from two parabolas, the polynomial 3-4-5 from calculated ordinates; a law given by its
+acceleration diagram is integrated twice against a pole, and its scale found from the stroke (`laws`,
+`law_formulas`, `integral`).
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 26 (кулачковые механизмы).
+How the region of centres arises: take the cam's centre O anywhere below the roller's centre B, and in some
+position lay off dS/dφ from B square to the path, to the side to which the velocity comes when it is turned
+by 90° as the cam turns; its end is Q. The contact normal passes through the instantaneous centre of cam and
+follower, which stands at dS/dφ from O on the line square to the path: so OQ is parallel to the normal, and
+the angle of OQ with the path *is* the pressure angle, wherever O may stand. Every O from which no ray to
+the curve of Q is inclined more than is allowed will do: tangents to the curve of the rise and to that of
+the return, inclined by the allowed pressure angle to the path, bound the region, and its highest point on
+the line of the centres gives the least r0 (`centre`). For a rocker whose distance of centres is given,
+dS/dφ is laid off along the lever, and a line through Q inclined by the allowed angle to the path cuts the
+circle of the centres where the region begins (`rocker`). Under a flat face the pressure angle does not
+depend on r0; there the profile must be convex: r0 + S + d²S/dφ² ≥ ρ_min, and a line falling at 45° in the
+diagram of S over d²S/dφ² gives r0 (`flat`).
+
+Reversed motion: give everything the angular velocity −ω. The cam stands, the guide goes round it, the
+roller's centre draws the theoretical profile; the working profile is its equidistant at the roller's
+radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature.
+
+Draws: place ``cam``: diagrams, region of centres, profiles, pressure angle and curvature over the turn,
+results; on a board of its own whose positions are angles of the cam. Builds on no chapter.
+
+Sources: Артоболевский И. И., Теория механизмов и машин (синтез кулачковых механизмов); Попов С. А.,
+Тимофеев Г. А., Курсовое проектирование (проектирование кулачковых механизмов); the course project of the
+windrower (scene ``windrower``).
 """
 
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
+from graphic_tmm.chapters.cam.captions import CAPTIONS
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
@@ -42,6 +65,7 @@ def _told(key: str) -> Size:
 CHAPTER = Chapter(
     name=CAM.chapter,
     number=8,
+    captions=CAPTIONS,
     board=CAM.chapter,
     places=(Place("cam", 100, cam_views, sizes=_sizes),),
     sizes=(_told("cam.mu_l"), _told("cam.base")),

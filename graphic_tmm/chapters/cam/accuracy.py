@@ -8,10 +8,11 @@ from dataclasses import replace
 from graphic_tmm.chapters.cam.plan import CAM
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 PARTS = (6, 8, 10, 12, 16, 24, 36, 48)
 """Parts of a moving phase."""
@@ -61,9 +62,16 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, larger)
 
 
+WORDS = {
+    "r0_min": said("r₀ min of the cam"),
+    "parts": said("parts of a phase"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(CAM.chapter,),
-    axes=(Axis("parts", _divided, parts=_own),),
+    axes=(Axis("parts", _divided, parts=_own, counted=said("{n} part", "{n} parts")),),
     enlarged=_enlarged,
+    words=WORDS,
 )

@@ -28,6 +28,7 @@ from graphic_tmm.paper.symbols.dimensions import dimension
 BEYOND = 14.0
 """How far the line at 45° goes on behind its ends, mm."""
 ANGLE = 14.0
+"""Radius of the arc that shows the 45°, mm."""
 ASIDE, APART = 12.0, 9.0
 """From the axis to the dimension of a radius, between two of them, mm."""
 

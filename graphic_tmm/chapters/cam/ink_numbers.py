@@ -21,7 +21,9 @@ OVER = 9.0
 DOT, LEAST = 0.4, 0.3
 """Radius of a point, the shortest line that is drawn, mm."""
 ROOM = 10.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 SIZE, SMALL, NUMBER = 5.0, 3.5, 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 Ink = Stroke | Bezier
 

@@ -14,6 +14,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
 TURN = 360.0
+"""A turn, degrees."""
 SLACK = 1e-9
 """Degrees, or shares of a phase, that differ by less are the same."""
 BALANCE = 1e-6

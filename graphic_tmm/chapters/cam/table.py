@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
@@ -10,7 +11,11 @@ from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, Row, row_of
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 PLAN = CAM.chapter
 
@@ -32,14 +37,14 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
     at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
-    return tuple(column._replace(at=at) for column in found)
+    return tuple(replace(column, at=at) for column in found)
 
 
 def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
-    def row(values: Reals) -> Row:
+    def row(values: Reals) -> Reals:
         return row_of(values[:, :count], range(count), count)
 
-    lengths = row(mm) if mm is not None else (None,) * count
+    lengths = row(mm) if mm is not None else empty(count)
     return Column(PLAN, segment, f"symbol cam {segment}", unit, lengths, row(value))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
@@ -14,16 +15,17 @@ from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
-from graphic_tmm.drawn import Drawn, results_of
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import fixed, number, unit
+from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, stacked
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 LIMITED = ("cam pressure",)
 
@@ -50,7 +52,7 @@ def _one(drawn: Drawn, mark: Mark) -> float:
 def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> list[Drawing]:
     """Return the diagrams of motion one below the other, those of pressure angle and curvature beside them."""
     language = drawn.scene.language
-    words, order = CAPTIONS[language], made.order
+    words, order = captions(language), made.order
     ends, at = [], 0.0
     for k, angle in enumerate((order.rise, order.upper_dwell, order.fall, order.lower_dwell)):
         at += angle
@@ -60,7 +62,7 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
     second: list[Drawing] = []
     axes = dict.fromkeys(f.view for f in drawn.construction.figures if f.kind == "axes")
     for view in axes:
-        symbol = words.get(f"symbol {view}", words.get("symbol cam", "y"))
+        symbol = words.get(f"symbol {view}", words["symbol cam"])
         levels = []
         if view in LIMITED:
             mu = made.pressure.chart.mu if made.pressure is not None else None
@@ -85,7 +87,7 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
 
 
 def _title(view: str, language: str) -> str:
-    words = CAPTIONS[language]
+    words = captions(language)
     return words.get(view, words["cam integration"])
 
 
@@ -104,7 +106,7 @@ def _mm(drawn: Drawn, mark: Mark) -> str:
 
 def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
     language = drawn.scene.language
-    words = CAPTIONS[language]
+    words = captions(language)
     limits = [made.order.pressure, made.order.pressure_return or made.order.pressure]
     told = CentreNames(
         names,
@@ -131,11 +133,11 @@ def _lengths(drawn: Drawn, made: Cam) -> str:
 
 def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
     language = drawn.scene.language
-    words = CAPTIONS[language]
+    _, words = speaking(language), captions(language)
     roller = "r"
     if made.roller is not None:
         roller = f"r = {_mm(drawn, made.roller.radius)}"
-    told = ProfileNames(names, "r_{0}", roller, words["theoretical"], words["working"])
+    told = ProfileNames(names, "r_{0}", roller, _("theoretical"), _("working"))
     title = words["cam profile"]
     view = draw_profile_ink(drawn.reading, made, told, title, lettered=lettered)
     return captioned(view, title, _lengths(drawn, made))
@@ -143,11 +145,11 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
 
 def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
-    words, rows = CAPTIONS[language], []
-    for name, (value, of) in results_of(drawn, cam_marks(CAM.on(drawn))).items():
+    words, rows = captions(language), []
+    for name, (value, of) in single(results_of(drawn, cam_marks(CAM.on(drawn)))).items():
         in_mm = of == "m"
         figure = fixed(1000.0 * value, 2, language) if in_mm else fixed(value, 2, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
-    heads = [words["value"], words["results of"], words["unit"]]
+    heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
     return table("table-cam-results", words["cam"], heads, rows, size=SIZE, align=align)

@@ -7,17 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.board import roles
-from graphic_tmm.board.charts import STANDARD, ScaleOrder
+from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.diagrams.plan import BASE, DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicOrder
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, VELOCITIES
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 NAMES = {"V": "V_diagram", "a": "a_diagram"}
 """What the quantities are called, by their symbols."""
@@ -84,9 +84,8 @@ def _farther(project: Project, times: float) -> dict[Mark, object]:
         chart = made.charts[symbol]
         if chart.chosen:
             found[chart.mu] = np.asarray(given[chart.mu]) * change
-    for mark, value in given.items():
-        if mark.role == roles.POLE_DISTANCE and mark.view in VIEWS.values():
-            found[mark] = np.asarray(value) * times
+        for distance in distances(given, VIEWS[symbol]):
+            found[distance] = np.asarray(given[distance]) * times
     return found
 
 
@@ -130,6 +129,18 @@ def _scaled(
     return replace(order, S=scales[0], V=scales[1], a=scales[2])
 
 
+WORDS = {
+    NAMES["V"]: said("V by diagram"),
+    NAMES["a"]: said("a by diagram"),
+    "method": said("differentiation"),
+    "chords": said("chords"),
+    "tangents": said("tangents"),
+    "start": said("taken from the plans"),
+    "displacement": said("displacement"),
+    "velocity": said("velocity"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(DIAGRAMS.chapter,),
@@ -142,4 +153,5 @@ ACCURACY = Accuracy(
     poles=_poles,
     farther=_farther,
     moved=_moved,
+    words=WORDS,
 )

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
+import numpy as np
+
+from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, ordinates, row_of
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    ordinates,
+    row_of,
+)
 
 PLAN = DIAGRAMS.chapter
 COMPARED = ("V", "a")
@@ -31,15 +39,12 @@ def diagram_columns(drawn: Drawn) -> Iterator[Column]:
         due = source.figure(mark, drawn.project.scale(mark.view))
         plan = row_of(due, drawn.row(mark.view), count)
         name = f"{symbol}_plan"
-        yield Column(PLAN, name, name, chart.unit, (None,) * count, plan)
+        yield Column(PLAN, name, name, chart.unit, empty(count), plan)
         yield _difference(f"{symbol}_difference", rows[1], plan)
 
 
-def _difference(letter: str, found: Sequence[float | None], due: Sequence[float | None]) -> Column:
-    """Return by how much figures differ from what is due, in % of the largest due."""
-    largest = max((abs(x) for x in due if x is not None), default=0.0)
-    row = tuple(
-        100.0 * (x - y) / largest if x is not None and y is not None and largest else None
-        for x, y in zip(found, due, strict=True)
-    )
-    return Column(PLAN, letter, letter, "%", (None,) * len(row), row)
+def _difference(letter: str, found: Reals, due: Reals) -> Column:
+    """Return by how much figures differ from what is due, in % of the largest due of their drawing."""
+    largest = np.fmax.reduce(np.abs(due), axis=1, keepdims=True, initial=0.0)
+    row = 100.0 * (found - due) / np.where(largest > 0.0, largest, np.nan)
+    return Column(PLAN, letter, letter, "%", empty(row.shape[1]), row)

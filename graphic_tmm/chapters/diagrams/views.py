@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned, mu_text, pole_texts, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import result_table
+from graphic_tmm.readers.result_table import result_table
 
 
 def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -20,7 +20,7 @@ def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     kinematic, language = DIAGRAMS.of(drawn), drawn.scene.language
     if kinematic is None:
         return []
-    words, row, log = CAPTIONS[language], drawn.project.count, drawn.construction
+    words, row, log = captions(language), drawn.project.count, drawn.construction
     along = "t" if kinematic.order.over == "time" else "φ"
     views = []
     for chart in kinematic.charts.values():

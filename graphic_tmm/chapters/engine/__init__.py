@@ -1,16 +1,35 @@
 """The forces of an engine's crank mechanism, position by position: from the gas to the turning moment.
 
-The gas force and the inertia of what goes to and fro make P′, which closes with the rod's force Q and the pressure N
-on the guide; Q at the crank pin splits into T, tangential, and K, along the crank. The inertia force stands beside its
-first two harmonics, the projections of two rotating vectors.
+The rod's mass is shared between its two pins by the lever rule (or a given share), so that the rod carries
+force along itself only: what is at the crosshead goes to and fro, what is at the crank pin turns with it
+and has no moment about O. Its moment of inertia is not kept by that; how much is missed is told.
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 13; руководства по динамике двигателей.
+At B: the gas P = p_k·F_k − p_v·F_v and the inertia P_in = −m·a_B make P′ = P + P_in. The crosshead is in
+equilibrium under P′, the force Q along the rod and the pressure N of the guide, so P′ resolves into N =
+P′·tan β and Q = P′/cos β: a right triangle. Q, carried along the rod to A, resolves again, along the
+tangent of the crank circle and along the crank: T = Q·sin(φ + β), K = Q·cos(φ + β). M = T·R turns the
+crank; N on the arm OB is the couple that tips the frame, opposite to M. Forces are positive towards the
+crank.
+
+The two-term series: a = ω²·R·(cos φ + λ·cos 2φ) with λ = R/l. Its terms are the projections of a vector
+m·ω²·R that turns with the crank and of m·ω²·R·λ that turns twice as fast (first and second order); the
+exact acceleration off the plan has more terms, and both stand side by side. A task in kgf is drawn and
+tabulated in kgf, with SI beside it.
+
+Draws: places ``engine`` (indicator diagram, force triangles, rotating vectors) and ``engine diagrams`` (P,
+N, Q, T, K, M over the turn). Builds on kinematics and indicator; on forces for how vectors of force are
+inked and what is told of a moment's accuracy.
+
+Sources: the book chapter on the forces in the crank mechanism of a steam engine, formulas (338)–(344) and
+(349)–(352), with the locomobile P-25 (scene ``locomobile``); Артоболевский И. И., Теория механизмов и машин
+(кинетостатика).
 """
 
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
+from graphic_tmm.chapters.engine.captions import CAPTIONS
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named
@@ -49,6 +68,7 @@ def _views(project: Project) -> dict[str, list[str]]:
 CHAPTER = Chapter(
     name=ENGINE.chapter,
     number=7,
+    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
     places=(
         Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes),

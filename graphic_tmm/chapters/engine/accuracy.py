@@ -15,10 +15,11 @@ from graphic_tmm.chapters.forces.task import ForcesOrder
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
 from graphic_tmm.chapters.kinematics.plan import ALL, POSITIONS
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 TURNING = "M_engine"
 
@@ -73,10 +74,21 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, indicator=indicator, base=order.base * times))
 
 
+WORDS = {
+    TURNING: said("M of the engine"),
+    "rod": said("mass of the rod"),
+    "lever rule": said("by the lever rule"),
+    "inertia": said("inertia force"),
+    "plan": said("plan of accelerations"),
+    "series": said("series of two terms"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(ENGINE.chapter,),
     axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
     at_count=_at_count,
     enlarged=_enlarged,
+    words=WORDS,
 )

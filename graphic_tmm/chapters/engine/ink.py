@@ -18,8 +18,11 @@ from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turning_pair
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 MARGIN = 7.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 def draw_triangles(

@@ -5,8 +5,12 @@ from __future__ import annotations
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, row_of
+from graphic_tmm.drawn import Drawn, Results, results_of
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 PLAN = ENGINE.chapter
 
@@ -28,15 +32,12 @@ def engine_columns(drawn: Drawn) -> tuple[Column, ...]:
     rows |= {name: mark for name, mark in made.values.items() if name not in rows}
     for name, mark in rows.items():
         of = f"{unit}·m" if name in ("M", "NOB") else unit
-        mm = _read(made, name)
-        found.append(_column(drawn, name, mark, of, mm))
+        column = _column(drawn, name, mark, of, _read(made, name))
+        found.append(column)
         if unit == "kgf":
-            column = found[-1]
-            si = tuple(None if x is None else x * KGF for x in column.value)
-            nothing = (None,) * len(si)
-            found.append(
-                Column(PLAN, f"{name}_SI", f"engine {name}", of.replace("kgf", "N"), nothing, si)
-            )
+            si, newtons = column.value * KGF, of.replace("kgf", "N")
+            nothing = empty(si.shape[1])
+            found.append(Column(PLAN, f"{name}_SI", column.letter, newtons, nothing, si))
     return tuple(found)
 
 
@@ -52,24 +53,18 @@ def _read(made: Engine, name: str) -> Mark | None:
 def _column(drawn: Drawn, name: str, mark: Mark, unit: str, mm: Mark | None = None) -> Column:
     count, reading = len(drawn.names), drawn.reading
     row = row_of(reading.figure(mark), range(count), count)
-    if mm is None:
-        return Column(PLAN, name, f"engine {name}", unit, (None,) * count, row)
-    lengths = row_of(reading.figure(mm), range(count), count)
+    lengths = empty(count) if mm is None else row_of(reading.figure(mm), range(count), count)
     return Column(PLAN, name, f"engine {name}", unit, lengths, row)
 
 
-def engine_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
-    """Return what lumping the rod's mass gives and costs: by name value and unit."""
-    lumped, reading = ENGINE.on(drawn).lumped, drawn.reading
+def engine_results(drawn: Drawn) -> Results:
+    """Return what lumping the rod's mass gives and costs."""
+    lumped = ENGINE.on(drawn).lumped
     marks = {
-        "m_to_and_fro": (lumped.mass, "kg"),
-        "m_rod_at_crank": (lumped.at_crank, "kg"),
-        "m_rod_at_slider": (lumped.at_slider, "kg"),
-        "J_rod_lumped": (lumped.inertia, "kg·m²"),
-        "J_rod_excess": (lumped.lost, "kg·m²"),
+        "m_to_and_fro": lumped.mass,
+        "m_rod_at_crank": lumped.at_crank,
+        "m_rod_at_slider": lumped.at_slider,
+        "J_rod_lumped": lumped.inertia,
+        "J_rod_excess": lumped.lost,
     }
-    return {
-        name: (float(reading.figure(mark)[0, 0]), unit)
-        for name, (mark, unit) in marks.items()
-        if mark is not None
-    }
+    return results_of(drawn, {name: mark for name, mark in marks.items() if mark is not None})

@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import number, unit
+from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -47,9 +49,12 @@ def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made, project, language = ENGINE.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
-    rows = engine_columns(drawn)
+    _, rows = speaking(language), engine_columns(drawn)
     forces = result_table("engine", rows, project.names, language)
-    carried = CAPTIONS[language]["what carries"].split("; ")
+    carried = _(
+        "the frame carries P (P and −P close in it); the bearings carry Q = K + T; "
+        "the foundation carries P_{in} and the couple N·OB, which equals M"
+    ).split("; ")
     return [*_diagrams(drawn, made, lettered), captioned(forces, *carried), _results(drawn)]
 
 
@@ -59,7 +64,7 @@ def _shown(drawn: Drawn) -> list[int]:
 
 def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
-    words, scale = CAPTIONS[language], drawn.scales[VIEW]
+    _, words, scale = speaking(language), captions(language), drawn.scales[VIEW]
     plans = KINEMATICS.on(drawn)
     pivot = plans.positions.point(plans.structure.pivot)
     views = [
@@ -69,7 +74,7 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
             pivot,
             place,
             f"engine-{project.names[place]}",
-            f"{words['triangles']}, {words['position']} {project.names[place]}",
+            f"{_('Force triangles')}, {words['position']} {project.names[place]}",
             scale.value,
             lettered=lettered,
         )
@@ -85,12 +90,13 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
 
 def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
     project, language = drawn.project, drawn.scene.language
-    words, scale = CAPTIONS[language], drawn.scales["harmonics"]
+    _, words, scale = speaking(language), captions(language), drawn.scales["harmonics"]
     there = _shown(drawn)
     place = next(
         (k for k in KINEMATICS.on(drawn).accelerated if k in there), there[min(1, len(there) - 1)]
     )
-    title = f"{words['rotating']}, {words['position']} {escape(project.names[place])}"
+    at = f"{words['position']} {escape(project.names[place])}"
+    title = f"{_('Inertia forces of first and second order')}, {at}"
     view = draw_rotating(
         drawn.reading, made, place, "rotating", title, scale.value, lettered=lettered
     )
@@ -100,14 +106,14 @@ def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
 def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     """Return the diagrams over the turn in two columns."""
     project, language = drawn.project, drawn.scene.language
-    words = CAPTIONS[language]
+    words = captions(language)
     names = [escape(name) for name in project.names]
     views = []
     for chart in made.charts:
         view, symbol = chart.view, chart.symbol
         letters = [words[f"engine {k}"] for k in made.curves[view]]
         curves = dict(zip(chart.ordinates, letters, strict=True))
-        title = words[f"diagram engine {symbol}"]
+        title = words[f"view engine {symbol}"]
         graph = draw_graph(
             project.construction,
             drawn.reading,
@@ -124,11 +130,18 @@ def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
 
 def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
-    words = CAPTIONS[language]
+    _, words = speaking(language), captions(language)
     rows = [
         [words[name], number(value, language), unit(of, language)]
-        for name, (value, of) in engine_results(drawn).items()
+        for name, (value, of) in single(engine_results(drawn)).items()
     ]
-    heads = [words["value"], words["results of"], words["unit"]]
+    heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
-    return table("table-lumping", words["lumping"], heads, rows, size=SIZE, align=align)
+    return table(
+        "table-lumping",
+        _("The rod's mass lumped"),
+        heads,
+        rows,
+        size=SIZE,
+        align=align,
+    )

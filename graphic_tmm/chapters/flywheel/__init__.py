@@ -1,11 +1,35 @@
 """The flywheel: the moment of inertia that keeps a machine's speed within a coefficient of irregularity δ.
 
-The reduced moment of the driving (or resisting) forces is integrated to their works; the other side is constant over
-the cycle. ΔT, the works' difference, less the energy T_зв of the links is the energy of the flywheel: T_м = ΔT − T_зв.
-The segment cd between its extremes gives J = cd·μ_T/(δ·ω²). Wittenbauer's diagram of energy over reduced inertia gives
-it a second time, by its two tangents.
+All forces are reduced to the crank by their powers: M·ω = P·v, so M = P·(v_B/v_A)·l_OA for the gas on a
+piston, and for any loads their moment on Zhukovsky's lever. Graphical integration of M over φ (see the
+chapter of diagrams) gives the work. In a steady cycle the work of the driving side equals that of the
+resisting side at its end; where one moment is constant its work is the straight line from the beginning to
+the end of the other.
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 19 (маховые массы), диаграмма Виттенбауэра.
+Why T_м = ΔT − T_зв: the work that the driving forces have done more than the resisting ones, ΔT = A_дв −
+A_с, is what the kinetic energy of the whole machine has gained. The links' part of it, T_зв = Σ(m·v²/2 +
+J·ω²/2), is known from the plan of velocities; the rest went into the flywheel. It spins with the crank, so
+its energy runs between J·ω_max²/2 and J·ω_min²/2, and their difference is J·ω²·δ (ω the mean speed, δ =
+(ω_max − ω_min)/ω). The segment cd between the extremes of T_м, carried to the axis of ordinates, therefore
+gives
+
+    J = cd·μ_T/(δ·ω²).
+
+T_зв is taken at the mean speed, an approximation for small δ (at δ = 0.23 it is some 12 % on the safe
+side). Wittenbauer's diagram does without that: ΔT over the reduced inertia J_пр = 2·T_зв/ω² is a closed
+curve; a ray to it from the (unknown) origin has the slope ω²/2. So the two tangents with the slopes tg ψ =
+μ_J·ω²·(1 ± δ)/(2·μ_T) touch it where the speed is largest and smallest, and cut off ab on the axis of
+energies: J = ab·μ_T/(δ·ω²), without an origin having to be on the sheet.
+
+The rim: the largest diameter by the speed that its material stands; m = 4·J/D_m², its width from the
+density.
+
+Draws: place ``flywheel`` (moment, works, energies, energy–mass curve, sketch, tables). Builds on
+kinematics, on indicator (the gas) or forces (loads on the lever).
+
+Sources: Артоболевский И. И., Теория механизмов и машин (неравномерность движения, диаграмма Виттенбауэра);
+Попов С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the flywheel of a
+single-cylinder engine (scene ``engine``).
 """
 
 from __future__ import annotations
@@ -15,6 +39,7 @@ from collections.abc import Iterator
 from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
+from graphic_tmm.chapters.flywheel.captions import CAPTIONS, graph_title
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
@@ -26,7 +51,8 @@ from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.words import flywheel_title, plain
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.scene.records import Scene
 
 SCALE_KEYS = {
@@ -54,12 +80,14 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
 
 def _title(holder: Holder, view: str, language: str) -> str:
     made = FLYWHEEL.on(holder)
-    return flywheel_title(view, made.order.constant, language) if view == VIEWS["moment"] else ""
+    varying = view == VIEWS["moment"]
+    return graph_title(view, made.order.constant, speaking(language)) if varying else ""
 
 
 CHAPTER = Chapter(
     name=FLYWHEEL.chapter,
     number=5,
+    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
     places=(
         Place(

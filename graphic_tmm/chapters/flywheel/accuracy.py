@@ -7,17 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.board import roles
-from graphic_tmm.board.charts import ScaleOrder
+from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy
 
 FINE = 12_288
 """Positions of a row that has converged."""
@@ -54,14 +54,10 @@ def _poles(scene: Scene) -> tuple[str, ...]:
 
 def _farther(project: Project, times: float) -> dict[Mark, object]:
     """Return the distance of the pole of the works, or their scale; ΔT has that of the works."""
-    found: dict[Mark, object] = {}
-    for chart in FLYWHEEL.on(project).charts:
-        if chart.view == VIEWS["work"] and chart.chosen:
-            found[chart.mu] = np.asarray(project.given[chart.mu]) * times
-    for mark, value in project.given.items():
-        if mark.role == roles.POLE_DISTANCE and mark.view == VIEWS["work"]:
-            found[mark] = np.asarray(value) * times
-    return found
+    charts = (one for one in FLYWHEEL.on(project).charts if one.view == VIEWS["work"])
+    scales = [one.mu for one in charts if one.chosen]
+    moved = [*scales, *distances(project.given, VIEWS["work"])]
+    return {mark: np.asarray(project.given[mark]) * times for mark in moved}
 
 
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
@@ -81,6 +77,12 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, larger)
 
 
+WORDS = {
+    INERTIA: said("J of the flywheel"),
+    ENERGY_MASS: said("J, energy–mass"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FLYWHEEL.chapter,),
@@ -88,4 +90,5 @@ ACCURACY = Accuracy(
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,
+    words=WORDS,
 )

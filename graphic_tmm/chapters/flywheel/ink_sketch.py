@@ -9,8 +9,8 @@ import shapely
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.words import number
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension, shelf
 from graphic_tmm.paper.symbols.hatching import hatched

@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
+import numpy as np
+
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import number
-from graphic_tmm.readers.columns import Column, ordinates, segment_name
+from graphic_tmm.drawn import Drawn, Results, results_of, single
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.columns import Column, ordinates
 
 PLAN = FLYWHEEL.chapter
+_TOO_WIDE = said(
+    "the rim of D_{{e}} = {outer} m is {width} m wide: choose D_{{e}} = {least} m or more"
+)
+_TOO_WIDE_AND_SLOW = said(
+    "the rim of D_{{e}} = {outer} m is {width} m wide, and D_{{e}} is {most} m at most: "
+    "put the flywheel on a faster shaft, or allow a larger δ"
+)
 
 
 def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
@@ -29,36 +41,32 @@ def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
             yield Column(PLAN, segment_name(letter), letter, chart.unit, *rows)
 
 
-def flywheel_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
-    """Return the results of the flywheel by name: value and unit."""
-    found, reading = FLYWHEEL.on(drawn), drawn.reading
-    marks = {"cd": (found.segment, "mm"), "J_fly": (found.inertia, "kg·m²")}
-    if found.energy_mass is not None:
-        marks["J_fly_energy_mass"] = (found.energy_mass.inertia, "kg·m²")
-    if found.rim is not None:
-        rim = found.rim
-        named = ("D_max", "D_e", "D_i", "D_mean", "rim_mass", "rim_width")
-        sizes = (rim.limit, rim.outer, rim.inner, rim.mean, rim.mass, rim.width)
-        units = ("m", "m", "m", "m", "kg", "m")
-        marks |= {n: (mark, unit) for n, mark, unit in zip(named, sizes, units, strict=True)}
-    for side in found.indicator.sides if found.indicator is not None else ():
-        marks[f"p_mean_{side.name}"] = (side.mean, "Pa")
-    values = {
-        name: (float(reading.figure(mark)[0, 0]), unit) for name, (mark, unit) in marks.items()
-    }
-    return {name: found for name, found in values.items() if math.isfinite(found[0])}
+def flywheel_results(drawn: Drawn) -> Results:
+    """Return the results of the flywheel; those that no drawing gives are left out."""
+    made = FLYWHEEL.on(drawn)
+    marks = {"cd": made.segment, "J_fly": made.inertia}
+    if made.energy_mass is not None:
+        marks["J_fly_energy_mass"] = made.energy_mass.inertia
+    if made.rim is not None:
+        rim = made.rim
+        marks |= {"D_max": rim.limit, "D_e": rim.outer, "D_i": rim.inner, "D_mean": rim.mean}
+        marks |= {"rim_mass": rim.mass, "rim_width": rim.width}
+    for side in made.indicator.sides if made.indicator is not None else ():
+        marks[f"p_mean_{side.name}"] = side.mean
+    found = results_of(drawn, marks)
+    return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
 
 
 def rim_too_wide(drawn: Drawn, language: str) -> str:
     """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
-    results = flywheel_results(drawn)
+    results = single(flywheel_results(drawn))
     if not {"D_max", "D_e", "rim_width"} <= set(results):
         return ""
     most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))
     least = wanted_outer(outer, width)
     if least is None:
         return ""
-    key = "rim too wide" if least <= most else "rim too wide, speed"
+    text = _TOO_WIDE if least <= most else _TOO_WIDE_AND_SLOW
     sizes = {"outer": outer, "width": width, "least": least, "most": most}
     told = {name: number(size, language, 3) for name, size in sizes.items()}
-    return CAPTIONS[language][key].format(**told)
+    return speaking(language)(text, **told)

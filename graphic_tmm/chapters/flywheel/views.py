@@ -6,6 +6,8 @@ import math
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.flywheel.captions import graph_title
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
@@ -18,21 +20,22 @@ from graphic_tmm.chapters.flywheel.table import (
     rim_too_wide,
 )
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language import symbols
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import flywheel_title, number, unit
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, mu_text, pole_texts, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
 )
-from graphic_tmm.paper.ruled import table
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -46,7 +49,7 @@ def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
-    words = CAPTIONS[language]
+    words = captions(language)
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     views = indicator_views(drawn, lettered, FLYWHEEL.chapter)
     views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
@@ -74,8 +77,8 @@ def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
     """Return the graphs of moment, works and energies with their captions."""
     language, project = drawn.scene.language, drawn.project
-    words = CAPTIONS[language]
-    sides = (words["A driving"], words["A resisting"])
+    _ = speaking(language)
+    sides = (_("A_{drv}"), _("A_{res}"))
     found, straight = sides if made.order.constant == "resisting" else reversed(sides)
     works = dict(zip(made.sides, (found, straight), strict=True))
     curves = {
@@ -87,7 +90,7 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
     views = []
     for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
         view = VIEWS[key]
-        title = flywheel_title(key, made.order.constant, language)
+        title = graph_title(key, made.order.constant, _)
         letters = Names(
             [escape(name) for name in project.names],
             symbol,
@@ -125,6 +128,7 @@ def _angle(drawn: Drawn, mark: Mark) -> str:
 def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
     """Return the sketch of the flywheel to the largest standard scale that has room."""
     rim, language = made.rim, drawn.scene.language
+    _ = speaking(language)
     assert rim is not None
     order = rim.order
     outer, inner, width = (_value(drawn, mark) for mark in (rim.outer, rim.inner, rim.width))
@@ -133,7 +137,7 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
     sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
     large, room = 1000 * max(outer, width), SKETCH * drawn.sizes["sketch"]
     reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
-    title = CAPTIONS[language]["sketch"]
+    title = _("Sketch of the flywheel")
     drawing = draw_flywheel(sizes, reduction, title, language)
     told = rim_too_wide(drawn, language)
     scale = f"1:{number(reduction, language)}"
@@ -143,7 +147,8 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
 def _results(drawn: Drawn) -> Drawing:
     """Return the table of results, both methods and what they differ by."""
     language = drawn.scene.language
-    words, found = CAPTIONS[language], flywheel_results(drawn)
+    words, found = captions(language), single(flywheel_results(drawn))
+    _ = speaking(language)
     rows = [
         [words.get(name, SYMBOLS.get(name, name)), number(value, language), unit(of, language)]
         for name, (value, of) in found.items()
@@ -151,8 +156,8 @@ def _results(drawn: Drawn) -> Drawing:
     if {"J_fly", "J_fly_energy_mass"} <= set(found):
         first, second = found["J_fly"][0], found["J_fly_energy_mass"][0]
         rows.append(
-            [words["J difference"], number(100.0 * (first - second) / first, language, 3), "%"]
+            [_("difference of J_{F}"), number(100.0 * (first - second) / first, language, 3), "%"]
         )
-    heads = [words["value"], words["results of"], words["unit"]]
+    heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
     return table("table-results", words["flywheel"], heads, rows, size=SIZE, align=align)

@@ -1,11 +1,34 @@
-"""Kinetostatics: loads and inertia, groups in reverse order of attachment, the balancing force; Zhukovsky's lever.
+"""Kinetostatics: loads and inertia, groups in reverse order, the balancing force; Zhukovsky's lever.
 
-A dyad is two legs here too: each leg knows the loads of its link and the tangential part of its reaction, which its
-moment equation gives; the unknown part lies along the leg, and the polygon closes where the two lines meet. The turned
-velocity plan as a rigid lever, loaded with the outer forces at the images of their points, gives the balancing force
-a second time by one moment equation.
+By d'Alembert the moving mechanism is in equilibrium once inertia is added to the loads: −m·a_S at the mass
+centre and the couple −J·ε. Groups are taken in the reverse of the order of attachment, for only the last
+one carries nothing but its own loads: 3n = 2p₅ makes each statically determinate.
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 13 (кинетостатика), гл. 15 (рычаг Жуковского).
+A dyad is two legs here too (`statics`). A leg that turns: the moments of its link about the closing point
+give the part of the outer reaction square to the leg, R^t = ΣM/l; the rest of it lies along the leg. A leg
+that slides: the reaction is square to the guide. So the polygon (known part of one reaction, loads of both
+links, known part of the other) lacks two vectors of known directions, and closes where their lines meet.
+The reaction in the inner pair runs from there to between the loads of the two links. Where the inner pair
+slides it is square to that guide, and the line for it is drawn through the corner between the loads of both
+links. The driving link is left with the reaction of the first group and the balancing force at the crank
+pin, or a balancing moment.
+
+Friction is taken from the reactions of the pass before: on guides the reaction leans by the angle of
+friction, pins get the couple ρ·R (circle of friction); what further passes can change is a step of the log.
+
+Zhukovsky: the powers of all forces, inertia included, sum to 0: Σ P·v·cos = 0. On the velocity plan turned
+by 90° the arm of a force about the pole, when it is applied at the image of its point, is v·cos to the
+scale; so the same sum is the sum of moments of the plan as a rigid lever about its pole. A couple on a link
+becomes M·ab/l. It gives the balancing force once more by one equation without reactions: both must agree
+(usually within 5 % by hand).
+
+Draws: places ``forces`` (groups detached with their polygons, the driving link), ``lever``, ``force
+table``. Builds on kinematics; on diagrams (loads by the travel of a slider); on indicator (gas on a
+piston).
+
+Sources: Артоболевский И. И., Теория механизмов и машин (кинетостатический анализ; теорема Жуковского о
+жёстком рычаге); Попов С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the windrower
+(scene ``windrower``), and of the lever of a six-link mechanism.
 """
 
 from __future__ import annotations
@@ -16,6 +39,7 @@ from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.forces import views
 from graphic_tmm.chapters.forces.accuracy import ACCURACY
+from graphic_tmm.chapters.forces.captions import CAPTIONS, called
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, scale_key
@@ -67,6 +91,8 @@ def _views(project: Project) -> Mapping[str, list[str]]:
 CHAPTER = Chapter(
     name=FORCES.chapter,
     number=6,
+    captions=CAPTIONS,
+    called=called,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter, INDICATOR.chapter),
     places=(
         Place("forces", 60, views.force_views, follows=(POSITIONS,), sizes=_sizes),

@@ -6,18 +6,20 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.plan import FORCES, VIEW
+from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Reference, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 PASSES = (2, 3, 4, 6, 8)
+"""Numbers of passes of friction that are held against those that have settled."""
 SETTLED = 12
 """Passes of friction after which nothing changes any more."""
 FORCE, MOMENT = "P_bal", "M_bal"
@@ -44,12 +46,6 @@ def _by_passes(scene: Scene, passes: tuple[int, ...] = PASSES) -> Iterator[tuple
         for n in passes:
             friction = replace(order.friction, passes=n)
             yield str(n), ASKED.put(scene, replace(order, friction=friction))
-
-
-def _scaled_as(view: str) -> str:
-    """Return the polygon of the last pass of friction for that of an earlier: forces 4-5 1 -> forces 4-5."""
-    kind, group, *_ = [*view.split(" "), ""]
-    return f"{VIEW} {group}" if kind == VIEW and group else view
 
 
 def _kept(project: Project) -> tuple[Mark, ...]:
@@ -84,6 +80,13 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, mu=order.mu / times))
 
 
+WORDS = {
+    FORCE: said("P_bal"),
+    MOMENT: said("M_bal"),
+    "passes": said("passes of friction"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FORCES.chapter,),
@@ -91,6 +94,6 @@ ACCURACY = Accuracy(
     whole=_whole,
     at_count=_at_count,
     kept=_kept,
-    scaled_as=_scaled_as,
     enlarged=_enlarged,
+    words=WORDS,
 )

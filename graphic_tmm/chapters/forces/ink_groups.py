@@ -28,6 +28,7 @@ from graphic_tmm.paper.symbols.arrows import arrow, told_arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SHOWN = 18.0
 """Length of the arrow of a reaction that is not known yet, mm."""
 ROUND = 9.0
@@ -35,6 +36,7 @@ ROUND = 9.0
 NEARLY = 0.985
 """Arrows from one point whose directions agree so far (cosine) would lie on each other."""
 MARGIN = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 class Reactive(NamedTuple):

@@ -25,12 +25,15 @@ from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 LONGEST = 45.0
 """Length of the arrow of the largest force on the lever, mm."""
 SHORTEST = 8.0
 """Of the smallest one: the lever shows points and lines of action, sizes are written."""
 MARGIN = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 def draw_lever_ink(

@@ -16,12 +16,15 @@ from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 LEAST = 0.5
 """A side shorter than this, mm, is a point."""
 BEYOND = 4.0
 """How far the line of an unknown force goes on behind the vertex, mm."""
 MARGIN = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 def bar(letter: str) -> str:

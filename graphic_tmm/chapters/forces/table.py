@@ -6,13 +6,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, Row, row_of, segment_name
+from graphic_tmm.readers.columns import (
+    Column,
+    empty,
+    row_of,
+)
 
 PLAN = FORCES.chapter
 
@@ -40,15 +47,16 @@ def force_columns(drawn: Drawn) -> tuple[Column, ...]:
     found = []
     for row in rows:
         value = _at(reading.figure(row.value, row.scale), places)
-        mm: Row = (None,) * count
+        mm = empty(count)
         if row.mm is not None:
             mm = row_of(_at(reading.figure(row.mm), places), places, count)
         told = row_of(np.abs(value) if row.size else value, places, count)
         found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
     # passes that do not settle leave no force known; without friction each force stands by itself
+    if made.open is None:
+        return tuple(found)
     balance = next(c for c, row in zip(found, rows, strict=True) if row.value == made.balance)
-    unsettled = [k for k in places if made.open is not None and balance.value[k] is None]
-    return tuple(column.without(unsettled) for column in found)
+    return tuple(column.blank(np.isnan(balance.value)) for column in found)
 
 
 def _at(values: Reals, places: tuple[int, ...]) -> Reals:

@@ -6,6 +6,8 @@ import math
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.forces.captions import called
 from graphic_tmm.chapters.forces.ink_groups import Detached, Reactive, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
@@ -18,15 +20,17 @@ from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.words import number, plain, unit
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.readers.result_table import (
     result_table,
 )
 
@@ -67,10 +71,9 @@ def _pair(
     if not whole(drawn.reading, polygon, reactions, place):
         return []
     project, language = drawn.project, drawn.scene.language
-    words = CAPTIONS[language]
+    _, words = speaking(language), captions(language)
     at = f"{words['position']} {escape(project.names[place])}"
-    key = "group of forces" if "-" in name else "link of forces"
-    title = f"{words[key].format(name=name)}, {at}"
+    title = f"{called(f'group {name}', _)}, {at}"
     scale = drawn.scales.get(polygon.view)
     arrows = scale._replace(value=shown.mu) if scale is not None else None
     both = (drawn.scales["positions"], arrows)
@@ -88,9 +91,8 @@ def _pair(
         lettered=lettered,
     )
     if scale is None:
-        return [captioned(figure, title, scales, words["no forces"])]
-    key = "polygon of group" if "-" in name else "polygon of link"
-    caption = f"{words[key].format(name=name)}, {at}"
+        return [captioned(figure, title, scales, _("all forces are zero: there is no polygon"))]
+    caption = f"{called(f'forces {name}', _)}, {at}"
     plan = draw_polygon(
         drawn.reading,
         polygon,
@@ -180,7 +182,7 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made, project, language = FORCES.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
-    words, views = CAPTIONS[language], []
+    words, views = captions(language), []
     for place in _places(drawn):
         title = f"{words['lever']}, {words['position']} {escape(project.names[place])}"
         force, balance = made.driven.force, None
@@ -211,7 +213,7 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
     """Return what the two methods found and whether they agree within the limit."""
     language = drawn.scene.language
-    words = CAPTIONS[language]
+    _, words = speaking(language), captions(language)
 
     def at(mark: Mark) -> float:
         row = drawn.reading.figure(mark)[0]
@@ -225,7 +227,7 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
     ]
     apart, limit = at(made.difference), made.order.limit
     if not math.isfinite(apart):
-        return [", ".join(both), words["nothing to compare"]]
+        return [", ".join(both), _("Δ: there is nothing to compare")]
     sign = "≤" if apart <= limit else ">"
     judged = f"Δ = {number(apart, language, 2)} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]

@@ -1,15 +1,35 @@
 """A pair of involute gears: dimensions, the line of action, teeth rolled off a rack, contact ratio, sliding.
 
-The dimensions follow from numbers of teeth, module and shifts; a tooth's flank is the involute that the line of action
-leaves on the wheel as it rolls on the base circle, its fillet the path of the rack's corner.
+Dimensions follow from tooth numbers, module and shifts: inv α_w = inv α + 2·(x₁ + x₂)·tan α/(z₁ + z₂) (no
+play between flanks of shifted wheels), a_w = a·cos α/cos α_w, and the equalising shift Δy that keeps the
+clearance at the tips.
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 22 (эвольвентное зацепление); ГОСТ 13755, 16532.
+Line of action: the tangent N₁N₂ common to both base circles. A string unwound from one base circle onto the
+other turns both wheels in the fixed ratio r_b1 : r_b2, and each of its points draws an involute on either
+wheel; these two touch on the string, with it as their common normal. So flanks that are involutes mesh
+along this line only, and the ratio stays constant (Willis: the normal passes through the fixed pitch point
+P). A flank is drawn so: arcs of the base circle are laid off on their tangents (`teeth`). Where the
+involute ends below, the fillet begins: the path of the rounded corner of the rack's tooth, which cuts away
+part of the involute if the wheel has too few teeth (`rack`).
+
+Contact lasts while the touching point is on the part ab of N₁N₂ between the tip circles. The contact ratio
+is the arc of engagement over the pitch, drawn and by formula; above 1 a second pair is there before the
+first one leaves (`contact`). Flanks slide on one another but at P: ϑ₁ = 1 − (r₁/r₂)·(ρ₂/ρ₁) over the
+distance x from N₁, where ρ₁ = x and ρ₂ = N₁N₂ − x are the radii of curvature (`sliding`).
+
+Draws: place ``gears``: the mesh with three teeth a wheel, the rolling of a flank in a view of its own, the
+diagram of sliding, tables; on a board of its own whose positions are the steps of the rolling. Builds on no
+chapter.
+
+Sources: Артоболевский И. И., Теория механизмов и машин (эвольвентное зацепление); ГОСТ 13755, 16532; Попов
+С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the windrower (scene ``windrower``).
 """
 
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
+from graphic_tmm.chapters.gears.captions import CAPTIONS
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
@@ -26,6 +46,7 @@ def _fixed(scene: Scene) -> str:
 CHAPTER = Chapter(
     name=GEARS.chapter,
     number=9,
+    captions=CAPTIONS,
     board=GEARS.chapter,
     places=(Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),),
     sizes=(Size(GEARS.chapter, fixed=_fixed),),

@@ -9,10 +9,11 @@ from math import pi
 from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Axis
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.varied import Accuracy, Axis
 
 STEPS = (4, 6, 8, 12, 16, 24, 48)
 """Steps of a rolling."""
@@ -51,9 +52,17 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, mu=mu / times))
 
 
+WORDS = {
+    "contact_ratio": said("contact ratio, line"),
+    "contact_arc": said("contact ratio, arc"),
+    "steps": said("rolling steps"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(GEARS.chapter,),
-    axes=(Axis("steps", _rolled, parts=_own),),
+    axes=(Axis("steps", _rolled, parts=_own, counted=said("{n} step", "{n} steps")),),
     enlarged=_enlarged,
+    words=WORDS,
 )

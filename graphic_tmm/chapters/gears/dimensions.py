@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added, share
+from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.gears import formulas as g
@@ -89,7 +90,7 @@ def calculate_sizes(draft: Draft, order: GearOrder) -> GearSizes:
     tool = _rack(draft, order, m, alpha)
     z = [draft.take(Number, f"z_{i}", float(n)) for i, n in ((1, order.z1), (2, order.z2))]
     x = [draft.take(Number, f"x_{i}", v) for i, v in ((1, order.x1), (2, order.x2))]
-    r = [draft.draw(g.pitch_radius, f"r_{k + 1}", m, z[k], unit="m") for k in range(2)]
+    r = [draft.draw(pitch_radius, f"r_{k + 1}", m, z[k], unit="m") for k in range(2)]
     inv = draft.draw(g.involute, "inv α", alpha)
     inv_w = draft.draw(g.working_involute, "inv α_{w}", *x, alpha, *z)
     alpha_w = draft.draw(g.angle_of_involute, "α_{w}", inv_w)

@@ -14,9 +14,11 @@ from graphic_tmm.board.values import Angle, Length, Number, Reals
 _NO_ANGLE = "no angle has this involute function"
 _INSIDE = "the tip circle lies inside the base circle"
 _SERIES = (21844 / 6081075, 1382 / 155925, 62 / 2835, 17 / 315, 2 / 15, 1 / 3)
+"""The coefficients of tan α − α over α³, the highest power first."""
 _NEAR = 0.1
 """Below this angle (radians) the difference tan α − α loses digits and its series is taken."""
 _PASSES = 10
+"""Newton's steps: each doubles the digits once the root is near."""
 
 
 def involute_of(angle: Reals) -> Reals:
@@ -59,11 +61,6 @@ def working_involute(x1: Number, x2: Number, alpha: Angle, z1: Number, z2: Numbe
 @formula(fails=_NO_ANGLE)
 def angle_of_involute(inv: Number) -> Angle:
     """arcinv({inv})"""
-
-
-@formula
-def pitch_radius(m: Number, z: Number) -> Number:
-    """{m}·{z}/2"""
 
 
 @formula

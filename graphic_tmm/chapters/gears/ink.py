@@ -13,7 +13,7 @@ from graphic_tmm.chapters.gears.line import VIEW
 from graphic_tmm.chapters.gears.outline import flank, outline, part, sector, spot
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.teeth import Wheel
-from graphic_tmm.language.words import fixed
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
 from graphic_tmm.paper.layout import bounds
 from graphic_tmm.paper.pieces import cut, nearest, points
@@ -34,8 +34,11 @@ TURN = 16.0
 ANGLE = 0.4
 """Radius of the arc of α_w, of the length N1N2."""
 HEAD = 3.0
+"""Length of an arrowhead on an arc, mm."""
 SIZE, NUMBER = 5.0, 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 ROOM = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 class _Ink:

@@ -18,11 +18,15 @@ from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 NAME = "gear-rolling"
 DOT = 0.5
+"""Radius of a point, mm."""
 OVER = 8.0
 """How far the circles and the axis of the tooth go on, mm."""
 HEAD = 3.0
+"""Length of an arrowhead on an arc, mm."""
 SIZE, NUMBER, SMALL = 5.0, 3.5, 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 ROOM = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 def draw_rolling_ink(

@@ -11,7 +11,7 @@ from graphic_tmm.chapters.gears.outline import controls, spot
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.rows import STATIONS
 from graphic_tmm.chapters.gears.sliding import VIEW
-from graphic_tmm.language.words import number
+from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
 from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.kinematic import arrowhead
@@ -19,8 +19,11 @@ from graphic_tmm.paper.symbols.kinematic import arrowhead
 OVER = 12.0
 """How far an axis goes on behind what stands on it, mm."""
 DOT, TICK = 0.5, 1.0
+"""Radius of a point, half a tick on the axis, mm."""
 SIZE, NUMBER, SMALL = 5.0, 3.5, 2.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 ROOM = 8.0
+"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 class _Ink:

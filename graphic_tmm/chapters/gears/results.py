@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.plan import GEARS
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, Results
 
 
-def gear_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
+def gear_results(drawn: Drawn) -> Results:
     """Return each result with its unit: those of the pair, those of each wheel with its number behind them.
 
     ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
@@ -43,6 +43,6 @@ def gear_results(drawn: Drawn) -> dict[str, tuple[float, str]]:
         marks |= {f"{name}{wheel.number}": mark for name, mark in own.items()}
     units = {"alpha_w": "°"}
     return {
-        name: (float(reading[mark][0, 0]), units.get(name, mark.unit))
+        name: (reading[mark][:, 0].copy(), units.get(name, mark.unit))
         for name, mark in marks.items()
     }

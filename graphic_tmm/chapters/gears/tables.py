@@ -7,14 +7,16 @@ import math
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.gears.dimensions import WheelSizes
 from graphic_tmm.chapters.gears.plan import Gear
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import fixed, number, unit
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 PLACES = 3
 """Decimals of lengths in mm and of coefficients."""
 DIGITS = 4
@@ -23,7 +25,7 @@ DIGITS = 4
 
 def dimension_table(reading: Reading, made: Gear, language: str, title: str) -> Drawing:
     """Return the dimensions: those of the wheels side by side, then those of the pair."""
-    words, sizes = CAPTIONS[language], made.sizes
+    words, sizes = captions(language), made.sizes
     one, other = sizes.wheels
     rows = []
     for symbol, key in WHEEL:
@@ -43,7 +45,7 @@ def dimension_table(reading: Reading, made: Gear, language: str, title: str) -> 
         title,
         heads,
         rows,
-        again=CAPTIONS[language]["continued"],
+        again=words["continued"],
         size=SIZE,
         align=align,
     )
@@ -77,7 +79,7 @@ def _unit(mark: Mark, language: str) -> str:
 
 def sliding_table(reading: Reading, made: Gear, language: str, title: str) -> Drawing:
     """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task."""
-    sliding, words = made.sliding, CAPTIONS[language]
+    sliding, words = made.sliding, captions(language)
     length = float(reading[made.line.length][0, 0])
     places = [(0.0, "N_{1}", -math.inf, 1.0), (length, "N_{2}", 1.0, -math.inf)]
     named = (("a", sliding.ends[0]), ("P", sliding.pole), ("b", sliding.ends[1]))

@@ -2,28 +2,45 @@
 
 from __future__ import annotations
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.gears.checks import verdicts
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
+from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.plan import GEARS, Gear
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import fixed, number, unit
+from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.result_table import (
+from graphic_tmm.readers.result_table import (
     SIZE,
 )
+
+CHECKS = Tongues(
+    {
+        "pointed tooth": said("pointed tooth"),
+        "tip thickness": said("tip thickness"),
+        "undercut": said("undercut"),
+        "interference": said("interference"),
+        "clearance": said("clearance"),
+        "contact ratio": said("contact ratio"),
+    }
+)
+"""What the checks of the meshing are called."""
 
 
 def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the meshing above its diagram of sliding, the rolled flanks, the tables."""
     made, language, reading = GEARS.on(drawn), drawn.scene.language, drawn.reading
-    words, scales = CAPTIONS[language], drawn.scales
+    words, scales = captions(language), drawn.scales
     mu_l = mu_text(scales["gear"], language)
     mesh = draw_gear_ink(reading, made, language, words["gear"], lettered=lettered)
     sliding = draw_sliding_ink(reading, made, language, words["sliding"], lettered=lettered)
@@ -33,7 +50,7 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         captioned(sliding, words["sliding"], mu_theta),
     ]
     for k in (0, 1):
-        title = words["gear-rolling"].format(number=k + 1)
+        title = words[f"{ROLLING}-{k + 1}"]
         view = draw_rolling_ink(drawn.construction, reading, made, k, title, lettered=lettered)
         found.append(captioned(view, title, mu_l))
     found.append(dimension_table(reading, made, language, words["gear-dimensions"]))
@@ -43,7 +60,7 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _ratios(drawn: Drawn) -> list[str]:
     """Return the contact ratio by formula and as drawn, and by how much they differ."""
-    language, found = drawn.scene.language, gear_results(drawn)
+    language, found = drawn.scene.language, single(gear_results(drawn))
     formula, measured, apart = (
         found[name][0]
         for name in ("contact_ratio", "contact_ratio_drawn", "contact_ratio_difference")
@@ -56,7 +73,7 @@ def _ratios(drawn: Drawn) -> list[str]:
 
 def _checks(drawn: Drawn, made: Gear) -> Drawing:
     language = drawn.scene.language
-    words, rows = CAPTIONS[language], []
+    _, words, rows = speaking(language), captions(language), []
     for found in verdicts(made.checks, drawn.reading):
         in_mm = found.unit == "m"
         factor, places = (1000.0, 2) if in_mm else (1.0, 3)
@@ -64,13 +81,15 @@ def _checks(drawn: Drawn, made: Gear) -> Drawing:
         wheel = str(found.wheel) if found.wheel else ""
         sign = "≥" if found.holds else "<"
         of = unit("mm", language) if in_mm else ""
-        verdict = words["holds" if found.holds else "fails"]
-        rows.append([words[found.name], wheel, f"{cells[0]} {sign} {cells[1]}", of, verdict])
-    heads = [words[k] for k in ("checked", "wheel", "value", "unit", "verdict")]
+        verdict = _("holds") if found.holds else _("fails")
+        rows.append(
+            [CHECKS[language][found.name], wheel, f"{cells[0]} {sign} {cells[1]}", of, verdict]
+        )
+    heads = [_("Check"), _("Wheel"), words["value"], words["unit"], _("Verdict")]
     align = ["left", "centre", "centre", "left", "left"]
     return breakable(
         "table-gear-checks",
-        words["gear checks"],
+        _("Checks of the meshing"),
         heads,
         rows,
         again=words["continued"],

@@ -1,15 +1,32 @@
 """The indicator diagram of a cylinder: the pressure on each side of a piston over its stroke.
 
-Pressures are given position by position, or by the parts of the two strokes: polytropic, p·V^n = const, over the
-clearance, or straight between given points. The force of the gas on the piston is their difference on its areas.
+The base of the diagram is the stroke; it is divided as the piston travels, not evenly: the piston's
+positions are carried from the plan of positions onto it by an auxiliary ray (similar triangles), since
+travel on the plan and base of the diagram have lengths of their own. Over each position stands the pressure
+of that part of the working cycle, going or coming back.
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 10 (индикаторные диаграммы).
+Pressures are given position by position, or by the parts of the two strokes: straight between given points,
+or polytropic. For a gas p·V^n = const, and V is the clearance plus the travel, so with lengths as shares of
+the stroke p = p₁·((c + x₁)/(c + x))^n on the cover's side; on the shaft's side the travel is counted from
+the other end. On which part a position stands is chosen before the log is run, by the exact travel; the
+pressure itself is a step, by the travel as measured.
+
+The force of the gas is the pressure on the cover's area less that on the ring that the rod leaves of it on
+the shaft's side: P = p_k·F_k − p_v·F_v. It is positive away from the cover.
+
+Draws no place of its own: its diagram stands with the chapter that needs the gas (`Wish`: forces, flywheel
+or engine, the greatest wish wins). Builds on kinematics (the travel) and diagrams (`sliding_leg`).
+
+Sources: Артоболевский И. И., Теория механизмов и машин (диаграммы сил, индикаторная диаграмма); the book
+chapter on the forces in the crank mechanism of a steam engine, formula (338) (scene ``locomobile``); the
+course project of the flywheel of a single-cylinder engine (scene ``engine``).
 """
 
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.indicator.captions import CAPTIONS
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, record
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.chapters.indicator.task import SECTIONS
@@ -18,6 +35,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 CHAPTER = Chapter(
     name=INDICATOR.chapter,
     number=4,
+    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter),
     sections=SECTIONS,
     record=record,

@@ -39,8 +39,9 @@ NAMES = {"cover": "k", "shaft": "v"}
 
 @dataclass(frozen=True)
 class Side:
-    """One side of the piston on the diagram: its points, curve, ordinates read (Length), the pressures
-    they stand for, mean pressure, gas force.
+    """One side of the piston on the diagram.
+
+    Its points, curve, ordinates read (Length), the pressures they stand for, mean pressure, gas force.
     """
 
     name: str

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
 from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
@@ -19,7 +19,7 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
     cylinder, language = INDICATOR.of(drawn), drawn.scene.language
     if cylinder is None or cylinder.shown_by != by:
         return []
-    title = CAPTIONS[language]["indicator"]
+    title = captions(language)[VIEW]
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     view = draw_indicator_ink(
         drawn.construction, drawn.reading, cylinder.indicator, names, title, lettered=lettered

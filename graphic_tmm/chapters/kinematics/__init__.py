@@ -1,11 +1,39 @@
 """Kinematics: the plans of positions, velocities and accelerations of a mechanism, group by group.
 
-Every dyad closes the same way: each of its two legs hands the plan something known, a point with an offset, and a
-direction; the plan closes where the two lines meet. A leg is a turning pair (the relative velocity stands square to
-it), or a sliding pair (it lies along the guide, and Coriolis' acceleration is added). Images of further points
-follow by similarity.
+Every dyad closes the same way, whatever its kind: each of its two legs hands the plan something known, an
+image with an offset, and a direction; the image of the closing point lies where the two lines meet. There
+are two kinds of legs (`bodies`), so five kinds of groups need no five rules:
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 4, 5 (планы положений, скоростей, ускорений).
+- A leg that turns (`PinLeg`): Q turns about a pivot of known motion. v_Q = v_A + v_QA with v_QA ⊥ QA; a_Q =
+  a_A + n + t, where n = v_QA²/l points from Q to the pivot and is known from the plan before, t ⊥ QA.
+- A leg that slides (`GuideLeg`): Q moves over a point of the guide. Its velocity against that point lies
+  along the guide; its acceleration has, besides a part along the guide, the Coriolis acceleration
+  2·ω·v_rel, square to the guide: once because the guide turns under what slides along it, and once because
+  what slides comes to a place that moves otherwise. Where the guide does not turn there is none
+  (`accelerations._relative_line`).
+
+So the plan of accelerations of an RPR group (kind 3, a stone on a rocker) is drawn: from the image of the
+stone's point the Coriolis segment square to the rocker, through its end a line along the rocker; from the
+image of the rocker's pivot the normal segment along it, through its end a line square to it; where both
+lines meet is the image of the rocker's point under the stone. ω and ε follow from segments: ω =
+(segment·μ_v)/(link·μ_l), the same with μ_a.
+
+Similarity: the velocities of a rigid link are linear in place, so the images of its points are a figure
+similar to the link, turned by 90° in the plan of velocities, by another angle in that of accelerations.
+Images of further points are found by that and not by equations (`images`). Turning the whole velocity plan
+by 90° makes every line parallel to its link instead of square to it: the turned plan, which is Zhukovsky's
+lever later.
+
+Extreme positions are found before the plans: crank and rod in one line, or crank square to the rocker;
+elsewhere by refining (`extremes`). Whether the mechanism assembles over the turn is told by the gaps of all
+steps with two roots (`assembly`).
+
+Draws: places ``positions``, ``velocities``, ``accelerations``, ``equations``, ``velocity table``,
+``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is the kernel's
+(`graphic_tmm.mechanism.structure`).
+
+Sources: Артоболевский И. И., Теория механизмов и машин (кинематический анализ: планы положений, скоростей,
+ускорений); Попов С. А., Тимофеев Г. А., Курсовое проектирование по теории механизмов и механике машин.
 """
 
 from __future__ import annotations
@@ -17,6 +45,7 @@ from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
+from graphic_tmm.chapters.kinematics.captions import CAPTIONS
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
@@ -57,6 +86,7 @@ _BOTH = (VELOCITIES, ACCELERATIONS)
 CHAPTER = Chapter(
     name=KINEMATICS.chapter,
     number=2,
+    captions=CAPTIONS,
     places=(
         Place(POSITIONS, 20, views.position_views, follows=(POSITIONS,), sizes=sizes_of),
         Place(

@@ -18,11 +18,12 @@ from graphic_tmm.chapters.kinematics.plan import (
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row
 from graphic_tmm.project import Project
-from graphic_tmm.readers.quantity import Quantity, Value
-from graphic_tmm.readers.varied import Accuracy, Trial
+from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scales, Scene
+from graphic_tmm.varied import Accuracy, Trial
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
@@ -96,6 +97,12 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return replace(scene, scales=own)
 
 
+WORDS = {
+    "v": said("v by plans"),
+    "a": said("a by plans"),
+}
+"""What is told of by name, in English."""
+
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(VELOCITIES, ACCELERATIONS),
@@ -103,4 +110,5 @@ ACCURACY = Accuracy(
     at_count=_at_count,
     tried=_tried,
     enlarged=_enlarged,
+    words=WORDS,
 )

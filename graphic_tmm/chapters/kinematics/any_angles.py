@@ -24,17 +24,17 @@ from graphic_tmm.chapters.kinematics.positions import (
     side_record,
     side_values,
 )
-from graphic_tmm.chapters.kinematics.scales import ROOM
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.drawn import doubted, hand_of
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.fitting.scales import Fitting, reach_of
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.paper.formats import FORMATS, USUAL
 from graphic_tmm.project import record as recorded
 from graphic_tmm.scene.records import Scene, SheetOrder
 
-SIZES = {POSITIONS: ROOM, VELOCITIES: 80.0, ACCELERATIONS: 80.0}
+SIZES = {POSITIONS: FORMATS[USUAL].room, VELOCITIES: 80.0, ACCELERATIONS: 80.0}
 """Usual sizes."""
 
 
@@ -128,7 +128,7 @@ class _Drawn(NamedTuple):
 
 def _plain(scene: Scene) -> Scene:
     """Return a scene of three plans only, with an acceleration plan somewhere: for its scale factors."""
-    form = scene.sheets[0].format if scene.sheets else "A1"
+    form = scene.sheets[0].format if scene.sheets else USUAL
     row = scene.row
     if not row.accelerations:
         numbers = range(row.first, row.first + row.count)

@@ -12,8 +12,11 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.readers.equations import Equation
 
 HEAD = 5.0
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SIZE = 5.0
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 LEAD = 2.2
 """Clear height between two lines of lettering, mm."""
 

@@ -31,6 +31,7 @@ SHORTEST = 0.01
 TOGETHER = 0.35
 """Points nearer than this, mm, share one label."""
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 2.5
 """Letters of a plan, and of one whose positions share a pole, mm."""
 MARGIN = 7.0

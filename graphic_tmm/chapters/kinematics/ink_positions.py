@@ -24,7 +24,9 @@ from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, roun
 
 PLAN = "positions"
 SIZE = 5.0
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 NUMBER_SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
 MARGIN = 7.0

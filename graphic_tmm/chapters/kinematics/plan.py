@@ -45,9 +45,9 @@ ALL = ("all",)
 class KinematicPlans:
     """The plans of a mechanism as recorded.
 
-    ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the positions
-    (indices) that get an acceleration plan; ``numbers``: where each position stands in the row, in intervals of
-    it; ``count`` of the positions make the closed row.
+    ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the
+    positions (indices) that get an acceleration plan; ``numbers``: where each position stands in the row, in
+    intervals of it; ``count`` of the positions make the closed row.
     """
 
     mechanism: Mechanism

@@ -26,11 +26,10 @@ from graphic_tmm.chapters.kinematics.plan import (
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import Fitting, extent
+from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
 
-ROOM, NARROW = 230.0, {"A4": 140.0}
-"""Room for the plan of positions, and on a format that has less of it, mm."""
 VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
 """Room for the longest vector of a plan, mm: as much as the sheets hold."""
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
@@ -151,7 +150,7 @@ def _reaches(drawn: Drawn) -> dict[Figure, Reach]:
 def _narrow(scene: Scene) -> float:
     """Return the room for the plan of positions on the formats of its sheets, mm."""
     orders = [order for order in scene.sheets if POSITIONS in order.place] or scene.sheets
-    return min(NARROW.get(order.format, ROOM) for order in orders)
+    return narrowest(order.format for order in orders).room
 
 
 def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] = ()) -> Size:

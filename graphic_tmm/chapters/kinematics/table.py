@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
     KINEMATICS,
@@ -14,20 +18,43 @@ from graphic_tmm.chapters.kinematics.plan import (
 )
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, columns
+from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.equations import quantity
 
+UNITS = {POSITIONS: "m", VELOCITIES: "m/s", ACCELERATIONS: "m/s²"}
+"""Of what the segments of a plan stand for."""
+RATE_LETTERS = {VELOCITIES: "ω", ACCELERATIONS: "ε"}
 RATE_NAMES = {VELOCITIES: "omega", ACCELERATIONS: "epsilon"}
 """What the rates of links are called where machines read them."""
 
 
 def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
-    """Return the columns of one plan at its positions."""
-    motion, reading = KINEMATICS.on(drawn).motion(plan), drawn.of(plan)
-    if reading is None or (motion is None and plan != POSITIONS):
+    """Return the columns of one plan at its positions: segments, magnitudes; rates with their sign."""
+    motion, reading, log = KINEMATICS.on(drawn).motion(plan), drawn.of(plan), drawn.construction
+    view = log.view(plan)
+    if reading is None or view is None or view.scale is None:
         return ()
-    rates = motion.rates if motion is not None else None
-    places = list(drawn.row(plan))
-    return columns(drawn.construction, reading, plan, places, len(drawn.names), rates)
+    if motion is None and plan != POSITIONS:
+        return ()
+    count, places, found = len(drawn.names), drawn.row(plan), []
+    for step in log.steps:
+        # a length that is laid off is a segment of its plan; of the links' lengths only what is read is told
+        if (
+            step.it.view == plan
+            and step.it.kind is Length
+            and (step.op.reads or motion is not None)
+        ):
+            mm, value = (np.abs(reading.figure(step.it, by)) for by in (None, view.scale))
+            rows = row_of(mm, places, count), row_of(value, places, count)
+            sought = quantity(step.it.name) if motion is not None else ""
+            segment = segment_name(step.it.letter)
+            unit = UNITS[plan]
+            found.append(Column(plan, segment, step.it.name, unit, *rows, quantity=sought))
+    for link, mark in sorted(motion.rates.items()) if motion is not None else ():
+        letter = f"{RATE_LETTERS[plan]}_{link}"
+        row = row_of(reading.figure(mark), places, count)
+        found.append(Column(plan, segment_name(letter), letter, mark.unit, empty(count), row))
+    return tuple(found)
 
 
 def kinematic_columns(drawn: Drawn) -> Iterator[Column]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.ink_plans import (
     Place,
@@ -17,22 +18,28 @@ from graphic_tmm.chapters.kinematics.plan import (
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.scales import reaches
-from graphic_tmm.chapters.kinematics.table import plan_columns
+from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.arranging import captioned, in_cells, mu_text
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import result_table
-from graphic_tmm.readers.columns import UNITS
 from graphic_tmm.readers.equations import equations
+from graphic_tmm.readers.result_table import result_table
+
+EQUATIONS = {
+    VELOCITIES: said("Equations of velocities"),
+    ACCELERATIONS: said("Equations of accelerations"),
+}
+"""What the vector equations of a plan are called."""
 
 
 def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of positions."""
-    made, words = KINEMATICS.on(drawn), CAPTIONS[drawn.scene.language]
+    made, words = KINEMATICS.on(drawn), captions(drawn.scene.language)
     there = [k for k in range(len(drawn.names)) if k not in drawn.undrawn]
     wanted = [k for k in there if drawn.names[k] == drawn.scene.main]
     candidates = wanted or [k for k in made.accelerated if k in there] or there[1:] or there
@@ -54,26 +61,27 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of velocities of each position, or of all of them from a common pole."""
-    words = CAPTIONS[drawn.scene.language]
-    caption = words["velocities turned" if drawn.scene.turned else "velocities"]
+    _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
+    caption = _("Turned velocity plan") if drawn.scene.turned else words[VELOCITIES]
     return _plans(VELOCITIES, caption, drawn, lettered)
 
 
 def acceleration_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plans of accelerations, at the positions that have one."""
-    caption = CAPTIONS[drawn.scene.language]["accelerations"]
+    caption = captions(drawn.scene.language)[ACCELERATIONS]
     return _plans(ACCELERATIONS, caption, drawn, lettered)
 
 
 def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawing]:
-    words, reading = CAPTIONS[drawn.scene.language], drawn.of(plan)
+    _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
+    reading = drawn.of(plan)
     if reading is None or plan not in drawn.scales:
         return []
     scale = drawn.scales[plan]
     places = enumerate(drawn.row(plan))
     shown = [(k, drawn.names[p]) for k, p in places if p not in drawn.undrawn]
     if plan == VELOCITIES and drawn.scene.common_pole and len(shown) > 1:
-        orders = [(plan, f"{caption}, {words['all positions']}", [Place(*one) for one in shown])]
+        orders = [(plan, f"{caption}, {_('all positions')}", [Place(*one) for one in shown])]
     else:
         orders = [
             (f"{plan}-{name}", f"{caption}, {words['position']} {name}", [Place(k)])
@@ -105,7 +113,7 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the vector equations of the plans of velocities and accelerations."""
     log, found = drawn.construction, []
     for plan in (VELOCITIES, ACCELERATIONS):
-        title = CAPTIONS[drawn.scene.language][f"equations {plan}"]
+        title = speaking(drawn.scene.language)(EQUATIONS[plan])
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             found.append(draw_equations(log, plan, title, told))

@@ -1,14 +1,36 @@
-"""Planetary trains: tooth numbers by the conditions of coaxiality, assembly and neighbourhood; pictures of speeds.
+"""Planetary trains 2K–H: tooth numbers by three conditions, two views, the pictures of speeds.
 
-Willis: with the carrier stopped a train has a plain ratio. The smallest train that meets every condition is found among
-the schemes A, B, C, D; the picture of linear velocities gives the plan of angular velocities, and the ratio again.
+Willis: seen from the carrier, the train is a plain one with fixed axes, so (ω₁ − ω_H)/(ω₄ − ω_H) is the
+ratio of its tooth numbers with the carrier held. The wheel 4 (3 of a single row) being fixed, U_1H = 1 −
+U_14^(H): 1 + z₃/z₁ for a single row, 1 ± z₂·z₄/(z₁·z₃) for two. The four schemes differ by which central
+wheels are rings.
 
-Sources: Артоболевский И. И., Теория механизмов и машин, гл. 7, 25 (планетарные механизмы, подбор чисел зубьев).
+Tooth numbers have to meet more than the ratio, all in whole numbers (`tooth_conditions`, `tooth_search`):
+coaxiality, both rows have one distance of axes (single row: z₃ = z₁ + 2·z₂); assembly, with k satellites
+all alike the train goes together evenly only where (z₁ + z₃)/k is whole; of two rows z₁·z₃ ± z₂·z₄ over k
+and the common divisor of the satellite's rims; neighbourhood, 2·a_w·sin(180°/k) is more than a satellite's
+tip diameter. No wheel may be undercut, no ring foul its satellites. Of all trains that pass, the smallest
+comes first.
+
+Picture of linear velocities: at the level of every point on the line of centres its velocity is laid off;
+the points of one body end in a straight line through the level where it stands. The satellite stands at C,
+where it touches the fixed wheel: so v_A (or v_B) gives the other one. Rays from a pole, parallel to these
+lines, cut off segments proportional to ω on a line parallel to the axis: the plan of angular velocities,
+from which the ratio is measured once more, and told beside the one by Willis (`rates`).
+
+Draws: place ``planetary``: pitch circles, kinematic scheme, pictures, conditions, the choice of trains; on
+a board of its own whose positions are the satellites. Of gears it uses one formula, the radius m·z/2
+(`pitch_radius`).
+
+Sources: Артоболевский И. И., Теория механизмов и машин (планетарные механизмы: кинематика, подбор чисел
+зубьев); Попов С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the windrower (scene
+``windrower``).
 """
 
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.planetary.captions import CAPTIONS
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
 from graphic_tmm.chapters.planetary.views import planetary_views
@@ -32,6 +54,7 @@ def _fixed(scene: Scene) -> str:
 CHAPTER = Chapter(
     name=_NAME,
     number=10,
+    captions=CAPTIONS,
     board=_NAME,
     places=(Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),),
     sizes=(Size(_NAME, fixed=_fixed),),

@@ -15,6 +15,7 @@ TOGETHER = 1.0
 LETTERED = 8.0
 """A line shorter than this bears no number, mm."""
 DOT = 0.5
+"""Radius of a point, mm."""
 
 
 def draw_picture(ink: TrainInk) -> list[Stroke]:

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_end_view,
 )
 from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
-from graphic_tmm.chapters.planetary.scales import Drawn, choose_scales
+from graphic_tmm.chapters.planetary.sizes import Drawn, choose_scales
 from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryOrder, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
@@ -31,7 +31,8 @@ class Planetary:
     """The train as drawn: what was asked and settled, μ_l, its sizes, views, picture and plan.
 
     ``results``: marks (Number) by the names under which tables give them: planetary_z1 …, planetary_satellites,
-    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where wheels stand ``overall``.
+    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where wheels
+    stand ``overall``.
     """
 
     order: PlanetaryOrder

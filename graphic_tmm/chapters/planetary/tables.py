@@ -7,13 +7,14 @@ import math
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.dimensions import Condition
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.tooth_search import Solutions
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
-from graphic_tmm.language.words import fixed, number, unit
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
@@ -23,6 +24,7 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.ruled import PADDING, table
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
 WORDS = Tongues(
@@ -91,7 +93,7 @@ def rate_table(
         words["rates"],
         heads,
         rows,
-        again=CAPTIONS[language]["continued"],
+        again=captions(language)["continued"],
         size=SIZE,
         lead=1,
     )
@@ -122,7 +124,7 @@ def train_table(found: Solutions, language: str, *, rows: int = 12) -> Drawing:
         words["trains"],
         heads,
         body,
-        again=CAPTIONS[language]["continued"],
+        again=captions(language)["continued"],
         size=SIZE,
         lead=1,
     )

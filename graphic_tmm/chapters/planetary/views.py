@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.tables import (
@@ -14,9 +15,9 @@ from graphic_tmm.chapters.planetary.tables import (
     train_table,
 )
 from graphic_tmm.chapters.planetary.tooth_search import search
-from graphic_tmm.drawn import Drawn, results_of
-from graphic_tmm.language.captions import CAPTIONS
-from graphic_tmm.language.words import number
+from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.arranging import mu_text
 from graphic_tmm.paper.drawing import Drawing
 
@@ -24,22 +25,22 @@ from graphic_tmm.paper.drawing import Drawing
 def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the train in two views with its velocities, the tables of conditions, rates and trains."""
     made, language, reading = PLANETARY_TRAIN.on(drawn), drawn.scene.language, drawn.reading
-    words, scales, log = CAPTIONS[language], drawn.scales, drawn.construction
+    words, scales, log = captions(language), drawn.scales, drawn.construction
     lines = ratio_lines(log, reading, made, language)
     texts = {name: mu_text(scale, language) for name, scale in scales.items()}
-    captions = Captions(
+    found = Captions(
         (words["planetary"], texts["planetary"]),
         (words["planetary-velocities"], texts.get("planetary-velocities", "")),
         (words["planetary-rates"], texts.get("planetary-rates", ""), *lines, *_overall(drawn)),
     )
-    shown = Captions(*(tuple(text for text in group if text) for group in captions))
+    shown = Captions(*(tuple(text for text in group if text) for group in found))
     view = draw_planetary_ink(reading, made, shown, words["planetary"], lettered=lettered)
-    found = [view, condition_table(log, reading, made, language)]
-    found.append(rate_table(log, reading, made, language))
+    views = [view, condition_table(log, reading, made, language)]
+    views.append(rate_table(log, reading, made, language))
     if made.order.ratio is not None:
         wanted = replace(made.order, teeth=())
-        found.append(train_table(search(wanted), language))
-    return found
+        views.append(train_table(search(wanted), language))
+    return views
 
 
 def _overall(drawn: Drawn) -> list[str]:
@@ -49,13 +50,14 @@ def _overall(drawn: Drawn) -> list[str]:
     if mark is None:
         return []
     language = drawn.scene.language
+    _ = speaking(language)
     ratio = float(drawn.reading[mark].ravel()[0])
     first, last = made.order.behind
     rpm = abs(made.order.speed) * 30.0 / math.pi
     speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
-    ratios = results_of(drawn, made.results)
+    ratios = single(results_of(drawn, made.results))
     text = f"{number(ratios['planetary_ratio'][0], language)}·{last}/{first}"
     return [
         f"U_{{0}} = {text} = {number(ratio, language)}",
-        f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {CAPTIONS[language]['rpm']}",
+        f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {_('rpm')}",
     ]

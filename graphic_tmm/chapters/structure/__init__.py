@@ -1,9 +1,27 @@
 """Structure: links, pairs, mobility by Chebyshev, the formula of structure by Assur groups.
 
-W = 3n − 2p₅ − p₄; what is left when the driving link and the frame are taken off comes apart into groups of mobility 0,
-the last one to be attached first: I(1) → II(2-3) → II(4-5).
+A plane mechanism of n moving links with p₅ pairs of one freedom and p₄ of two has the mobility W = 3n − 2p₅
+− p₄: three freedoms a link, less what the pairs take away. Here all pairs are turning or sliding (p₄ = 0);
+a letter that k links share is k − 1 turning pairs.
 
-Sources: Ассур Л. В.; Артоболевский И. И., Теория механизмов и машин, гл. 1–3.
+The argument of Assur: take off the frame and the driving link, which alone has W = 1. What is left has to
+add no freedom, so it comes apart into groups of 3n = 2p₅, the smallest of which are two links with three
+pairs, the dyads (class II). By which of these pairs slide there are five kinds:
+
+    1  RRR    2  RRP (a slider)    3  RPR (a stone on a rocker)    4  PRP    5  RPP
+
+A group is attached to links that stand already, so groups have an order, I(1) → II(2-3) → II(4-5).
+Kinematics goes along it, since each group moves as those before it tell it to; forces go against it, since
+the last group is loaded by nothing that comes after. The order of links in the scene changes nothing: of
+the groups that could come next, the one with the smallest numbers comes first.
+
+Draws: the tables of links and of pairs, with W, the formula and the kind of each group below (place
+``structure``). It leaves no step in the log; the dissection itself is `graphic_tmm.mechanism.structure`,
+for every plan needs it. Builds on no chapter.
+
+Sources: Ассур Л. В., Исследование плоских стержневых механизмов; Артоболевский И. И., Теория механизмов и
+машин (структура и классификация механизмов); as worked in the course project of the windrower (scene
+``windrower``).
 """
 
 from __future__ import annotations

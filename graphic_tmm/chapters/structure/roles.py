@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
-from graphic_tmm.language.captions import LINK_NAMES
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
+
+LINK_NAMES = Tongues(
+    {
+        "crank": said("crank"),
+        "rocker": said("rocker"),
+        "slotted rocker": said("slotted rocker"),
+        "coupler": said("connecting rod"),
+        "slider": said("slider"),
+        "stone": said("sliding block"),
+        "frame": said("frame"),
+        "link": said("link"),
+    }
+)
+"""What a link is called by its role."""
 
 
 def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from graphic_tmm.captions import captions
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.paper.arranging import captioned
@@ -13,12 +15,34 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.result_table import SIZE
+from graphic_tmm.readers.result_table import SIZE
+
+WORDS = Tongues(
+    {
+        "links": said("Links"),
+        "pairs": said("Kinematic pairs"),
+        "number": said("No."),
+        "link": said("Link"),
+        "mobility": said("Mobility"),
+        "movable": said("movable"),
+        "fixed": said("fixed"),
+        "letter": said("Letter"),
+        "joined": said("Links", context="by a pair"),
+        "kind": said("Kind"),
+        "kind R": said("turning"),
+        "kind P": said("sliding"),
+        "index": said("Index"),
+        "R index": said("R"),
+        "P index": said("P", context="pair"),
+        "formula": said("Formula of structure"),
+        "group": said("Group {name}: class II, order 2, kind {kind}"),
+    }
+)
 
 
 def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
     """Return the table of links."""
-    words = CAPTIONS[language]
+    words = WORDS[language]
     frame = mechanism.frame
     rows = [
         [
@@ -30,7 +54,7 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
     ]
     heads = [words["number"], words["link"], words["mobility"]]
     align = ["centre", "left", "left"]
-    again = words["continued"]
+    again = captions(language)["continued"]
     return breakable(
         "table-links", words["links"], heads, rows, again=again, size=SIZE, align=align
     )
@@ -38,7 +62,7 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
 
 def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
     """Return the table of kinematic pairs."""
-    words = CAPTIONS[language]
+    words = WORDS[language]
     rows = []
     for pair in structure.pairs:
         name = pair_name(pair, mechanism)
@@ -46,13 +70,13 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
         rows.append([escape(name), joined, words[f"kind {pair.kind}"], index])
     heads = [words["letter"], words["joined"], words["kind"], words["index"]]
-    again = words["continued"]
+    again = captions(language)["continued"]
     return breakable("table-pairs", words["pairs"], heads, rows, again=again, size=SIZE)
 
 
 def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
-    words = CAPTIONS[language]
+    words = WORDS[language]
     groups = [words["group"].format(name=g.name, kind=g.kind) for g in structure.groups]
     n, p = structure.moving, len(structure.pairs)
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"

@@ -12,9 +12,9 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.judging.sample import Sample
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.studio import drawings
 
 NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
 """A figure an order of magnitude off is absurd where no drawing of the hand is off by four times: a decimal
@@ -75,35 +75,26 @@ class Scatter(NamedTuple):
 
 
 def scatter(
-    made: DrawnScene, by: Reader, wanted: Mapping[Key, Iterable[bool]], limits: Limits
+    made: DrawnScene,
+    drawn: Sample,
+    by: Reader,
+    wanted: Mapping[Key, Iterable[bool]],
+    limits: Limits,
 ) -> dict[tuple[Key, bool], Scatter]:
     """Return how what is read of the hand's drawings scatters, by figure and whether it is in mm."""
-    due = cells(made)
-    spots = points(made)
-    rows: dict[tuple[Key, bool], list[float]] = {
-        (key, in_mm): []
+    due, stand, none = cells(made), points(made), np.empty(0)
+    at = {
+        (key, in_mm): _limited(
+            drawn.figures.get((key, in_mm), none), key, due[key], by, limits, in_mm
+        )
         for key, kinds in wanted.items()
         for in_mm in kinds
         if _figure(due.get(key), in_mm) is not None
     }
-    placed: dict[Key, list[complex]] = {key: [] for key in wanted if key in spots}
-    for drawn in drawings(made, by.hand):
-        where = points(drawn) if placed else {}
-        for key, seen in placed.items():
-            if key in where:
-                seen.append(where[key])
-        found = cells(drawn) if rows else {}
-        for (key, in_mm), figures in rows.items():
-            figure = _figure(found.get(key), in_mm)
-            if figure is not None:
-                figures.append(figure)
-    at = {
-        (key, in_mm): _limited(np.array(figures), key, due[key], by, limits, in_mm)
-        for (key, in_mm), figures in rows.items()
-    }
-    for key, seen in placed.items():
-        read = by.pointed(np.array(seen, dtype=np.complex128)[:, None], "|".join(key))
-        at[key, True] = limited(np.sort(np.abs(read[:, 0] - spots[key])), limits)
+    for key in wanted:
+        if key in stand:
+            read = by.pointed(drawn.spots[key][:, None], "|".join(key))
+            at[key, True] = limited(np.sort(np.abs(read[:, 0] - stand[key])), limits)
     return at
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Point, Reals
-from graphic_tmm.checking.judging.own_errors import Found, Own, exact, run
+from graphic_tmm.checking.judging.own_errors import Found, Own, run
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
 from graphic_tmm.drawn import Drawn
@@ -96,15 +96,18 @@ def share_of_slip(seen: Sequence[tuple[StepScatter, Sequence[float]]]) -> float:
 
 
 def step_scatters(
-    work: Drawn, found: Found, by: Reader, limits: Limits
+    work: Drawn, found: Found, drawn: Found, by: Reader, limits: Limits
 ) -> dict[tuple[Mark, int], StepScatter]:
-    """Return how far off the hand's own steps are, by mark and position (its index), where they were read."""
-    if not found:
-        return {}
-    drawn = work.drawn_by(by.hand)
+    """Return how far off the hand's own steps are, by mark and position (its index), where they were read.
+
+    ``drawn``: the numbers of the same marks in the hand's drawings.
+    """
+    steps = {step.it: step for step in work.construction.steps}
     blunt, sharp = (
         run(
-            work, {mark: _read(drawn, mark, there, who) for mark, there in found.items()}, {}
+            work,
+            {mark: _read(steps[mark], drawn[mark], there, who) for mark, there in found.items()},
+            {},
         ).errors
         for who in (by, by.sharp)
     )
@@ -145,15 +148,11 @@ def _at(values: Reals, place: int) -> Reals:
     return row[np.isfinite(row)]
 
 
-def _read(drawn: Drawn, mark: Mark, there: Any, by: Reader) -> Any:
-    """Return what the hand would read of a mark, (trial, position); NaN where it was not read."""
-    row = exact(drawn, mark)
-    row = np.broadcast_to(row, (drawn.hand.trials, row.shape[1]))
-    key = "|".join(mark.key)
-    if mark.kind is Point:
+def _read(step: Step, drawn: Any, there: Any, by: Reader) -> Any:
+    """Return what the hand would read of a step's mark, (trial, position); NaN where it was not read."""
+    row, key = drawn, "|".join(step.it.key)
+    if step.it.kind is Point:
         row = by.pointed(row, key)
-    elif mark.kind is Length:
-        log = drawn.construction
-        step = next(step for step in log.steps if step.it == mark)
+    elif step.it.kind is Length:
         row = np.abs(row) if step.op.reads else by.measured(np.abs(row), key)
     return np.where(np.isnan(there), np.nan, row)

@@ -7,6 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import Cell, Key, pointed
@@ -15,7 +18,6 @@ from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import segment_name
 
 
 def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.checking.cells import Key, cells
 from graphic_tmm.checking.judging.reader import Reader, reader
+from graphic_tmm.checking.judging.sample import sample
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, scatter
 from graphic_tmm.checking.judging.step_scatter import StepScatter, step_scatters
 from graphic_tmm.checking.judging.taken_marks import as_marks, steps_of
@@ -48,8 +49,11 @@ def yardstick(
     rows = [part for taken in readings for part in taken.parts()]
     for taken in rows:
         wanted.setdefault(taken.key, set()).add(taken.in_mm)
-    own: dict[tuple[Mark, int], StepScatter] = {}
+    found: dict[Mark, Any] = {}
     if made.mechanism is not None:
         found, _ = as_marks(made.mechanism, steps_of(made.mechanism), rows, cells(made), by)
-        own = step_scatters(made.mechanism, found, by, limits)
-    return Yardstick(by, limits, scatter(made, by, wanted, limits), own)
+    drawn = sample(made, hand=by.hand, wanted=wanted, marks=found)
+    own: dict[tuple[Mark, int], StepScatter] = {}
+    if made.mechanism is not None and found:
+        own = step_scatters(made.mechanism, found, drawn.marks, by, limits)
+    return Yardstick(by, limits, scatter(made, drawn, by, wanted, limits), own)

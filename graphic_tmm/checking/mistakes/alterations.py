@@ -16,7 +16,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Side
-from graphic_tmm.checking.cells import Cell, Key, cells_and_points, position_names
+from graphic_tmm.checking.cells import Cell, Key, cells_and_points, pointed, position_names
 from graphic_tmm.drawn import DrawnScene
 
 Figures = Mapping[Key, Cell]
@@ -72,12 +72,14 @@ def wrong_link(made: DrawnScene) -> Iterator[Figures]:
     """Another link's length divides a normal component: of any that has one, or of the crank."""
     if made.mechanism is None:
         return
-    steps = made.mechanism.construction.steps
+    log, plans = made.mechanism.construction, pointed()
+    steps = log.steps
+    places = {view.name for view in log.views if view.name in plans and view.pole is None}
     rays = {step.it for step in steps if step.op.name == "ray"}
     cranks = [
         step.uses[1]
         for step in steps
-        if step.op.name == "lay_off" and step.uses[0] in rays and step.it.view == step.uses[0].view
+        if step.op.name == "lay_off" and step.uses[0] in rays and step.it.view in places
     ]
     normals = [step for step in steps if step.op.name == "normal"]
     lengths = list(dict.fromkeys([*(step.uses[2] for step in normals), *cranks]))

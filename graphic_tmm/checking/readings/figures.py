@@ -17,6 +17,7 @@ _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 _LAST = re.compile(r"[0-9]*[.,]?([0-9]*)(?:[eE]([+-]?[0-9]{1,6}))?")
 _SHORTEST = 40
+"""Of a cell that a message quotes so many characters are shown."""
 
 
 def decimal_comma(cell: str) -> bool:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.readings.csv_cells import heads
 from graphic_tmm.checking.records import Taken
+from graphic_tmm.drawn import Results
 from graphic_tmm.language.numbers import decimal_sign
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import Column, empty, row_of
 
 _SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
 """By the decimal sign: separator and what a file begins with, so that spreadsheets take it as it is."""
@@ -66,16 +67,16 @@ def template(
     return _text((_row(one, language) for one in asked), language)
 
 
-def result_columns(results: Mapping[str, tuple[float, str]]) -> tuple[Column, ...]:
-    """Return results by name (value and unit) as columns of the plan "results" of one figure each."""
+def result_columns(results: Results) -> tuple[Column, ...]:
+    """Return results by name as columns of the plan "results" of one figure each."""
     return tuple(
-        Column(RESULTS, name, name, unit, (None,), (value if value - value == 0 else None,))
-        for name, (value, unit) in results.items()
+        Column(RESULTS, name, name, unit, empty(1), row_of(figures[:, None], [0], 1))
+        for name, (figures, unit) in results.items()
     )
 
 
 def _given(column: Column) -> list[int]:
-    pairs = zip(column.mm, column.value, strict=True)
+    pairs = zip(*column.told, strict=True)
     return [k for k, pair in enumerate(pairs) if pair != (None, None)]
 
 

@@ -9,7 +9,7 @@ from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged
 from graphic_tmm.checking.report.rendering import render
 from graphic_tmm.checking.report.rows import signed
 from graphic_tmm.checking.report.words import WORDS, plan_name, shown
-from graphic_tmm.language.words import number
+from graphic_tmm.language.numbers import number
 
 WIDTH, HEIGHT = 180, 46
 """The chart, mm: as wide as an A4 page between its margins."""

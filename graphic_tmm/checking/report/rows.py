@@ -7,10 +7,16 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Likely, Report
-from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown, unit_name
-from graphic_tmm.language.captions import HANDS
+from graphic_tmm.checking.report.words import (
+    HANDS,
+    LONGEST_SENTENCE,
+    WORDS,
+    plan_name,
+    shown,
+    unit_name,
+)
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.words import fixed, number
+from graphic_tmm.language.numbers import fixed, number
 
 SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
 """Verdicts are told by a shape as well as by a colour."""

@@ -6,7 +6,9 @@ report passes them through `shown` before it escapes them for its own medium.
 
 from __future__ import annotations
 
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
+from graphic_tmm.chapter import chapters
+from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import known
@@ -16,13 +18,14 @@ LONGEST = 80
 """Of a name, a letter or a unit so many characters are shown."""
 LONGEST_SENTENCE = 600
 """Of a sentence (a mistake's, a note) so many characters are shown."""
-PLANS = frozenset(
+HANDS = Tongues(
     {
-        *("positions", "extremes", "velocities", "accelerations", "diagrams", "flywheel", "forces"),
-        *("lever", "engine", "cam", "gear", "sliding", "planetary", "results"),
+        "exact": said("exact"),
+        "cad": said("CAD"),
+        "careful": said("careful"),
+        "student": said("student"),
     }
 )
-"""Plans that have a name for people; any other is called as the reading calls it."""
 
 TEXTS: dict[str, str] = {
     "check": said("Check: {title}"),
@@ -93,10 +96,9 @@ def shown(text: str, most: int = LONGEST) -> str:
 
 
 def plan_name(plan: str, language: str) -> str:
-    """Return what a plan is called in a language; as the reading calls it if there is no such name."""
-    if not plan:
-        return CAPTIONS[language]["results"]
-    return CAPTIONS[language][plan] if plan in PLANS else shown(plan)
+    """Return what a plan is called in a language; as the reading calls it if no chapter has a name for it."""
+    known = plan == RESULTS or any(plan in one.captions for one in chapters())
+    return captions(language)[plan or RESULTS] if known or not plan else shown(plan)
 
 
 def unit_name(unit: str, language: str) -> str:

@@ -16,6 +16,7 @@ from graphic_tmm.language.catalogue import Speech, languages, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
+from graphic_tmm.paper.formats import FORMATS, size_of
 from graphic_tmm.paper.frame.titleblock import (
     COLUMN_26,
     COLUMN_26_UPRIGHT,
@@ -31,11 +32,6 @@ from graphic_tmm.paper.frame.titleblock import (
 )
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.ruled import Box, Slot, set_text
-
-SIZES: Mapping[str, tuple[float, float]] = MappingProxyType(
-    {"A1": (841.0, 594.0), "A1 portrait": (594.0, 841.0), "A4": (210.0, 297.0)}
-)
-"""Width and height of the paper in mm: A1 lies unless it is asked to stand, A4 stands."""
 
 MARGINS: Mapping[str, tuple[float, float]] = MappingProxyType(
     {"GOST": (20.0, 5.0), "ISO": (20.0, 10.0)}
@@ -53,6 +49,7 @@ FIELDS: tuple[str, ...] = tuple(
 """The fields of a title block that a scene may fill; the numbers of the sheets are filled here."""
 
 CHECK_LENGTH = 100.0
+"""The check line, mm: laid against a ruler it tells whether a print is true to size."""
 CHECK_X, CHECK_START, CHECK_TICK, CHECK_SIZE = 5.5, 30.0, 1.25, 2.5
 """The check line: its x, how far below mid-height it begins, half a tick, its lettering, mm."""
 
@@ -123,7 +120,7 @@ def frame(
 
 def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
     """Return the line of exactly 100 mm in the binding margin, and its words."""
-    _, middle = speaking(language), SIZES[format][1] / 2
+    _, middle = speaking(language), FORMATS[format].height / 2
     foot = complex(CHECK_X, middle - CHECK_START)
     top = foot + CHECK_LENGTH * 1j
     body = line("thin", foot, top)._replace(
@@ -143,12 +140,12 @@ def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[La
 
 def _inner(format: str, language: str) -> Box:
     """Return the rectangle of the frame."""
-    if format not in SIZES:
+    if format not in FORMATS:
         raise SheetError(
             said(
                 "no frame for the format {format!r}: choose one of {listed}",
                 format=format,
-                listed=", ".join(SIZES),
+                listed=", ".join(FORMATS),
             )
         )
     if language not in languages():
@@ -159,7 +156,7 @@ def _inner(format: str, language: str) -> Box:
                 listed=", ".join(languages()),
             )
         )
-    (width, height), (binding, other) = SIZES[format], MARGINS[standard(language)]
+    width, height, (binding, other) = *size_of(format), MARGINS[standard(language)]
     return Box(binding, other, width - other, height - other)
 
 
@@ -187,7 +184,7 @@ def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, compl
 def _edges(format: str, inner: Box) -> tuple[Stroke, ...]:
     """Return the edge of the paper, a thin line whose ink stays on it, and the heavy frame."""
     half = pens(format)["thin"].width / 2
-    width, height = SIZES[format]
+    width, height = size_of(format)
     paper = Box(half, half, width - half, height - half)
     return tuple(
         line(

@@ -40,6 +40,7 @@ def _upright(pen: str, bottom: float, top: float, *places: float) -> tuple[Rulin
 
 
 SMALL, TEXT = (2.5, 1.8), (3.5, 2.5, 1.8)
+"""Sizes of lettering, mm (ГОСТ 2.304), of captions and of texts: the first that fits."""
 CHANGES = (
     said("Rev.", context="title block"),
     said("Sheet", context="title block"),
@@ -48,6 +49,7 @@ CHANGES = (
     said("Date", context="title block"),
 )
 EDGES = (0, 7, 17, 40, 55, 65)
+"""Edges of the columns of changes, mm from the left (ГОСТ 2.104, form 1)."""
 ROLES = (
     (said("Drawn", context="title block"), "drawn_by"),
     (said("Checked", context="title block"), "checked_by"),

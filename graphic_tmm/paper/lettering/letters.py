@@ -43,7 +43,9 @@ SIZES = (2.5, 3.5, 5, 7, 10, 14)
 """Heights of a capital in mm that the sheets use (ГОСТ 2.304 goes on to 20, 28, 40)."""
 
 _STEPS = (1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0)
+"""All sizes of ГОСТ 2.304, mm."""
 _INDEX = 0.7
+"""Size of an index, of the letter before it: about one step of ГОСТ 2.304 down."""
 # In tenths of the height of a capital: gaps before a letter and an index, base lines of indices,
 # clear way to a line over or under a group, pitch of two lines under it, ends kept off by a bar.
 _GAP, _INDEX_GAP = 2.0, 1.5

@@ -28,6 +28,7 @@ _SPECIAL = frozenset("_^{}\\")
 _TOLD = _SPECIAL | INDICES
 _COMMANDS = ("bar", "uu", "u")
 _DEEPEST = 8
+"""So many groups may stand in one another: chosen by eye, far more than can be read."""
 
 
 class Text(NamedTuple):

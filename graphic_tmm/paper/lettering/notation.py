@@ -24,8 +24,10 @@ SLANT = math.tan(math.radians(15.0))
 """How far a point moves to the right per unit of its height when a letter is inclined (75°)."""
 
 _DOT = 0.15
+"""Half the way that the pen is moved for a dot, in tenths of a capital; chosen by eye."""
 _KINK = math.radians(2.0)
 _SAME = 1e-9
+"""Places nearer to one another, in the same unit, are one."""
 
 
 class _Node(NamedTuple):

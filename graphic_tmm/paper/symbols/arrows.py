@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH, arrowhead
-from graphic_tmm.readers.columns import segment_name
 
 
 def arrow(a: complex, b: complex, pen: str, head: float = ARROW_LENGTH) -> list[Stroke]:

@@ -13,11 +13,13 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 ARROW = 3.0
+"""Length of an arrowhead, mm (ГОСТ 2.307: at least 2.5)."""
 BEYOND = 2.0
 """How far an extension line goes on behind the arrows, mm."""
 ABOVE = 0.9
 """Clear height between the dimension line and its figure, mm."""
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 
 class Dimension(NamedTuple):

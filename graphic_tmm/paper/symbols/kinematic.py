@@ -18,15 +18,26 @@ from graphic_tmm.paper.drawing import Stroke, arc, circle, line
 from graphic_tmm.paper.symbols.hatching import hatched
 
 JOINT_RADIUS = 1.5
+"""Of the circle of a turning pair, mm. ГОСТ 2.770 gives shapes, not sizes: this and those below were chosen by
+eye."""
 FOOT_HEIGHT, FOOT_WIDTH, GROUND_LENGTH = 7.0, 8.0, 12.0
+"""A pivot on the frame: height and width of its legs, length of its base line, mm."""
 HATCH_PITCH, HATCH_DEPTH = 1.5, 2.0
+"""Hatching of the frame: way between strokes along the line, their depth, mm."""
 MOST_HATCHES = 2000
+"""Strokes along one line at the most: at the pitch above, 3 m."""
 PLATE_PITCH = 2.0
+"""Pitch of the hatching of a plate, mm."""
 SLIDER_LENGTH, SLIDER_WIDTH = 12.0, 6.0
+"""A slider on a guide of the frame, mm."""
 STONE_LENGTH, STONE_WIDTH = 10.0, 5.0
+"""A stone on a rocker, mm: smaller than a slider, so that it shows on the link."""
 CORNER, ROOF = 4.0, 3.2
+"""Legs of the triangle that joins two bars firmly, its height over a straight bar, mm."""
 ARROW_LENGTH, ARROW_WIDTH = 4.5, 1.2
+"""An arrowhead, its length and width, mm."""
 POLE_RADIUS = 0.7
+"""The dot of a pole, mm."""
 
 Strokes = tuple[Stroke, ...]
 

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import EngineOrder
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -30,8 +30,7 @@ def drawn() -> Drawn:
 
 
 def column(made: Drawn, segment: str) -> np.ndarray:
-    found = next(c for c in engine_columns(made) if c.segment == segment)
-    return np.array([math.nan if x is None else x for x in found.value])
+    return next(c for c in engine_columns(made) if c.segment == segment).value[0]
 
 
 def order(**changes: object) -> EngineOrder:
@@ -136,7 +135,7 @@ def test_newtons_are_the_kgf_times_g() -> None:
 
 def test_the_exact_split_of_the_rod_is_the_lever_rule() -> None:
     made = drawn_of(with_engine(share=None, mass=None), exact=True)
-    found = engine_results(made)
+    found = single(engine_results(made))
     assert found["m_rod_at_slider"][0] == pytest.approx(17.1 * 0.25)
     assert found["m_to_and_fro"][0] == pytest.approx(17.1 + 17.1 * 0.25)
     length = R / LAMBDA

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.readers.table import scene_results
 from graphic_tmm.scene.read import read
@@ -101,8 +101,8 @@ def test_the_pressure_on_the_guide_ends_where_the_whole_force_does(views: list[D
 def test_the_words_say_the_same(views: list[Drawing]) -> None:
     for view in views:
         assert any("\\bar{P}′ = \\bar{Q} + \\bar{N}" in label.text for label in view.labels)
-    assert CAPTIONS["en"]["diagram engine N"] == "Pressure N on the guide"
-    assert CAPTIONS["ru"]["diagram engine N"] == "Давление на направляющую N"
+    assert captions("en")["view engine N"] == "Pressure N on the guide"
+    assert captions("ru")["view engine N"] == "Давление на направляющую N"
 
 
 def test_pins_bear_the_letters_of_the_scene_and_the_slider_lies_along_its_guide(
@@ -126,5 +126,5 @@ def test_the_arms_of_the_rod_are_told_by_its_pins_and_not_by_the_order_of_its_le
     found = []
     for text in (SCENE, shuffled):
         path.write_text(text, encoding="utf-8")
-        found.append(scene_results(make(read(path)))["m_rod_at_slider"][0])
+        found.append(scene_results(make(read(path)))["m_rod_at_slider"][0][0])
     assert found == pytest.approx([3 * 0.3 / 0.4] * 2, rel=1e-9)  # D is 300 mm from K

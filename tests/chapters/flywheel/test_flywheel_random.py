@@ -11,12 +11,12 @@ import pytest
 from support.boards import drawn_of
 from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
-from graphic_tmm.board.charts import HEIGHT
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.sentences import sentence
 from graphic_tmm.scene.read import read
@@ -100,7 +100,7 @@ def test_the_number_is_what_the_ink_shows(tmp_path: Path, seed: int, ruler: str)
     drawn, paper = sheets(scene(tmp_path, seed, ruler=ruler))
     assert drawn is not None
     assert drawn.mechanism is not None
-    results = flywheel_results(drawn.mechanism.project, drawn.mechanism.reading)
+    results = single(flywheel_results(drawn.mechanism))
     (text,) = [svg(sheet) for sheet in paper if "(f–f)" in svg(sheet)]
     curves = inked(text)
     own = curves["(f–f)"].imag
@@ -140,7 +140,7 @@ def test_graphs_use_the_room_of_their_format(
 ) -> None:
     """The scale next to the one chosen, at most 2 times finer, would not do."""
     made = drawn_of(scene(tmp_path, seed, on=on, more=f'constant = "{constant}"'), exact=True)
-    log, room = made.project.construction, HEIGHT[on]
+    log, room = made.project.construction, FORMATS[on].graph
     tall = {}
     for view in ("moment", "work", "energy"):
         spots = [

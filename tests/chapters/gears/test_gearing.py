@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from graphic_tmm.board.grammar import OPERATIONS
+from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears import rack
 
@@ -56,7 +57,7 @@ def test_no_angle_has_a_negative_involute_function() -> None:
 def test_the_least_shift_brings_the_limit_of_the_rack_to_the_base_circle(z: int) -> None:
     m, alpha, h = one(2e-3), one(20.0), one(2e-3)
     least = rack.least_shift.run(h, m, one(z), alpha)
-    r = g.pitch_radius.run(m, one(z))
+    r = pitch_radius.run(m, one(z))
     assert rack.limit_curvature.run(r, alpha, h, least, m) == pytest.approx(0.0, abs=1e-16)
     # the usual rule: (z0 − z)/z0 with z0 = 2/sin² α teeth
     z0 = 2.0 / np.sin(np.radians(20.0)) ** 2

@@ -9,9 +9,11 @@ import pytest
 from support.each import each
 from support.gallery import PLANS, drawn
 
+from graphic_tmm.board.naming import (
+    segment_name,
+)
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.readers.columns import segment_name
 from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 
 

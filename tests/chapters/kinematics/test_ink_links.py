@@ -150,10 +150,10 @@ def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row(
         x = 120.0 * math.cos(math.radians(degrees))
         reach = x + math.sqrt(x * x - 120.0**2 + 300.0**2)  # of A along the cylinder, mm
         due = 10 * math.pi * reach / 1000
-        assert rows["velocities", "pa1"].value[place] == pytest.approx(due, rel=1e-9)
+        assert rows["velocities", "pa1"].value[0, place] == pytest.approx(due, rel=1e-9)
     x = 120.0 * math.cos(math.radians(60.0))
     reach = x + math.sqrt(x * x - 120.0**2 + 300.0**2)
-    found = rows["accelerations", "πa1"].value[2]
+    found = rows["accelerations", "πa1"].value[0, 2]
     assert found == pytest.approx((10 * math.pi) ** 2 * reach / 1000, rel=1e-9)
 
 

@@ -13,6 +13,7 @@ from support.trials import honest
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.judging.sample import sample
 from graphic_tmm.checking.judging.scatter import Limits, scatter
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import drawings, make
@@ -43,7 +44,8 @@ def test_scatter_goes_to_zero_with_the_hand() -> None:
             ruler=None, digits=None, prick=0.15 * share, compass=0.15 * share,
             swing=0.6 * share, reading=0.75 * share, trials=200,
         )  # fmt: skip
-        found = scatter(exact("engine"), Reader(hand), {key: {True}}, Limits())
+        drawn = sample(exact("engine"), hand, {key: {True}})
+        found = scatter(exact("engine"), drawn, Reader(hand), {key: {True}}, Limits())
         wide.append(float(np.sqrt(np.mean(found[key, True].sorted ** 2))))
     assert wide[1] == pytest.approx(0.1 * wide[0], rel=0.05)
     assert wide[2] == pytest.approx(0.01 * wide[0], rel=0.05)

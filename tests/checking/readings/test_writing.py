@@ -5,22 +5,28 @@ from __future__ import annotations
 import csv
 import io
 
+import numpy as np
 import pytest
 from support import gallery
 from support.boards import parts
+from support.columns import along
 from support.gallery import NAMES
 
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import result_columns, template, write_readings
 from graphic_tmm.checking.records import Last, Taken
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import Column, empty
 from graphic_tmm.readers.table import columns_of, results_of, table
 
 COLUMNS = (
-    Column("velocities", "pb", "pb", "m/s", (0.0, 1.0, None), (0.0, 0.25, None)),
-    Column("velocities", "omega2", "ω_2", "1/s", (None,) * 3, (3.0, None, None)),
+    Column("velocities", "pb", "pb", "m/s", along(0.0, 1.0, None), along(0.0, 0.25, None)),
+    Column("velocities", "omega2", "ω_2", "1/s", empty(3), along(3.0, None, None)),
     *result_columns(
-        {"J_fly": (1.77, "kg·m²"), "contact_ratio": (1.16, ""), "y": (float("nan"), "")}
+        {
+            "J_fly": (np.array([1.77]), "kg·m²"),
+            "contact_ratio": (np.array([1.16]), ""),
+            "y": (np.array([np.nan]), ""),
+        }
     ),
 )
 NAMES_3 = ("1", "2", "6*")
@@ -89,7 +95,7 @@ def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
     due = {
         (c.plan, "" if c.plan == "results" else names[k], c.segment): (mm, value, c.unit)
         for c in columns
-        for k, (mm, value) in enumerate(zip(c.mm, c.value, strict=True))
+        for k, (mm, value) in enumerate(zip(*c.told, strict=True))
         if (mm, value) != (None, None)
     }
     asked = list(csv.DictReader(io.StringIO(template(columns, names))))

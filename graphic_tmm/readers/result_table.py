@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from graphic_tmm.language.captions import CAPTIONS
+from graphic_tmm.captions import captions
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.words import fixed, unit
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.layout import settled
@@ -17,10 +18,14 @@ from graphic_tmm.paper.lettering.indices import (
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.equations import quantity
+from graphic_tmm.readers.columns import (
+    Column,
+    Row,
+    known_at,
+)
 
 SIZE = 3.5
+"""Sizes of lettering, mm (ГОСТ 2.304)."""
 
 
 def result_table(
@@ -36,17 +41,18 @@ def result_table(
     ``upright``: a row for each position instead. A table that no sheet holds whole is broken into blocks, or
     turned the other way, whichever gives fewer.
     """
-    words = CAPTIONS[language]
-    shown = [k for k in range(len(names)) if any(c.value[k] is not None for c in columns)]
+    words = captions(language)
+    shown = known_at(columns)
     rows = []
     for column in columns:
         letter = words.get(column.letter) or markup(symbol(column.letter, language))
-        if any(x is not None for x in column.mm):
-            cells = [fixed(column.mm[k], 1, language) for k in shown]
+        mm, value = column.told
+        if column.drawn:
+            cells = [fixed(mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
-            letter = quantity(column.letter) if plan in ("velocities", "accelerations") else letter
-        places = _decimals(column.value)
-        cells = [fixed(column.value[k], places, language) for k in shown]
+            letter = column.quantity or letter
+        places = _decimals(value)
+        cells = [fixed(value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
     name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
@@ -71,7 +77,7 @@ def result_table(
     return made._replace(apart=apart)
 
 
-def _decimals(row: Sequence[float | None]) -> int:
+def _decimals(row: Row) -> int:
     """Return how many decimals give the largest figure of a row three significant digits."""
     largest = max((abs(x) for x in row if x is not None), default=0.0)
     return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from graphic_tmm.board.record import Construction, Mark
     from graphic_tmm.drawn import Drawn
     from graphic_tmm.project import Project
-    from graphic_tmm.readers.quantity import Quantity
+    from graphic_tmm.quantity import Quantity
     from graphic_tmm.scene.records import Scene
 
 
@@ -28,8 +28,8 @@ class Axis:
 
     ``scenes``: the scenes along it, each with its value as text; none if the scene does not call for it.
     ``bears``: the quantities that it bears upon. ``parts``: where the axis divides a drawing finer, into how
-    many parts a scene itself does, 0 if it does not: it bears upon all then. ``free``: it may be chosen so
-    that an error is kept within.
+    many parts a scene itself does, 0 if it does not: it bears upon all then. ``counted``: so many parts, with
+    their noun. ``free``: it may be chosen so that an error is kept within.
     """
 
     name: str
@@ -37,6 +37,7 @@ class Axis:
     bears: tuple[str, ...] = ()
     parts: Callable[[Scene], int] | None = None
     free: bool = False
+    counted: str = ""
 
 
 @dataclass(frozen=True)
@@ -46,13 +47,14 @@ class Accuracy:
     ``quantities``: of what was recorded; ``places``: those of sheets that call for one. ``axes``: what can be
     varied.
 
+    ``words``: what quantities, axes and values are called, in English, by their names.
+
     ``whole``: the scene with all drawn at all positions of its row. ``at_count``: what follows when the row,
     which still has its old number of positions, gets another; None if it has not what a scene names then.
     What is given position by position is taken to be straight between them.
 
-    ``kept``: given marks, besides scale factors, that stay as they were drawn; ``scaled_as``: a view -> the
-    view whose scale factors it takes if it has none. ``tried``: what a refinement tries, by the mark that it
-    leaves.
+    ``kept``: given marks, besides scale factors, that stay as they were drawn. ``tried``: what a refinement
+    tries, by the mark that it leaves.
 
     ``enlarged``: the scene drawn so many times larger than it was, every μ so much finer. ``poles``: the
     quantities on which the distance of its poles bears, none if a scene has no pole; ``farther``: what is
@@ -63,10 +65,10 @@ class Accuracy:
     quantities: Callable[[Project], Iterable[Quantity]] = lambda project: ()
     places: tuple[str, ...] = ()
     axes: tuple[Axis, ...] = ()
+    words: Mapping[str, str] = field(default_factory=dict)
     whole: Callable[[Scene], Scene] = lambda scene: scene
     at_count: Callable[[Scene, int], Scene | None] = lambda scene, count: scene
     kept: Callable[[Project], Iterable[Mark]] = lambda project: ()
-    scaled_as: Callable[[str], str] = lambda view: view
     tried: Callable[[Project], Mapping[Mark, Trial]] = lambda project: {}
     enlarged: Callable[[Scene, Drawn, float], Scene] = lambda scene, drawn, times: scene
     poles: Callable[[Scene], tuple[str, ...]] = lambda scene: ()

@@ -1,0 +1,43 @@
+"""What things are called on sheets, in tables and protocols: the words of no chapter, and those of all.
+
+A view, a plan, the letter of a column and a result have names for people by the names that code has for them. A
+chapter declares those of its own (`Chapter.captions`), so that they go where it goes.
+"""
+
+from __future__ import annotations
+
+from collections import ChainMap
+
+from graphic_tmm.chapter import chapters
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Words
+
+COMMON: dict[str, str] = {
+    "position": said("position"),
+    "calculate": said("Calculate"),
+    "continued": said("continued"),
+    "of view": said(" of “{view}”"),
+    "results": said("Results"),
+    "segment": said("Segment"),
+    "value": said("Quantity"),
+    "unit": said("Unit"),
+    "undrawn": said("cannot be drawn"),
+    "synthesis": said("Synthesis"),
+}
+"""The words that belong to no chapter."""
+
+
+def captions(language: str) -> Words:
+    """Return the words of the kernel and of all chapters in a language, by the names that code has for them."""
+    declared = [dict(one.captions) for one in chapters()]
+    return Words(ChainMap(COMMON, *declared), speaking(language))
+
+
+def view_name(view: str, language: str) -> str:
+    """Return what a view is called, as plain text; as code calls it if nobody has a word for it."""
+    speech, words = speaking(language), captions(language)
+    told = (one.called(view, speech) for one in chapters())
+    made = next((name for name in told if name), "")
+    return made or plain(words.get(f"view {view}", words.get(view, view))).strip()

@@ -1,0 +1,25 @@
+"""What people call kinematic diagrams, their table and its columns."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.said import said
+
+CAPTIONS: dict[str, str] = {
+    "diagrams": said("Diagrams"),
+    "diagram S": said("Displacement diagram of {point}"),
+    "diagram V": said("Velocity diagram of {point}"),
+    "diagram a": said("Acceleration diagram of {point}"),
+    "table diagrams": said("Diagrams and plans"),
+    "V_plan": said("V_{pl}"),
+    "a_plan": said("a_{pl}"),
+    "V_difference": said("Δ_{V}"),
+    "a_difference": said("Δ_{a}"),
+}
+
+
+def called(view: str, speech: Speech, point: str = "") -> str:
+    """Return what a diagram of a point is called, as plain text; "" for another view."""
+    caption = CAPTIONS.get(view, "")
+    return plain(speech(caption, point=point)).strip() if "{point}" in caption else ""

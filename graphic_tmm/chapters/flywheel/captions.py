@@ -1,0 +1,31 @@
+"""What people call the flywheel's graphs, table and results."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.said import said
+
+CAPTIONS: dict[str, str] = {
+    "flywheel": said("Flywheel"),
+    "moment": said("Reduced moment of the driving forces"),
+    "work": said("Works of the driving and the resisting forces"),
+    "energy": said("Change of kinetic energy"),
+    "energy-mass": said("Energy–mass diagram"),
+    "table flywheel": said("Flywheel, by positions"),
+    "cd": said("cd"),
+    "J_fly": said("J_{F}"),
+    "J_fly_energy_mass": said("J_{F} (energy–mass)"),
+    "D_mean": said("D_{mean}"),
+    "rim_mass": said("m_{F}"),
+    "p_mean_cover": said("p_{mean}, cover"),
+    "p_mean_shaft": said("p_{mean}, shaft"),
+}
+
+_RESISTING = said("Reduced moment of the resisting forces")
+
+
+def graph_title(view: str, constant: str, speech: Speech) -> str:
+    """Return what a graph is called; that of the moment by which of the two moments varies."""
+    if view == "moment" and constant == "driving":
+        return speech(_RESISTING)
+    return speech(CAPTIONS[view])

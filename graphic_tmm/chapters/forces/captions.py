@@ -1,0 +1,39 @@
+"""What people call the force analysis, its table and its columns."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.said import said
+
+CAPTIONS: dict[str, str] = {
+    "forces": said("Force analysis"),
+    "loads": said("Loads"),
+    "friction": said("Friction"),
+    "lever": said("Zhukovsky's lever"),
+    "table forces": said("Forces, reactions, balancing"),
+    "P_bal_forces": said("P_{b}"),
+    "P_bal_lever": said("P_{b}^{Zh}"),
+    "M_bal_forces": said("M_{b}"),
+    "M_bal_lever": said("M_{b}^{Zh}"),
+    "bal_difference": said("Δ"),
+    "bal_open": said("Δ_{friction}"),
+}
+
+
+def called(view: str, speech: Speech) -> str:
+    """Return what the figure or polygon of a group or a link is called, and its pass; "" for other views."""
+    kind, _, name = view.partition(" ")
+    if kind not in _TITLES or not name:
+        return ""
+    name, _, tried = name.partition(" ")
+    group, link = _TITLES[kind]
+    title = speech(group if "-" in name else link, name=name)
+    return title + (speech(_PASS, number=tried) if tried else "")
+
+
+_TITLES = {
+    "group": (said("Group {name}"), said("Link {name}")),
+    "forces": (said("Force polygon of group {name}"), said("Force polygon of link {name}")),
+}
+"""The figure and the polygon of a group, and those of a link."""
+_PASS = said(", pass {number}")

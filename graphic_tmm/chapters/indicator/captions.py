@@ -1,0 +1,9 @@
+"""What people call the indicator diagram."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.said import said
+
+CAPTIONS: dict[str, str] = {
+    "indicator": said("Indicator diagram"),
+}

@@ -1,0 +1,15 @@
+"""What people call a planetary train's views and results."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.said import said
+
+CAPTIONS: dict[str, str] = {
+    "planetary": said("Planetary train"),
+    "planetary-velocities": said("Picture of linear velocities"),
+    "planetary-rates": said("Plan of angular velocities"),
+    "planetary_satellites": said("number of satellites k"),
+    "planetary_ratio": said("U"),
+    "planetary_ratio_drawn": said("U as drawn"),
+    "planetary_difference": said("Δ_{U}"),
+}

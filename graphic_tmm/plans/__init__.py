@@ -1,1 +1,0 @@
-"""The textbook: each file talks to a Board only."""

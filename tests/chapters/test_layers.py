@@ -1,0 +1,54 @@
+"""Inside a chapter imports go down: what is shown, told and judged -> what is drawn -> formulas -> the task.
+
+A refusal that a task asks of its plan is imported when it is asked.
+"""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+from support.gallery import ROOT
+
+BOOK = ROOT / "graphic_tmm" / "chapters"
+CHAPTERS = sorted(path.parent.name for path in BOOK.glob("*/__init__.py"))
+LAYERS = (
+    ("task", "kinds", "captions"),
+    ("sections", "formulas", "law_formulas", "rack", "operations", "rolling"),
+    (),  # plans: what no other layer names
+    ("table", "results", "tables", "scales", "findings", "assumed", "any"),
+    ("ink", "outline", "accuracy"),
+    ("views",),
+    ("__init__",),
+)
+
+
+def layer(name: str) -> int:
+    found = (
+        k for k, names in enumerate(LAYERS) if name in names or name.partition("_")[0] in names
+    )
+    return next(found, 2)
+
+
+def imports(path: Path, chapter: str) -> set[str]:
+    home = f"graphic_tmm.chapters.{chapter}"
+    found = set()
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.ImportFrom) and node.module:
+            if node.module == home:
+                found |= {alias.name for alias in node.names}
+            elif node.module.startswith(f"{home}."):
+                found.add(node.module.removeprefix(f"{home}."))
+    return found
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_imports_of_a_chapter_go_down(chapter: str) -> None:
+    wrong = [
+        f"{path.stem} imports {other}"
+        for path in sorted((BOOK / chapter).glob("*.py"))
+        for other in sorted(imports(path, chapter))
+        if layer(other) > layer(path.stem)
+    ]
+    assert not wrong

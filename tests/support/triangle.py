@@ -1,0 +1,80 @@
+"""A chapter that no folder of the book holds: a triangle by its sides."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ray, strike
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Point, Side
+from graphic_tmm.chapter import Asked, Chapter, Made, Place
+from graphic_tmm.drawn import Drawn, view_scales
+from graphic_tmm.paper.arranging import captioned, mu_text
+from graphic_tmm.paper.drawing import Drawing, line
+from graphic_tmm.project import Bench, Project
+from graphic_tmm.quantity import Quantity, Value
+from graphic_tmm.readers.measured import measured_columns
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Section, key
+from graphic_tmm.varied import Accuracy
+
+
+@dataclass(frozen=True)
+class Sides:
+    """A triangle by its sides."""
+
+    a: float = key(v.POSITIVE_LENGTH, "the base", "60 mm")
+    b: float = key(v.POSITIVE_LENGTH, "the side at its beginning", "50 mm")
+    c: float = key(v.POSITIVE_LENGTH, "the side at its end", "40 mm", 0.04)
+
+
+class Triangle(NamedTuple):
+    corners: tuple[Mark, Mark, Mark]
+    side: Mark
+    mu: Mark
+
+
+ASKED: Asked[Sides] = Asked("triangle")
+TRIANGLE: Made[Triangle] = Made("triangle")
+
+
+def record(bench: Bench) -> Triangle | None:
+    task, draft = ASKED.of(bench.scene), bench.draft
+    if task is None:
+        return None
+    draft.open("triangle")
+    draft.mu_l = mu = draft.scale("μ_l", "m/mm")
+    draft.lay_out()
+    a = draft.take(Point, "A", 0j)
+    base = draft.draw(ray, "(AB)", a, draft.direction(0.0))
+    b = draft.draw(lay_off, "B", base, draft.length("AB", task.a))
+    arcs = [draft.draw(strike, f"({name})", at, draft.length(name, size))
+            for name, at, size in (("AC", a, task.b), ("BC", b, task.c))]  # fmt: skip
+    c = draft.draw(cross, "C", *arcs, draft.take(Side, "±", 1.0))
+    return Triangle((a, b, c), draft.draw(measure, "CA", c, a), mu)
+
+
+def figure(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    spots = [complex(drawn.reading[mark][0, 0]) for mark in TRIANGLE.on(drawn).corners]
+    view = Drawing("triangle", "triangle", (line("main", *spots, closed=True),))
+    return [captioned(view, mu_text(drawn.scales["triangle"], drawn.scene.language))]
+
+
+def side(project: Project) -> tuple[Quantity, ...]:
+    value = Value(TRIANGLE.on(project).side, TRIANGLE.on(project).mu)
+    return (Quantity("CA", "m", (value,), due=(value,)),)
+
+
+CHAPTER = Chapter(
+    "triangle", 98, "triangle",
+    sections=(Section("triangle", Sides, "a triangle by its sides", alone=True),),
+    places=(Place("triangle", 130, figure),),
+    asked=lambda scene: ASKED.of(scene) is not None,
+    record=record,
+    scales=lambda fitting: {TRIANGLE.on(fitting).mu: 0.0005},
+    named=lambda project, reading, given: view_scales(project, reading),
+    plans=("triangle",),
+    columns=measured_columns, captions={"triangle": "Triangle by its sides"},
+    accuracy=Accuracy(quantities=side, words={"CA": "side CA"}),
+)  # fmt: skip

@@ -1,0 +1,86 @@
+"""A chapter is a folder that can be deleted, with those that build on it: the scenes left are drawn as before."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import pytest
+from support.gallery import ALL, ROOT, scene
+
+from graphic_tmm.chapter import chapters, places
+from graphic_tmm.studio import sheet_files
+
+DRAW = """
+import hashlib, json, sys
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheet_files
+found = {}
+for path in sys.argv[1:]:
+    for name, text in sheet_files(read(path))[1].items():
+        found[name] = hashlib.sha256(text.encode()).hexdigest()
+print(json.dumps(found))
+"""
+
+
+def with_those_above(name: str) -> set[str]:
+    """A chapter and all that build on it, by what the chapters themselves declare."""
+    gone = {name}
+    for one in (*chapters(), *chapters()):
+        if gone & set(one.builds_on):
+            gone.add(one.name)
+    return gone
+
+
+@cache
+def chapters_of(name: str) -> frozenset[str]:
+    """The chapters that a scene of the package calls for, by its sections and by what its sheets show."""
+    asked = scene(name)
+    known = places()
+    shown = {known[place][0].name for place in asked.called}
+    tasks = {one.name for one in chapters() for s in one.sections if s.name in asked.tasks}
+    return frozenset(shown | tasks)
+
+
+def covering(names: list[str]) -> list[str]:
+    """Scenes enough that every chapter which any of some scenes calls for is called for."""
+    chosen: list[str] = []
+    while (
+        wanted := frozenset().union(*map(chapters_of, names)).difference(*map(chapters_of, chosen))
+    ):
+        chosen.append(max(names, key=lambda one: len(chapters_of(one) & wanted)))
+    return chosen
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [one.name for one in chapters()])
+def test_a_chapter_can_be_taken_out(name: str, tmp_path: Path) -> None:
+    gone = with_those_above(name)
+    left = covering([one for one in ALL if not chapters_of(one) & gone])
+    copy = tmp_path / "graphic_tmm"
+    shutil.copytree(ROOT / "graphic_tmm", copy, ignore=shutil.ignore_patterns("__pycache__"))
+    for one in gone:
+        shutil.rmtree(copy / "chapters" / one)
+    paths = [str(ROOT / "sheets" / one) for one in left]
+    done = subprocess.run(
+        [sys.executable, "-c", DRAW, *paths],
+        cwd=tmp_path,
+        env={"PYTHONPATH": str(tmp_path), "PATH": ""},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    due = {
+        file: hashlib.sha256(text.encode()).hexdigest()
+        for one in left
+        for file, text in sheet_files(scene(one))[1].items()
+        if isinstance(text, str)
+    }
+    assert json.loads(done.stdout) == due
+    assert due
