@@ -9,7 +9,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import Said, joined, said
 
 
-class OrderError(StructureError):
+class TaskError(StructureError):
     """An order that makes no sense; ``key``: the section and the key of a scene that say so."""
 
     def __init__(self, section: str, key: str, message: str) -> None:
@@ -74,7 +74,7 @@ class Bound:
 
         Raises
         ------
-        OrderError
+        TaskError
             Which says what is wanted.
         """
         if not self.holds(value):
@@ -83,7 +83,7 @@ class Bound:
             says = said(
                 "{key} = {told}: {wanted} is wanted", key=key, told=told, wanted=self.wanted
             )
-            raise OrderError(section, key, says)
+            raise TaskError(section, key, says)
 
 
 POSITIVE = Bound(0, above=True)

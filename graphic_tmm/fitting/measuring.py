@@ -11,7 +11,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.compose import Views, laid, orders, views_of
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.layout import bounds, holds, settled, share
+from graphic_tmm.paper.packing import bounds, holds, settled, share
 from graphic_tmm.scene.records import Scene
 
 Cells = dict[tuple[object, ...], list[Drawing]]

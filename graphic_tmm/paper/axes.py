@@ -11,7 +11,7 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 9.0

@@ -6,10 +6,10 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from graphic_tmm.paper.arranging import stacked
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.layout import bounds, holds
+from graphic_tmm.paper.packing import bounds, holds
 from graphic_tmm.paper.ruled import Grid, measured, table
+from graphic_tmm.paper.views import stacked
 
 CROWNED = 12.0
 """Room for the title above a block, mm."""

@@ -11,13 +11,13 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.layout import settled
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.packing import settled
 from graphic_tmm.readers.columns import (
     Column,
     Row,

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Mapping
 from itertools import chain
 from typing import Any
 
-from graphic_tmm.bounds import OrderError
+from graphic_tmm.bounds import TaskError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import free_points, shared
 from graphic_tmm.scene import geometry, registry
@@ -54,7 +54,7 @@ def _refused(section: Section, told: Any) -> Iterator[Found]:
         return
     try:
         section.refuse(build(section.record, told))
-    except OrderError as error:
+    except TaskError as error:
         yield Found(error.key, error.says)
 
 

@@ -170,7 +170,7 @@ class Section:
     ``several``: it is a list of tables. ``always``: it is read even where it is not written: all its keys have
     defaults. ``alone``: it needs no mechanism. ``gives``: it asks for nothing itself, but for others.
     ``begin``: the keys that it begins with, for a remedy. ``check``: what it said (a list of paths and these,
-    if there may be several) -> every contradiction. ``refuse``: its record -> OrderError of the plan that
+    if there may be several) -> every contradiction. ``refuse``: its record -> TaskError of the plan that
     cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes
     to nothing, a line each; ``defaults``: the defaults of it that matter. ``weighs``: it needs the mass centres
     of links. ``shows``: its record -> other sections that are shown where it is.

@@ -13,7 +13,7 @@ import svgwrite
 from clock import ROOT, Row, in_turns, show
 
 from graphic_tmm.fitting.compose import compose
-from graphic_tmm.paper import placing
+from graphic_tmm.paper import labels
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read

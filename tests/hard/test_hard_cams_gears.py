@@ -14,8 +14,8 @@ from support.teeth import pair
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.chapters.cam.findings import cam_findings
-from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.cam.task import CamTask, FlatFollower
+from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.errors import StructureError
 
 R0 = 0.0521
@@ -41,7 +41,7 @@ def least_radius() -> float:
 
 
 def _with(share: float) -> Made:
-    order = CamOrder(**C6, r0=R0, roller=least_radius() * share, share_of_r0=0.95)
+    order = CamTask(**C6, r0=R0, roller=least_radius() * share, share_of_r0=0.95)
     return made(order)
 
 
@@ -95,7 +95,7 @@ def _flat_limit() -> float:
 
 @pytest.mark.parametrize(("share", "hollow"), [(1 + 2e-3, False), (1 - 2e-3, True), (0.5, True)])
 def test_a_flat_face_at_its_cusp(share: float, hollow: bool) -> None:
-    of = made(CamOrder(**C6, follower=FlatFollower(), r0=_flat_limit() * share))
+    of = made(CamTask(**C6, follower=FlatFollower(), r0=_flat_limit() * share))
     assert bool(cam_findings(of.reading, of.cam)) == hollow
 
 
@@ -137,7 +137,7 @@ def pointed(z1: int, z2: int) -> float:
 @each("off", [-0.05, -1e-9, 0.0, 1e-9, 0.05])
 def test_teeth_about_the_shift_that_makes_them_pointed(z: tuple[int, int], off: float) -> None:
     x = pointed(*z) + off
-    of = pair(GearOrder(*z, 0.01, x, 0.0))
+    of = pair(GearTask(*z, 0.01, x, 0.0))
     due, alpha_w = _tip(z, (x, 0.0))
     found = of.results()["s_a1"][0]
     # some forty roundings; the working angle is found from its involute function, whose slope is tan² α_w
@@ -151,7 +151,7 @@ def test_teeth_about_the_shift_that_makes_them_pointed(z: tuple[int, int], off: 
 @each("m", [1e-6, 0.01, 10.0])
 def test_wheels_of_six_teeth(x: tuple[float, float], m: float) -> None:
     """Drawn at every module; of each fault there is, the verdict, and what is not drawn is named."""
-    of = pair(GearOrder(6, 6, m, *x))
+    of = pair(GearTask(6, 6, m, *x))
     least = 1 - 3 * np.sin(np.radians(20.0)) ** 2
     for wheel, shift in enumerate(x, 1):
         assert (("undercut", wheel) in of.failed()) == (shift < least)
@@ -168,7 +168,7 @@ def test_shifts_near_the_least_sum_have_an_angle_or_are_refused(off: float) -> N
         alpha = mp.radians(20)
         least = -mp.mpf(80) * (mp.tan(alpha) - alpha) / (2 * mp.tan(alpha))
         half = float(least / 2)
-    order = GearOrder(40, 40, 0.01, half * (1 - off), half * (1 - off))
+    order = GearTask(40, 40, 0.01, half * (1 - off), half * (1 - off))
     try:
         of = pair(order)
     except StructureError as error:

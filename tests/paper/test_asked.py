@@ -24,7 +24,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.frame.frame import drawing_area
-from graphic_tmm.paper.layout import GAP, bounds
+from graphic_tmm.paper.packing import GAP, bounds
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import make, sheets

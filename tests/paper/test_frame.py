@@ -11,7 +11,6 @@ from shapely.geometry import LineString, Polygon, box
 from support.each import each
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import placing
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.formats import FORMATS, size_of
 from graphic_tmm.paper.frame.frame import FIELDS, drawing_area, frame

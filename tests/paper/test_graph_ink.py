@@ -13,11 +13,11 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
-from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.graph import Names, axes_of, draw_graph
-from graphic_tmm.paper.placing import box, flat, shape
+from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import fitted
@@ -30,7 +30,7 @@ CASES = [
 
 @cache
 def drawn(name: str, start: str, method: str) -> Drawn:
-    order = KinematicOrder(POINTS[name], start=start, method=method)
+    order = KinematicTask(POINTS[name], start=start, method=method)
     sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
     scene = replace(read(SHEETS / name), sheets=sheets).asking(diagrams=order, flywheel=None)
     return fitted(scene, exact=True)

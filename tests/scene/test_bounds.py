@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from graphic_tmm.bounds import Bound, OrderError
+from graphic_tmm.bounds import Bound, TaskError
 from graphic_tmm.chapters.cam.refusals import refuse
-from graphic_tmm.chapters.cam.task import CamOrder
+from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.gears.refusals import refuse_order
-from graphic_tmm.chapters.gears.task import GearOrder
-from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder, scheme_of
+from graphic_tmm.chapters.gears.task import GearTask
+from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask, scheme_of
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.declare import Kind, keys_of
 from graphic_tmm.scene.read import read
@@ -26,7 +26,7 @@ GOOD: Mapping[str, dict[str, Any]] = {
     "gears": {"z1": 21, "z2": 34, "m": "5 mm"},
     "planetary": {"module": "4 mm", "speed": "100 1/s", "ratio": 4.6, "satellites": 3},
 }
-RECORDS = {"cam": CamOrder, "gears": GearOrder, "planetary": PlanetaryOrder}
+RECORDS = {"cam": CamTask, "gears": GearTask, "planetary": PlanetaryTask}
 TABLES = {"cam": "CamTable", "gears": "GearsTable", "planetary": "PlanetaryTable"}
 LISTED = {"stations", "behind", "teeth"}
 SLIGHT = 1e-6
@@ -180,7 +180,7 @@ def test_what_the_schema_tells_the_plan_takes(case: Case, tmp_path: Path) -> Non
 def _refused(section: str, order: Any) -> tuple[str, str] | None:
     try:
         PLANS[section](order)
-    except OrderError as error:
+    except TaskError as error:
         return error.key
     return None
 
@@ -198,7 +198,7 @@ def test_a_bound_holds_what_it_says(bound: Bound, inside: tuple, outside: tuple)
     assert all(bound.holds(x) for x in inside)
     assert not any(bound.holds(x) for x in outside)
     for x in outside:
-        with pytest.raises(OrderError, match=r"^gears: z1 = .* is wanted$") as caught:
+        with pytest.raises(TaskError, match=r"^gears: z1 = .* is wanted$") as caught:
             bound.refuse("gears", "z1", x)
         assert caught.value.key == ("gears", "z1")
 

@@ -70,7 +70,7 @@ def test_what_no_key_says_is_told_with_its_file_alone() -> None:
 def test_a_key_that_is_left_out_is_told_at_its_section() -> None:
     scene = read(SHEETS / "engine")
     text = Path(scene.source).read_text(encoding="utf-8").splitlines()
-    (told,) = str(scene.located(StructureError("too small", "flywheel.studs", head="flywheel"))).split(
-        "\n"
-    )
+    (told,) = str(
+        scene.located(StructureError("too small", "flywheel.studs", head="flywheel"))
+    ).split("\n")
     assert told == f"{scene.source}:{text.index('[flywheel]') + 1}: flywheel.studs: too small"

@@ -8,7 +8,7 @@ import pytest
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -24,7 +24,7 @@ def scene(folder: Path, *lines: str, text: str = ENGINE) -> Scene:
 
 
 def test_what_is_left_out_has_its_usual_value(tmp_path: Path) -> None:
-    assert scene(tmp_path, 'point = "B"').tasks["diagrams"] == KinematicOrder("B")
+    assert scene(tmp_path, 'point = "B"').tasks["diagrams"] == KinematicTask("B")
 
 
 def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
@@ -33,7 +33,7 @@ def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
         'point = "B"', 'start = "velocity"', 'method = "касательные"', 'mu_t = "2.5e-3 s/mm"',
         'mu_V = "0.075 (m/s)/mm"', 'H_a = "15 mm"', 'H_S = "2 cm"',
     ).tasks["diagrams"]  # fmt: skip
-    assert made == KinematicOrder(
+    assert made == KinematicTask(
         "B",
         "velocity",
         "time",

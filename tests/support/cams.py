@@ -16,7 +16,7 @@ from graphic_tmm.board.scales import standard
 from graphic_tmm.chapters.cam.plan import Cam, draw_cam
 from graphic_tmm.chapters.cam.profile import Contour
 from graphic_tmm.chapters.cam.task import (
-    CamOrder,
+    CamTask,
     FlatFollower,
     Law,
     RockerFollower,
@@ -43,7 +43,7 @@ class Made(NamedTuple):
         return float(self.reading[mark][0, 0])
 
 
-def made(order: CamOrder) -> Made:
+def made(order: CamTask) -> Made:
     """Draw a cam; scales that may be chosen become standard ones."""
     draft = Draft()
     cam = draw_cam(draft, order)
@@ -109,7 +109,7 @@ def shapes(law: Law) -> tuple[Shape, Shape, Shape]:
     return of(0), of(1), of(2)
 
 
-def motion(order: CamOrder, degrees: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def motion(order: CamTask, degrees: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return S, dS/dφ, d²S/dφ² in closed form (SI, per radian)."""
     phi = np.mod(degrees, 360.0)
     top, h = order.rise + order.upper_dwell, order.stroke
@@ -227,7 +227,7 @@ def displaced(made_: Made, degrees: np.ndarray) -> np.ndarray:
     return roller_places(profile, made_.one(cam.roller.radius), place_of(made_, degrees), most)
 
 
-def pressure_angles(order: CamOrder, r0: float, degrees: np.ndarray) -> np.ndarray:
+def pressure_angles(order: CamTask, r0: float, degrees: np.ndarray) -> np.ndarray:
     """Return the pressure angle (degrees) of a roller follower in closed form, positive towards the rise.
 
     The angle between the velocity of the roller's centre and the common normal, which is square to the roller's
@@ -253,7 +253,7 @@ def pressure_angles(order: CamOrder, r0: float, degrees: np.ndarray) -> np.ndarr
     return np.asarray(np.degrees(np.angle(normal / own)))
 
 
-def least_radius(order: CamOrder, step: float = 0.02) -> float:
+def least_radius(order: CamTask, step: float = 0.02) -> float:
     """Return the least r0 (m) at which no pressure angle passes its limit; NaN if there is none.
 
     The first of 400 radii that fits on a coarse turn, then halving on a dense one.
@@ -284,7 +284,7 @@ def least_radius(order: CamOrder, step: float = 0.02) -> float:
     return float(high)
 
 
-def curvatures(order: CamOrder, r0: float, degrees: np.ndarray) -> np.ndarray:
+def curvatures(order: CamTask, r0: float, degrees: np.ndarray) -> np.ndarray:
     """Return the curvature (1/m) of the theoretical profile by differences; positive if convex."""
     t = 1e-4
 

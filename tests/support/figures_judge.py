@@ -16,7 +16,7 @@ import numpy as np
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.chapters.forces.plan import FORCES
-from graphic_tmm.chapters.forces.task import ForcesOrder
+from graphic_tmm.chapters.forces.task import ForcesTask
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
@@ -74,7 +74,7 @@ class Told(NamedTuple):
         return self.off <= 2.0 * self.unit
 
 
-def scene_of(mechanism: Mechanism, order: ForcesOrder, angles: Sequence[float]) -> Scene:
+def scene_of(mechanism: Mechanism, order: ForcesTask, angles: Sequence[float]) -> Scene:
     """A scene of these positions: the first the row's only one, the others extras."""
     row = Row(1, 1, angles[0], tuple(angles[1:]), ("all",))
     sheets = (SheetOrder("A1", SHOWN),)

@@ -17,7 +17,7 @@ from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.forces.driving import Driver
 from graphic_tmm.chapters.forces.loads import Ground
 from graphic_tmm.chapters.forces.plan import Forces, draw_forces
-from graphic_tmm.chapters.forces.task import ForcesOrder, Friction, Load
+from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
@@ -63,21 +63,21 @@ def places(structure: Structure, positions: Positions) -> dict[str, str]:
     return found
 
 
-def order_of(loaded: Loaded, **options: Any) -> ForcesOrder:
+def order_of(loaded: Loaded, **options: Any) -> ForcesTask:
     """The order of a loaded mechanism: its forces in fixed directions, its moments."""
     loads = [
         Load(link, letter, abs(f), math.degrees(math.atan2(f.imag, f.real)))
         for link, letter, f in loaded.forces
     ]
     loads += [Load(link, None, m, 0.0) for link, m in loaded.moments]
-    return ForcesOrder(("all",), tuple(loads), **options)
+    return ForcesTask(("all",), tuple(loads), **options)
 
 
 def solve(
     loaded: Loaded,
     phi: float,
     poses: Mapping[int, Any],
-    order: ForcesOrder,
+    order: ForcesTask,
     *,
     turned: bool = False,
     judged: bool = True,

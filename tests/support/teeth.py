@@ -16,7 +16,7 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
 from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
 from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.teeth import Flank
 from graphic_tmm.drawn import Drawn, Numbers, single
 from graphic_tmm.fitting.scales import Fitting
@@ -78,7 +78,7 @@ class Pair(NamedTuple):
         return verdicts(self.gear.checks, self.reading)
 
 
-def pair(order: GearOrder, **options: Any) -> Pair:
+def pair(order: GearTask, **options: Any) -> Pair:
     project = record(Scene("", "T", "en").asking(gears=order), GEARS.chapter)
     fitting = Fitting(project, {}, Doubts((), {}), {}, dict(project.given))
     given = {**project.given, **gear_scales(fitting)}

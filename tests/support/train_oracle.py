@@ -9,7 +9,7 @@ from fractions import Fraction as F
 
 import mpmath as mp  # type: ignore[import-untyped]
 
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder
+from graphic_tmm.chapters.planetary.task import PlanetaryTask
 
 SENSES = {
     "ring": (1, -1),
@@ -103,7 +103,7 @@ def apart(scheme: str, z: Four, q: F, k: int, ha: float) -> bool:
         return bool(gap > mp.mpf(10) ** -30)
 
 
-def sound(order: PlanetaryOrder, z: Four, q: F, k: int) -> bool:
+def sound(order: PlanetaryTask, z: Four, q: F, k: int) -> bool:
     """Whether a train fulfils every condition but the ratio."""
     first, second = SENSES[order.scheme]
     wheels = [z[1], z[2]] + [n for n, sense in ((z[0], first), (z[3], second)) if sense > 0]
@@ -118,7 +118,7 @@ def sound(order: PlanetaryOrder, z: Four, q: F, k: int) -> bool:
     )
 
 
-def span(order: PlanetaryOrder, z: Four, q: F) -> F:
+def span(order: PlanetaryTask, z: Four, q: F) -> F:
     """The diameter that the teeth take about the main axis, in modules of the first row."""
     first, second = SENSES[order.scheme]
     out = {1: F(order.ha), -1: F(order.ha) + F(order.c)}
@@ -131,7 +131,7 @@ def span(order: PlanetaryOrder, z: Four, q: F) -> F:
     )
 
 
-def every(order: PlanetaryOrder) -> Iterator[Four]:
+def every(order: PlanetaryTask) -> Iterator[Four]:
     """All tooth numbers within the limits, in the form of two rows, whatever they are worth."""
     first, second = SENSES[order.scheme]
     limits = order.limits
@@ -145,7 +145,7 @@ def every(order: PlanetaryOrder) -> Iterator[Four]:
     yield from itertools.product(central[first], wheel, wheel, central[second])
 
 
-def brute_force(order: PlanetaryOrder) -> set[tuple[Four, int]]:
+def brute_force(order: PlanetaryTask) -> set[tuple[Four, int]]:
     """All trains that fulfil every condition, with their numbers of satellites, tried one by one."""
     assert order.ratio is not None
     q = F(1) if order.module_2 is None else F(order.module_2 / order.module).limit_denominator(100)

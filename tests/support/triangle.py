@@ -10,8 +10,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
 from graphic_tmm.chapter import Asked, Chapter, Made, Place
 from graphic_tmm.drawn import Drawn, view_scales
-from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing, line
+from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.project import Bench, Project
 from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.readers.measured import measured_columns

@@ -35,7 +35,7 @@ from graphic_tmm.chapters.cam.operations import (
     smooth_stretch,
     touch_curve,
 )
-from graphic_tmm.chapters.cam.task import CamOrder
+from graphic_tmm.chapters.cam.task import CamTask
 
 VIEW = "cam centre"
 
@@ -92,7 +92,7 @@ class Path:
     offset: Mark | None
 
 
-def scale_of_lengths(draft: Draft, order: CamOrder, diagrams: Diagrams) -> Mark:
+def scale_of_lengths(draft: Draft, order: CamTask, diagrams: Diagrams) -> Mark:
     """Return the scale of centres and profile, that of S unless the order says (m/mm)."""
     if order.mu_l is None:
         return diagrams.S.chart.mu
@@ -115,7 +115,7 @@ def scaled_motion(draft: Draft, diagrams: Diagrams, mu: Mark) -> Motion:
 
 
 def draw_centre(
-    draft: Draft, order: CamOrder, diagrams: Diagrams, offset: float, sense: int
+    draft: Draft, order: CamTask, diagrams: Diagrams, offset: float, sense: int
 ) -> tuple[Centre, Path]:
     """Draw the S–dS/dφ diagram, the tangents at the allowed pressure angles, the least r0 and the chosen one.
 
@@ -158,7 +158,7 @@ def draw_centre(
     return made, Path(s0, e)
 
 
-def choose_radius(draft: Draft, order: CamOrder, least: Mark) -> tuple[Mark, Mark]:
+def choose_radius(draft: Draft, order: CamTask, least: Mark) -> tuple[Mark, Mark]:
     """Return the radius r0 chosen, or the least one up to whole millimetres: its value and its length drawn."""
     if order.r0 is not None:
         r0 = draft.take(Number, "r_0", order.r0, "m")
@@ -167,7 +167,7 @@ def choose_radius(draft: Draft, order: CamOrder, least: Mark) -> tuple[Mark, Mar
     return r0, draft.draw(to_board, "R_0", r0)
 
 
-def limit_angles(draft: Draft, order: CamOrder) -> tuple[Mark, Mark]:
+def limit_angles(draft: Draft, order: CamTask) -> tuple[Mark, Mark]:
     """Take the allowed pressure angles, towards the rise and the return; one mark where they are the same."""
     first = draft.take(Angle, "[α]", order.pressure, "°")
     if order.pressure_return is None:
@@ -177,7 +177,7 @@ def limit_angles(draft: Draft, order: CamOrder) -> tuple[Mark, Mark]:
 
 def _limits(
     draft: Draft,
-    order: CamOrder,
+    order: CamTask,
     diagrams: Diagrams,
     up: Mark,
     curves: Sequence[Mark],

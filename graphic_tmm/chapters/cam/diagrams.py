@@ -24,7 +24,7 @@ from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integ
 from graphic_tmm.chapters.cam.laws import Ground, draw_law
 from graphic_tmm.chapters.cam.operations import in_turn, phase_end
 from graphic_tmm.chapters.cam.phases import Phase, Turn
-from graphic_tmm.chapters.cam.task import CamOrder, RockerFollower
+from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
 LETTERS = {"S": "S", "V": "S′", "A": "S″"}
@@ -75,7 +75,7 @@ class Diagrams:
 
 
 class _Common(NamedTuple):
-    order: CamOrder
+    order: CamTask
     turn: Turn
     base: Base
     stroke: Mark
@@ -85,7 +85,7 @@ class _Common(NamedTuple):
     integrals: tuple[Integral | None, ...]
 
 
-def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
+def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     """Draw the diagrams of the follower's motion.
 
     Its scales: that of S follows from the stroke's height, that of dS/dφ is the same unless the order says,
@@ -116,7 +116,7 @@ def draw_diagrams(draft: Draft, order: CamOrder, turn: Turn) -> Diagrams:
     return Diagrams(turn, base, angle, stroke, steps, phases, S, V, A, drawn)
 
 
-def _scale_of_S(draft: Draft, order: CamOrder, stroke: Mark, unit: str) -> tuple[Mark, Mark]:
+def _scale_of_S(draft: Draft, order: CamTask, stroke: Mark, unit: str) -> tuple[Mark, Mark]:
     """Return the scale of S and the height of the stroke on its diagram (Length)."""
     if order.mu_S is not None:
         mu = draft.take(Number, "μ_S", order.mu_S, f"{unit}/mm")

@@ -36,7 +36,7 @@ from graphic_tmm.chapters.cam.operations import (
     smooth_stretch,
     touch_curve,
 )
-from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower
+from graphic_tmm.chapters.cam.task import CamTask, FlatFollower
 
 
 @dataclass(frozen=True)
@@ -63,9 +63,7 @@ class Convexity:
     radii: tuple[Mark, ...]
 
 
-def draw_convexity(
-    draft: Draft, order: CamOrder, diagrams: Diagrams, of: FlatFollower
-) -> Convexity:
+def draw_convexity(draft: Draft, order: CamTask, diagrams: Diagrams, of: FlatFollower) -> Convexity:
     """Draw the condition of convexity, the least r0 and the chosen one."""
     draft.open(VIEW)
     mu = scale_of_lengths(draft, order, diagrams)

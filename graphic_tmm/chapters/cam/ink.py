@@ -27,7 +27,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW, Contour
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, arc, circle, line
-from graphic_tmm.paper.placing import Wanted
+from graphic_tmm.paper.labels import Wanted
 from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
 
 BEYOND = 4.0

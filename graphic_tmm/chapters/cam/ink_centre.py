@@ -25,7 +25,7 @@ from graphic_tmm.chapters.cam.ink_numbers import (
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Label, arc, circle, line
-from graphic_tmm.paper.placing import Wanted
+from graphic_tmm.paper.labels import Wanted
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import hatching
 

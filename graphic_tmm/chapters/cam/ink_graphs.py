@@ -23,10 +23,10 @@ from graphic_tmm.chapters.cam.ink_numbers import DOT, LEAST, NUMBER, OVER, SIZE,
 from graphic_tmm.chapters.cam.operations import divide_semicircle
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
 from graphic_tmm.paper.graph import TICK, axes_ink, axes_of
+from graphic_tmm.paper.labels import Wanted
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
-from graphic_tmm.paper.placing import Wanted
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import pole
 

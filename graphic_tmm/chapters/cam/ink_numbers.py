@@ -12,8 +12,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
-from graphic_tmm.paper.layout import bounds
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 9.0

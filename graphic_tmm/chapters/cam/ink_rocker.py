@@ -22,7 +22,7 @@ from graphic_tmm.chapters.cam.ink_numbers import (
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, arc, circle, line
-from graphic_tmm.paper.placing import Wanted
+from graphic_tmm.paper.labels import Wanted
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot
 
 AROUND = 12.0

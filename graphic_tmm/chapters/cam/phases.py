@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
-from graphic_tmm.chapters.cam.task import CamOrder, Law
+from graphic_tmm.chapters.cam.task import CamTask, Law
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -71,7 +71,7 @@ class Turn(NamedTuple):
         return np.where((k >= first) & (k <= last), 1.0, 0.0)[None, :]
 
 
-def divide(order: CamOrder) -> Turn:
+def divide(order: CamTask) -> Turn:
     """Divide the turn into positions.
 
     Raises
@@ -105,14 +105,14 @@ def _phase(
     return Phase(name, sign, start, extent, law, first, first + parts, breaks)
 
 
-def _division(order: CamOrder, name: str, extent: float, law: Law) -> Division:
+def _division(order: CamTask, name: str, extent: float, law: Law) -> Division:
     """Divide a phase: at every jump of the acceleration there stands a position.
 
     Where the corners of an acceleration diagram can have positions too, with one between any two, they have.
     """
     wanted = order.divisions
     if order.per_turn is not None:
-        wanted = max(int(bound_of(CamOrder, "parts").least), round(order.per_turn * extent / TURN))
+        wanted = max(int(bound_of(CamTask, "parts").least), round(order.per_turn * extent / TURN))
     jumps, corners = _jumps(law), sorted({u for u, _ in law.points if SLACK < u < 1.0 - SLACK})
     for shares, most, least in ((corners or jumps, 2, 2), (jumps, 4, 1)):
         for parts in range(wanted, most * wanted + 1):

@@ -18,7 +18,7 @@ from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
 from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
-from graphic_tmm.chapters.cam.task import ASKED, CamOrder, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.task import ASKED, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -43,7 +43,7 @@ class Cam:
     graphs.
     """
 
-    order: CamOrder
+    order: CamTask
     sense: int
     diagrams: Diagrams
     centre: Centre | Convexity
@@ -87,7 +87,7 @@ def record(bench: Bench) -> Cam | None:
     return made
 
 
-def draw_cam(draft: Draft, order: CamOrder) -> Cam:
+def draw_cam(draft: Draft, order: CamTask) -> Cam:
     """Draw a cam from its diagrams to its profile.
 
     Raises
@@ -123,7 +123,7 @@ def draw_cam(draft: Draft, order: CamOrder) -> Cam:
     return Cam(order, sense, diagrams, centre, path, pressure, curvature, roller, profile, charts)
 
 
-def _refuse_triangle(order: CamOrder) -> None:
+def _refuse_triangle(order: CamTask) -> None:
     """Refuse sizes at which the follower does not reach its lowest or its highest place."""
     follower, r0 = order.follower, order.r0
     if r0 is None:
@@ -159,7 +159,7 @@ def _refuse_triangle(order: CamOrder) -> None:
         )
 
 
-def _roller(draft: Draft, order: CamOrder, centre: Centre, curvature: TurnDiagram) -> RollerSize:
+def _roller(draft: Draft, order: CamTask, centre: Centre, curvature: TurnDiagram) -> RollerSize:
     """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
     draft.open(PROFILE)
     shares = (order.share_of_r0, order.share_of_curvature)

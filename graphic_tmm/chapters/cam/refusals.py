@@ -7,8 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from graphic_tmm.bounds import POSITIVE, OrderError
-from graphic_tmm.chapters.cam.task import LAWS, CamOrder, FlatFollower, Law, RockerFollower
+from graphic_tmm.bounds import POSITIVE, TaskError
+from graphic_tmm.chapters.cam.task import LAWS, CamTask, FlatFollower, Law, RockerFollower
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -22,7 +22,7 @@ BALANCE = 1e-6
 """Areas of an acceleration diagram that differ by less than this share of themselves are equal."""
 
 
-def refuse(order: CamOrder) -> None:
+def refuse(order: CamTask) -> None:
     """Refuse what makes no sense.
 
     Raises
@@ -40,14 +40,14 @@ def refuse(order: CamOrder) -> None:
             sum=sum(phases),
             dwell=TURN - moving,
         )
-        raise OrderError("cam", "lower_dwell", says)
+        raise TaskError("cam", "lower_dwell", says)
     for name in ("rise", "upper_dwell", "fall"):
         _bounded(name, getattr(order, name))
     if moving > TURN + 1e-6:
         says = said(
             "the phases {told} make {sum:g}°, not 360°: shorten them", told=told, sum=sum(phases)
         )
-        raise OrderError("cam", "rise", says)
+        raise TaskError("cam", "rise", says)
     _bounded("lower_dwell", order.lower_dwell)
     _refuse_sizes(order)
     for key, law in (("law", order.rise_law), ("return_law", order.return_law)):
@@ -56,10 +56,10 @@ def refuse(order: CamOrder) -> None:
 
 def _bounded(key: str, value: object) -> None:
     """Refuse a value outside the bounds of a key."""
-    bound_of(CamOrder, key).refuse("cam", key, value)
+    bound_of(CamTask, key).refuse("cam", key, value)
 
 
-def _refuse_sizes(order: CamOrder) -> None:
+def _refuse_sizes(order: CamTask) -> None:
     sizes = {
         name: getattr(order, name) for name in ("stroke", "r0", "roller", "base", "height", "mu_l")
     }
@@ -78,11 +78,11 @@ def _refuse_sizes(order: CamOrder) -> None:
             "a lever that rocks by {stroke:g}° turns over: take less than 180°",
             stroke=math.degrees(order.stroke),
         )
-        raise OrderError("cam", "stroke", says)
+        raise TaskError("cam", "stroke", says)
     _refuse_choices(order)
 
 
-def _refuse_choices(order: CamOrder) -> None:
+def _refuse_choices(order: CamTask) -> None:
     follower = order.follower
     if isinstance(follower, FlatFollower):
         _bounded("least_curvature", follower.least)
@@ -103,17 +103,17 @@ def _refuse_choices(order: CamOrder) -> None:
 
 def _refuse_law(key: str, law: Law) -> None:
     if law.name not in LAWS:
-        raise OrderError(
+        raise TaskError(
             "cam",
             key,
             said('no law "{name}": take one of {listed}', name=law.name, listed=", ".join(LAWS)),
         )
     if law.name != "diagram":
         if law.points:
-            raise OrderError("cam", key, said('points belong to the law "diagram" only'))
+            raise TaskError("cam", key, said('points belong to the law "diagram" only'))
         return
     if says := _fault_of(law):
-        raise OrderError("cam", {"law": "law_points", "return_law": "return_points"}[key], says)
+        raise TaskError("cam", {"law": "law_points", "return_law": "return_points"}[key], says)
 
 
 def _fault_of(law: Law) -> str:

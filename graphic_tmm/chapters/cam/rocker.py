@@ -42,7 +42,7 @@ from graphic_tmm.chapters.cam.operations import (
     slew,
     smooth_stretch,
 )
-from graphic_tmm.chapters.cam.task import CamOrder, RockerFollower
+from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
 
 LIMITS = "cam limits"
 ROOM = 110.0
@@ -69,7 +69,7 @@ class Lever:
 
 
 def draw_rocker_centre(
-    draft: Draft, order: CamOrder, diagrams: Diagrams, of: RockerFollower, sense: int
+    draft: Draft, order: CamTask, diagrams: Diagrams, of: RockerFollower, sense: int
 ) -> tuple[Centre, Lever]:
     """Draw the lever's diagram, the limits of the centre, the least r0 and the chosen one.
 
@@ -131,7 +131,7 @@ def draw_rocker_centre(
 
 
 def _limits(
-    draft: Draft, order: CamOrder, on: tuple[Mark, Mark, Mark, Mark, Mark], alike: int, sense: int
+    draft: Draft, order: CamTask, on: tuple[Mark, Mark, Mark, Mark, Mark], alike: int, sense: int
 ) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark], tuple[Mark, Mark]]:
     """Draw the limit lines through every Q, mark where they cut the circle of the centres; return both.
 

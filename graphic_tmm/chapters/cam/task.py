@@ -140,7 +140,7 @@ _LAW = v.choice(*LAWS)
 
 
 @dataclass(frozen=True)
-class CamOrder:
+class CamTask:
     """A disc cam: the law of motion, the follower, limits, sizes of the drawing.
 
     Angles in degrees; other quantities in SI, drawn lengths in mm.
@@ -245,7 +245,7 @@ class CamOrder:
     poles: tuple[float, float] = (30.0, 30.0)
 
 
-ASKED: Asked[CamOrder] = Asked("cam")
+ASKED: Asked[CamTask] = Asked("cam")
 
 
 def check(cam: Said, parts: Parts) -> Iterator[Found]:
@@ -282,7 +282,7 @@ def _laws(cam: Said) -> Iterator[Found]:
             yield Found(("cam", points), says)
 
 
-def _refuse(order: CamOrder) -> None:
+def _refuse(order: CamTask) -> None:
     from graphic_tmm.chapters.cam.refusals import refuse
 
     refuse(order)
@@ -290,7 +290,7 @@ def _refuse(order: CamOrder) -> None:
 
 SECTIONS = (
     Section(
-        "cam", CamOrder, "a cam", alone=True,
+        "cam", CamTask, "a cam", alone=True,
         begin='stroke = "28 mm", rise = "100 deg", fall = "90 deg"', check=check, refuse=_refuse,
     ),
 )  # fmt: skip

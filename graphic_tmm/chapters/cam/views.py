@@ -19,9 +19,9 @@ from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.arranging import captioned, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.ruled import table
+from graphic_tmm.paper.views import captioned, stacked
 from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.diagrams.plan import BASE, DIAGRAMS, VIEWS
-from graphic_tmm.chapters.diagrams.task import ASKED, KinematicOrder
+from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
@@ -121,9 +121,7 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(_scaled(order, scaled), base=base, mu_along=along))
 
 
-def _scaled(
-    order: KinematicOrder, change: Callable[[str, ScaleOrder], ScaleOrder]
-) -> KinematicOrder:
+def _scaled(order: KinematicTask, change: Callable[[str, ScaleOrder], ScaleOrder]) -> KinematicTask:
     """Return the same diagrams with the scale of each changed, by its symbol."""
     scales = (change("S", order.S), change("V", order.V), change("a", order.a))
     return replace(order, S=scales[0], V=scales[1], a=scales[2])

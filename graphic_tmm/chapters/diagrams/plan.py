@@ -26,7 +26,7 @@ from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
-from graphic_tmm.chapters.diagrams.task import ASKED, KinematicOrder
+from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
@@ -54,7 +54,7 @@ class Kinematic:
     ``planned``: for V and a, the reading of the plan along the guide with its sign (Length), by quantity.
     """
 
-    order: KinematicOrder
+    order: KinematicTask
     base: Base
     charts: dict[str, Chart]
     planned: dict[str, Mark]
@@ -127,7 +127,7 @@ def sliding_leg(
     )
 
 
-def _refuse_poles(order: KinematicOrder) -> None:
+def _refuse_poles(order: KinematicTask) -> None:
     for symbol in ("S", "V", "a"):
         drawn: ScaleOrder = getattr(order, symbol)
         if drawn.pole is not None and not drawn.pole > 0.0:
@@ -143,7 +143,7 @@ def _refuse_poles(order: KinematicOrder) -> None:
 
 
 def _base(
-    draft: Draft, velocities: Motion, order: KinematicOrder, numbers: np.ndarray, count: int
+    draft: Draft, velocities: Motion, order: KinematicTask, numbers: np.ndarray, count: int
 ) -> Base:
     """Take the base, its scale over time or angle."""
     first = "V" if order.start == "velocity" else "S"
@@ -167,7 +167,7 @@ def _base(
 
 
 def _from_displacement(
-    draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicOrder
+    draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicTask
 ) -> dict[str, Chart]:
     point = positions.point(order.point)
     draft.open(POSITIONS)
@@ -187,7 +187,7 @@ def _from_displacement(
 
 
 def _from_velocity(
-    draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicOrder
+    draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicTask
 ) -> dict[str, Chart]:
     draft.open(VIEWS["V"])
     mu = draft.scale("μ_V", "(m/s)/mm")
@@ -202,7 +202,7 @@ def _from_velocity(
 
 
 def _derivative(
-    draft: Draft, symbol: str, source: Axes, at: Boundaries, curve: Mark, order: KinematicOrder
+    draft: Draft, symbol: str, source: Axes, at: Boundaries, curve: Mark, order: KinematicTask
 ) -> tuple[Chart, tuple[Axes, Boundaries], Mark]:
     """Differentiate once; return the chart, its axes with its points, its curve."""
     draft.open(VIEWS[symbol])
@@ -223,7 +223,7 @@ def _derivative(
     return _chart(draft, symbol, axes, points, scaled.chosen, order), (axes, points), found
 
 
-def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) -> Chart:
+def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> Chart:
     """Integrate the velocities once; the pole stands left of their origin."""
     draft.open(VIEWS["S"])
     scaled: Scaled = integrated_scale(
@@ -240,7 +240,7 @@ def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicOrder) ->
 
 
 def _chart(
-    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, order: KinematicOrder
+    draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, order: KinematicTask
 ) -> Chart:
     draft.open(axes.view)
     ordinate = graphs.read(draft, axes, at.points, symbol)
@@ -248,13 +248,13 @@ def _chart(
     return Chart(axes.view, symbol, unit, axes.mu, (ordinate,), chosen, drawn.mu, ROOM)
 
 
-def unit_of(symbol: str, order: KinematicOrder) -> str:
+def unit_of(symbol: str, order: KinematicTask) -> str:
     """Return the unit of a diagram's ordinates; over the angle all have that of the first one drawn."""
     if order.over == "angle":
         symbol = "V" if order.start == "velocity" else "S"
     return UNITS[symbol]
 
 
-def _scale_unit(symbol: str, order: KinematicOrder) -> str:
+def _scale_unit(symbol: str, order: KinematicTask) -> str:
     unit = unit_of(symbol, order)
     return f"({unit})/mm" if "/" in unit else f"{unit}/mm"

@@ -21,7 +21,7 @@ _METHOD = v.choice("chords", "tangents", хорды="chords", касательн
 
 
 @dataclass(frozen=True)
-class KinematicOrder:
+class KinematicTask:
     """Kinematic diagrams of a point that slides on the frame.
 
     ``start``: what is taken from the plans, "displacement" (differentiated twice) or "velocity"
@@ -80,7 +80,7 @@ class KinematicOrder:
     )  # fmt: skip
 
 
-ASKED: Asked[KinematicOrder] = Asked("diagrams")
+ASKED: Asked[KinematicTask] = Asked("diagrams")
 
 
 def check(asked: Said, parts: Parts) -> Iterator[Found]:
@@ -121,7 +121,7 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "diagrams", KinematicOrder, "kinematic diagrams of a point",
+        "diagrams", KinematicTask, "kinematic diagrams of a point",
         begin='point = "D"', check=check,
     ),
 )  # fmt: skip

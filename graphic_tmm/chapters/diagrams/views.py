@@ -6,12 +6,12 @@ from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.arranging import captioned, mu_text, pole_texts, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.views import captioned, mu_text, pole_texts, stacked
 from graphic_tmm.readers.result_table import result_table
 
 

@@ -11,7 +11,7 @@ from graphic_tmm.chapters.engine.task import ASKED
 from graphic_tmm.chapters.forces.accuracy import MOMENT
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
-from graphic_tmm.chapters.forces.task import ForcesOrder
+from graphic_tmm.chapters.forces.task import ForcesTask
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
 from graphic_tmm.chapters.kinematics.plan import ALL, POSITIONS
 from graphic_tmm.drawn import Drawn
@@ -37,7 +37,7 @@ def _of_the_rod(scene: Scene) -> Scene | None:
     order = ASKED.of(scene)
     if order is None:
         return None
-    forces = ForcesOrder(ALL, inertia=True, gas=order.indicator, balance="moment")
+    forces = ForcesTask(ALL, inertia=True, gas=order.indicator, balance="moment")
     return FORCES_ASKED.put(scene, forces)
 
 

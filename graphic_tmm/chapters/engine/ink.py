@@ -10,10 +10,10 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.forces.ink_polygons import LEAST, spot
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turning_pair
 

@@ -14,7 +14,7 @@ from graphic_tmm.chapters.engine.formulas import (
     rest_of,
     split_by_lever,
 )
-from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.engine.task import EngineTask
 from graphic_tmm.chapters.indicator.cylinder import Machine
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
@@ -48,7 +48,7 @@ class Lumped(NamedTuple):
     lost: Mark | None = None
 
 
-def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrder) -> Lumped:
+def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineTask) -> Lumped:
     """Share the rod's mass and add up what goes to and fro.
 
     Raises
@@ -88,7 +88,7 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineOrd
     return Lumped(whole, *parts, inertia, lost)
 
 
-def _parts(draft: Draft, rod: Link, legs: Legs, order: EngineOrder) -> tuple[Mark, Mark] | None:
+def _parts(draft: Draft, rod: Link, legs: Legs, order: EngineTask) -> tuple[Mark, Mark] | None:
     """Return the rod's masses at the crank pin and at the crosshead."""
     if rod.mass is None:
         return None

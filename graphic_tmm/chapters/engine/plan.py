@@ -36,7 +36,7 @@ from graphic_tmm.chapters.engine.formulas import (
 )
 from graphic_tmm.chapters.engine.harmonics import Harmonics, draw_harmonics
 from graphic_tmm.chapters.engine.lumping import Lumped, lump
-from graphic_tmm.chapters.engine.task import ASKED, EngineOrder
+from graphic_tmm.chapters.engine.task import ASKED, EngineTask
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
@@ -72,7 +72,7 @@ class Engine:
     ``guide``: the line that B slides along.
     """
 
-    order: EngineOrder
+    order: EngineTask
     lumped: Lumped
     harmonics: Harmonics
     acceleration: Mark
@@ -108,7 +108,7 @@ def draw_engine(
     machine: Machine,
     accelerations: Motion,
     cylinder: Cylinder,
-    order: EngineOrder,
+    order: EngineTask,
 ) -> Engine:
     """Draw the forces of the crank mechanism over the turn.
 
@@ -145,7 +145,7 @@ def draw_engine(
     return Engine(order, lumped, harmonics, *found)
 
 
-def _legs(machine: Machine, cylinder: Cylinder, order: EngineOrder) -> _Legs:
+def _legs(machine: Machine, cylinder: Cylinder, order: EngineTask) -> _Legs:
     crank = machine.mechanism.drive.link
     for closing in machine.positions.closings:
         first, second = closing.legs
@@ -212,7 +212,7 @@ def ordinate(symbol: str, letter: str) -> str:
 
 
 def _diagrams(
-    draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineOrder
+    draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineTask
 ) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
     """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M."""
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.chapter import Asked
-from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class EngineOrder:
+class EngineTask:
     """The forces of the crank mechanism of an engine, over the whole turn.
 
     Position by position, from the gas to the turning moment. ``point``: where the connecting rod meets the
@@ -29,7 +29,7 @@ class EngineOrder:
     length of the diagrams' base, mm.
     """
 
-    indicator: IndicatorOrder
+    indicator: IndicatorTask
     point: str = key(v.TEXT, "the letter where the connecting rod meets the crosshead", "B")
     share: float | None = key(
         v.WITHIN,
@@ -55,7 +55,7 @@ class EngineOrder:
     )  # fmt: skip
 
 
-ASKED: Asked[EngineOrder] = Asked("engine")
+ASKED: Asked[EngineTask] = Asked("engine")
 
 
 def check(engine: Said, parts: Parts) -> Iterator[Found]:
@@ -75,7 +75,7 @@ def check(engine: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "engine", EngineOrder, "the forces of an engine's crank mechanism",
+        "engine", EngineTask, "the forces of an engine's crank mechanism",
         begin='point = "B"', check=check,
         joined=lambda others: {"indicator": others["indicator"]},
     ),

@@ -13,13 +13,13 @@ from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.arranging import captioned, in_cells, mu_text, stacked
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.ruled import table
+from graphic_tmm.paper.views import captioned, in_cells, mu_text, stacked
 from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,

@@ -38,7 +38,7 @@ from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
-from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelOrder
+from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Indicator
@@ -58,7 +58,7 @@ class Flywheel:
     ``segment``: cd (Length).
     """
 
-    order: FlywheelOrder
+    order: FlywheelTask
     base: Base
     indicator: Indicator | None
     charts: tuple[Chart, ...]
@@ -86,7 +86,7 @@ def record(bench: Bench) -> Flywheel | None:
 def draw_flywheel(
     draft: Draft,
     machine: Machine,
-    order: FlywheelOrder,
+    order: FlywheelTask,
     cylinder: Cylinder | None,
     forces: Forces | None,
 ) -> Flywheel:
@@ -141,8 +141,8 @@ def draw_flywheel(
     )
 
 
-def _refuse(order: FlywheelOrder) -> None:
-    bound_of(FlywheelOrder, "delta").refuse("flywheel", "delta", order.delta)
+def _refuse(order: FlywheelTask) -> None:
+    bound_of(FlywheelTask, "delta").refuse("flywheel", "delta", order.delta)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(
@@ -206,7 +206,7 @@ class _Works(NamedTuple):
     chart: Chart
 
 
-def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelOrder) -> _Works:
+def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask) -> _Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
     draft.open(VIEWS["work"])
     scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.bounds import Bound
 from graphic_tmm.chapter import Asked
-from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
@@ -55,7 +55,7 @@ def _rim(said: Said) -> Rim | None:
 
 
 @dataclass(frozen=True)
-class FlywheelOrder:
+class FlywheelTask:
     """The flywheel of a machine driven by the gas of the indicator diagram.
 
     It keeps the coefficient of irregularity ``delta``. ``indicator``: the gas forces of which diagram; None: by
@@ -68,7 +68,7 @@ class FlywheelOrder:
     only; None leaves that method out.
     """
 
-    indicator: IndicatorOrder | None
+    indicator: IndicatorTask | None
     delta: float = key(
         v.number(Bound(0, 2, above=True, below=True), "ratio"), "coefficient of irregularity", 0.04
     )
@@ -111,7 +111,7 @@ class FlywheelOrder:
     )
 
 
-ASKED: Asked[FlywheelOrder] = Asked("flywheel")
+ASKED: Asked[FlywheelTask] = Asked("flywheel")
 
 
 def check(flywheel: Said, parts: Parts) -> Iterator[Found]:
@@ -136,7 +136,7 @@ def _defaults(flywheel: Said, parts: Parts) -> Iterator[str]:
 
 SECTIONS = (
     Section(
-        "flywheel", FlywheelOrder, "the flywheel of a machine",
+        "flywheel", FlywheelTask, "the flywheel of a machine",
         begin="delta = 0.04", weighs=True, check=check,
         joined=lambda others: {"indicator": others["indicator"]},
         shows=lambda order: () if order.indicator else ("forces",), defaults=_defaults,

@@ -20,10 +20,10 @@ from graphic_tmm.chapters.kinematics.ink_positions import HEAVY, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import arrow, told_arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 

@@ -17,10 +17,10 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
 )
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 

@@ -12,7 +12,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 
 SIZE = 3.5

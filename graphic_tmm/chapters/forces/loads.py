@@ -28,7 +28,7 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.forces.task import AGAINST, ForcesOrder, Load
+from graphic_tmm.chapters.forces.task import AGAINST, ForcesTask, Load
 from graphic_tmm.chapters.forces.travel import by_travel
 from graphic_tmm.chapters.indicator.cylinder import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
@@ -110,7 +110,7 @@ class Ground(NamedTuple):
     intervals: int
 
 
-def draw_loads(ground: Ground, order: ForcesOrder, gas: Cylinder | None) -> Loads:
+def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads:
     """Calculate the loads and draw their lines of action.
 
     ``gas``: the cylinder whose gas pushes the piston.

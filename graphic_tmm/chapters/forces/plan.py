@@ -20,7 +20,7 @@ from graphic_tmm.chapters.forces.loads import Couple, Force, Ground, Loads, draw
 from graphic_tmm.chapters.forces.moments import Acting, Moments
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
-from graphic_tmm.chapters.forces.task import ASKED, ForcesOrder
+from graphic_tmm.chapters.forces.task import ASKED, ForcesTask
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, chosen
@@ -40,7 +40,7 @@ class Forces:
     ``places``: the positions (indices) at which forces are asked for.
     """
 
-    order: ForcesOrder
+    order: ForcesTask
     loads: Loads
     groups: tuple[Solved, ...]
     driven: Driven
@@ -126,7 +126,7 @@ class _Pass(NamedTuple):
 def draw_forces(
     ground: Ground,
     driver: Driver,
-    order: ForcesOrder,
+    order: ForcesTask,
     arm: Mark,
     gas: Cylinder | None = None,
 ) -> Forces:
@@ -186,7 +186,7 @@ def draw_forces(
 def _solve(
     ground: Ground,
     driver: Driver,
-    order: ForcesOrder,
+    order: ForcesTask,
     loads: Loads,
     rubbing: Rubbing,
     moments: Moments,
@@ -257,7 +257,7 @@ def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark,
 def _lever(
     ground: Ground,
     driver: Driver,
-    order: ForcesOrder,
+    order: ForcesTask,
     loads: tuple[list[Force], list[Couple]],
     arm: Mark,
 ) -> Lever:

@@ -163,7 +163,7 @@ SECTIONS = (
         check=_loads, idle=_idle_loads,
     ),
     Section(
-        "forces", task.ForcesOrder, "kinetostatics and the lever",
+        "forces", task.ForcesTask, "kinetostatics and the lever",
         begin="positions = [2]", weighs=True, check=_forces, joined=task.joined, defaults=_defaults,
     ),
     Section(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.forces import kinds as w
-from graphic_tmm.chapters.indicator.task import IndicatorOrder
+from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.mechanism.masses import pins
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene import values as v
@@ -146,7 +146,7 @@ class Friction:
 
 
 @dataclass(frozen=True)
-class ForcesOrder:
+class ForcesTask:
     """Kinetostatics by groups and Zhukovsky's lever.
 
     ``positions``: their numbers, or ("all",). ``balance``: a "force" at the crank pin, square to the crank, or
@@ -163,7 +163,7 @@ class ForcesOrder:
     loads: tuple[Load, ...] = ()
     gravity: bool = False
     inertia: bool = False
-    gas: IndicatorOrder | None = None
+    gas: IndicatorTask | None = None
     friction: Friction | None = None
     balance: str = key(
         w.BALANCE, "what balances the crank: a force at its pin, or a moment", "force", "force"
@@ -182,7 +182,7 @@ class ForcesOrder:
     g: float = GRAVITY
 
 
-ASKED: Asked[ForcesOrder] = Asked("forces")
+ASKED: Asked[ForcesTask] = Asked("forces")
 
 
 def joined(others: Others) -> Mapping[str, object]:

@@ -25,11 +25,11 @@ from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.result_table import (
     result_table,
 )

@@ -11,7 +11,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears import rack
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 
 VIEW = "gear-dimensions"
 
@@ -62,7 +62,7 @@ class WheelSizes:
 class GearSizes:
     """The pair (Number, m; Angle): what was given, distances, shifts, height, pitches, contact ratio ε."""
 
-    order: GearOrder
+    order: GearTask
     m: Mark
     alpha: Mark
     rack: RackSizes
@@ -82,7 +82,7 @@ class GearSizes:
     wheels: tuple[WheelSizes, WheelSizes]
 
 
-def calculate_sizes(draft: Draft, order: GearOrder) -> GearSizes:
+def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
     """Calculate the dimensions of both wheels, the quality of their meshing and the limits of their teeth."""
     draft.open(VIEW)
     m = draft.take(Number, "m", order.m, "m")
@@ -122,7 +122,7 @@ def calculate_sizes(draft: Draft, order: GearOrder) -> GearSizes:
     )  # fmt: skip
 
 
-def _rack(draft: Draft, order: GearOrder, m: Mark, alpha: Mark) -> RackSizes:
+def _rack(draft: Draft, order: GearTask, m: Mark, alpha: Mark) -> RackSizes:
     """Take the coefficients of the basic rack and calculate the rounding of its tip."""
     ha, c = draft.take(Number, "h_{a}^{*}", order.ha), draft.take(Number, "c^{*}", order.c)
     rounding = draft.draw(rack.rounding, "ρ_{f}", m, ha, c, alpha, unit="m")

@@ -10,8 +10,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
+from graphic_tmm.paper.curve_parts import Controls, cut, nearest
 from graphic_tmm.paper.drawing import Bezier, Stroke, arc
-from graphic_tmm.paper.pieces import Controls, cut, nearest
 
 BESIDE = 0.3
 """How far the root goes on beside the outer teeth, of a pitch."""

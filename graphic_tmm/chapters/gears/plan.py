@@ -17,7 +17,7 @@ from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_sizes
 from graphic_tmm.chapters.gears.rows import Rows, choose_rows
 from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
 from graphic_tmm.chapters.gears.sliding import Sliding, draw_sliding
-from graphic_tmm.chapters.gears.task import ASKED, GearOrder
+from graphic_tmm.chapters.gears.task import ASKED, GearTask
 from graphic_tmm.chapters.gears.teeth import Wheel, draw_wheel
 from graphic_tmm.fitting.scales import Fitting
 from graphic_tmm.project import Bench
@@ -32,7 +32,7 @@ TOOTH, ACTION = 25.0, 400.0
 class Gear:
     """The pair as drawn: its dimensions, line of action, wheels, contact, diagram of sliding, checks."""
 
-    order: GearOrder
+    order: GearTask
     sizes: GearSizes
     rows: Rows
     line: ActionLine
@@ -57,7 +57,7 @@ def record(bench: Bench) -> Gear | None:
     return draw_gear(bench.draft, order)
 
 
-def draw_gear(draft: Draft, order: GearOrder) -> Gear:
+def draw_gear(draft: Draft, order: GearTask) -> Gear:
     """Draw the whole pair on a draft of its own: its axis of positions are the steps of the rolling.
 
     Raises

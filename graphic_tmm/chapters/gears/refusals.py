@@ -6,19 +6,19 @@ import math
 from collections.abc import Callable
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.bounds import POSITIVE, OrderError
+from graphic_tmm.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
 
-def refuse_order(order: GearOrder) -> None:
+def refuse_order(order: GearTask) -> None:
     """Refuse what is wrong before anything is calculated.
 
     Raises
     ------
-    OrderError
+    TaskError
         If teeth are not whole or too few, or a size is not what it can be.
     """
     for key in ("z1", "z2", "x1", "x2", "alpha", "ha", "c", "steps"):
@@ -38,7 +38,7 @@ def refuse_order(order: GearOrder) -> None:
 
 def _bounded(key: str, value: object) -> None:
     """Refuse a value outside the bounds of a key."""
-    bound_of(GearOrder, key).refuse("gears", key, value)
+    bound_of(GearTask, key).refuse("gears", key, value)
 
 
 def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
@@ -46,12 +46,12 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
 
     Raises
     ------
-    OrderError
+    TaskError
         If there is no working angle, or a wheel has no teeth.
     """
     order = sizes.order
     if not (value(sizes.rack.rounding) >= 0.0 and value(sizes.rack.offset) >= -1e-12 * order.m):
-        raise OrderError(
+        raise TaskError(
             "gears",
             "ha",
             said(
@@ -64,7 +64,7 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
     if not value(sizes.alpha_w) > 0.0:
         angle = math.radians(order.alpha)
         least = -(math.tan(angle) - angle) * (order.z1 + order.z2) / (2.0 * math.tan(angle))
-        raise OrderError(
+        raise TaskError(
             "gears",
             "x1",
             said(
@@ -79,11 +79,11 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
         _refuse_wheel(wheel, order, value)
 
 
-def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], float]) -> None:
+def _refuse_wheel(wheel: WheelSizes, order: GearTask, value: Callable[[Mark], float]) -> None:
     i = wheel.number
     root, tip, base = (value(mark) / order.m for mark in (wheel.r_f, wheel.r_a, wheel.r_b))
     if not root > 0.0:
-        raise OrderError(
+        raise TaskError(
             "gears",
             f"x{i}",
             said(
@@ -94,7 +94,7 @@ def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], f
             ),
         )
     if not tip > base:
-        raise OrderError(
+        raise TaskError(
             "gears",
             f"x{i}",
             said(
@@ -106,7 +106,7 @@ def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], f
             ),
         )
     if not tip > root:
-        raise OrderError(
+        raise TaskError(
             "gears",
             f"x{i}",
             said(
@@ -119,7 +119,7 @@ def _refuse_wheel(wheel: WheelSizes, order: GearOrder, value: Callable[[Mark], f
         )
     end = value(wheel.pointed) / order.m
     if not end > max(root, base):
-        raise OrderError(
+        raise TaskError(
             "gears",
             f"x{i}",
             said(

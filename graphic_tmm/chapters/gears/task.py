@@ -30,7 +30,7 @@ _STATIONS = Kind(_stations, {"type": "array"}, POSITIVE, "length")
 
 
 @dataclass(frozen=True)
-class GearOrder:
+class GearTask:
     """A pair of external spur gears with shift.
 
     Its module is ``m`` (m), the shift coefficients are ``x1``, ``x2``. Wheel 1 drives. ``alpha`` (degrees),
@@ -62,10 +62,10 @@ class GearOrder:
     )  # fmt: skip
 
 
-ASKED: Asked[GearOrder] = Asked("gears")
+ASKED: Asked[GearTask] = Asked("gears")
 
 
-def _refuse(order: GearOrder) -> None:
+def _refuse(order: GearTask) -> None:
     from graphic_tmm.chapters.gears.refusals import refuse_order
 
     refuse_order(order)
@@ -73,7 +73,7 @@ def _refuse(order: GearOrder) -> None:
 
 SECTIONS = (
     Section(
-        "gears", GearOrder, "a pair of gears", alone=True,
+        "gears", GearTask, "a pair of gears", alone=True,
         begin='z1 = 15, z2 = 25, m = "8 mm"', refuse=_refuse,
     ),
 )  # fmt: skip

@@ -17,9 +17,9 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.result_table import (
     SIZE,
 )

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.chapters.kinematics.accuracy import resampled
 
 
-def at_count(order: IndicatorOrder, count: int) -> IndicatorOrder:
+def at_count(order: IndicatorTask, count: int) -> IndicatorTask:
     """Return the same diagram for a row of so many positions."""
 
     def gas(side: Gas) -> Gas:
@@ -19,7 +19,7 @@ def at_count(order: IndicatorOrder, count: int) -> IndicatorOrder:
     return replace(order, cover=gas(order.cover), shaft=shaft)
 
 
-def enlarged(order: IndicatorOrder, times: float) -> IndicatorOrder:
+def enlarged(order: IndicatorTask, times: float) -> IndicatorTask:
     """Return the same diagram so many times larger."""
     mu = None if order.mu is None else order.mu / times
     return replace(order, base=order.base * times, height=order.height * times, mu=mu)

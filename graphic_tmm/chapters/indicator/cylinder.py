@@ -14,7 +14,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.indicator.plan import Indicator, draw_indicator
-from graphic_tmm.chapters.indicator.task import IndicatorOrder, Wish
+from graphic_tmm.chapters.indicator.task import IndicatorTask, Wish
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS, crank_length
@@ -78,7 +78,7 @@ def record(bench: Bench) -> Cylinder | None:
     return replace(drawn, shown_by=wish.by)
 
 
-def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorOrder, section: str) -> Cylinder:
+def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, section: str) -> Cylinder:
     """Draw the indicator diagram of the piston's point, which slides on the frame.
 
     Raises
@@ -107,7 +107,7 @@ def _outward(draft: Draft, machine: Machine, leg: GuideLeg) -> float:
 
 
 def _refuse_zero(
-    draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: IndicatorOrder
+    draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: IndicatorTask
 ) -> None:
     """Refuse a row that does not begin at a dead centre, or parts of a diagram that begin at the inner one."""
     speed = machine.velocities.readings[leg.link]

@@ -20,7 +20,7 @@ from graphic_tmm.paper.axes import (
     largest,
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.placing import Wanted
+from graphic_tmm.paper.labels import Wanted
 
 
 def draw_indicator_ink(

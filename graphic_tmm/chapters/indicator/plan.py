@@ -25,8 +25,8 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.supports import farthest, planimeter
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
-from graphic_tmm.chapters.indicator.strokes import by_stretches
-from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.chapters.indicator.stretches import by_stretches
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 
@@ -60,7 +60,7 @@ class Indicator:
     ``divisions``: the points on the auxiliary ray by which the base is divided.
     """
 
-    order: IndicatorOrder
+    order: IndicatorTask
     chart: Chart
     origin: Mark
     end: Mark
@@ -71,7 +71,7 @@ class Indicator:
 
 
 def draw_indicator(
-    draft: Draft, travel: Mark, count: int, extras: int, order: IndicatorOrder
+    draft: Draft, travel: Mark, count: int, extras: int, order: IndicatorTask
 ) -> Indicator:
     """Draw the diagram; ``travel``: the piston's way from the zero position, as read (Length).
 

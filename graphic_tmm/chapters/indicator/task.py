@@ -143,7 +143,7 @@ _STROKES = "the same by polytropic strokes, in order"
 
 
 @dataclass(frozen=True)
-class IndicatorOrder:
+class IndicatorTask:
     """The indicator diagram of a cylinder: pressures in the positions of the row.
 
     The piston's ``point`` slides on the frame. ``cover``: the side away from the crank; ``shaft``: the side
@@ -182,7 +182,7 @@ class Wish(NamedTuple):
 
     rank: int
     by: str
-    order: IndicatorOrder
+    order: IndicatorTask
 
 
 def check(asked: Said, parts: Parts) -> Iterator[Found]:
@@ -274,7 +274,7 @@ def _idle(asked: Said, parts: Parts) -> Iterator[str]:
 
 SECTIONS = (
     Section(
-        "indicator", IndicatorOrder, "the indicator diagram of a cylinder",
+        "indicator", IndicatorTask, "the indicator diagram of a cylinder",
         alone=True, gives=True, check=check, idle=_idle,
     ),
 )  # fmt: skip

@@ -7,11 +7,11 @@ from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.arranging import captioned, mu_text
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.views import captioned, mu_text
 
 
 def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:

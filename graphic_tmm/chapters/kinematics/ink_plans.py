@@ -17,10 +17,10 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, measure_a
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 

@@ -16,10 +16,10 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
 )
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
+from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.placing import Wanted, interrupt, leaders, place
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
 PLAN = "positions"

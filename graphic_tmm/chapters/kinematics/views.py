@@ -22,11 +22,11 @@ from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.arranging import captioned, in_cells, mu_text
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.views import captioned, in_cells, mu_text
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.result_table import result_table
 

@@ -13,7 +13,7 @@ from graphic_tmm.board.operations.formulas import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Scheme, Train
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train
 
 
 class Condition(NamedTuple):
@@ -45,7 +45,7 @@ class Dimensions:
     conditions: tuple[Condition, ...]
 
 
-def calculate_train(draft: Draft, order: PlanetaryOrder, train: Train) -> Dimensions:
+def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensions:
     """Calculate radii, distances of axes, the ratio and every condition."""
     scheme = train.scheme
     first = draft.take(Number, "m" if scheme.rows == 1 else "m_I", order.module, "m")
@@ -89,7 +89,7 @@ def _axes(draft: Draft, letter: str, sense: int, module: Mark, centre: Mark, rim
     return draft.draw(op, letter, module, centre, rim, unit="m")
 
 
-def _ratio(draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
+def _ratio(draft: Draft, order: PlanetaryTask, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
     """Calculate driving over driven by the formula of Willis."""
     letter = "U_{1H}"
     if scheme.rows == 1:
@@ -100,7 +100,7 @@ def _ratio(draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, 
     return found if order.driving == "1" else draft.draw(t.inverse_ratio, "U_{H1}", found)
 
 
-def _wanted(draft: Draft, order: PlanetaryOrder, ratio: Mark) -> tuple[Condition, ...]:
+def _wanted(draft: Draft, order: PlanetaryTask, ratio: Mark) -> tuple[Condition, ...]:
     if order.ratio is None:
         return ()
     due = draft.take(Number, "U", order.ratio)
@@ -128,7 +128,7 @@ def _assembly(draft: Draft, scheme: Scheme, z: Mapping[str, Mark], k: Mark) -> M
 
 
 def _undercut(
-    draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark]
+    draft: Draft, order: PlanetaryTask, scheme: Scheme, z: Mapping[str, Mark]
 ) -> tuple[Condition, ...]:
     least = draft.take(Number, "z_{min}", float(order.limits.least))
     rings = {ring for ring, _ in rings_of(scheme)}
@@ -136,7 +136,7 @@ def _undercut(
 
 
 def _interference(
-    draft: Draft, order: PlanetaryOrder, scheme: Scheme, z: Mapping[str, Mark], ha: Mark
+    draft: Draft, order: PlanetaryTask, scheme: Scheme, z: Mapping[str, Mark], ha: Mark
 ) -> tuple[Condition, ...]:
     least = draft.take(Number, "Δz_{min}", float(order.limits.difference))
     alpha, made = draft.angle("α", order.alpha), []

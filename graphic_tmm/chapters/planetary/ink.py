@@ -22,13 +22,13 @@ from graphic_tmm.chapters.planetary.ink_rates import (
 )
 from graphic_tmm.chapters.planetary.ink_scheme import draw_scheme, spots
 from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, line
-from graphic_tmm.paper.layout import bounds
+from graphic_tmm.paper.labels import Wanted, box, interrupt, leaders, place
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
-from graphic_tmm.paper.placing import Wanted, box, interrupt, leaders, place
+from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.views import wrapped
 
 NAME = "planetary"
 CAPTION, PITCH = 3.5, 2.0

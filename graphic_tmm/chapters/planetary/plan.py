@@ -20,7 +20,7 @@ from graphic_tmm.chapters.planetary.pictures import (
 )
 from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
 from graphic_tmm.chapters.planetary.sizes import Drawn, choose_scales
-from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryOrder, Train
+from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.declare import bound_of
@@ -35,7 +35,7 @@ class Planetary:
     stand ``overall``.
     """
 
-    order: PlanetaryOrder
+    order: PlanetaryTask
     train: Train
     mu: Mark
     sizes: Dimensions
@@ -63,7 +63,7 @@ def record(bench: Bench) -> Planetary | None:
     return replace(made, overall=overall, results={**made.results, "overall_ratio": overall})
 
 
-def draw_planetary(draft: Draft, order: PlanetaryOrder, size: float = 1.0) -> Planetary:
+def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Planetary:
     """Draw the smallest train that fulfils an order, or the one whose tooth numbers it gives.
 
     The draft is the train's own: its positions are the satellites. The scale factors, the pole distance and the
@@ -106,6 +106,6 @@ def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Ma
     letters = []
     draft.open(VIEW)
     for letter, z in (("z_a", driving), ("z_b", driven)):
-        bound_of(PlanetaryOrder, "behind").refuse("planetary", "behind", z)
+        bound_of(PlanetaryTask, "behind").refuse("planetary", "behind", z)
         letters.append(draft.take(Number, letter, float(z)))
     return draft.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])

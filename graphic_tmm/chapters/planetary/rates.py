@@ -25,7 +25,7 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.planetary.dimensions import Dimensions
 from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
 from graphic_tmm.chapters.planetary.pictures import EndView
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Train
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Train
 
 VELOCITIES = "planetary-velocities"
 RATES = "planetary-rates"
@@ -70,7 +70,7 @@ class Rates:
     difference: Mark
 
 
-def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimensions) -> Picture:
+def draw_picture(draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimensions) -> Picture:
     """Draw the picture from the velocity of the driving shaft: of A if wheel 1 drives, of B if the carrier."""
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
@@ -105,7 +105,7 @@ def draw_picture(draft: Draft, order: PlanetaryOrder, end: EndView, sizes: Dimen
 
 def draw_rates(
     draft: Draft,
-    order: PlanetaryOrder,
+    order: PlanetaryTask,
     train: Train,
     end: EndView,
     sizes: Dimensions,

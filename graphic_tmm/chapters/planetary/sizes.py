@@ -13,7 +13,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.planetary.pictures import AxialView, EndView
 from graphic_tmm.chapters.planetary.rates import Picture, Rates
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Train
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Train
 
 DIAMETER = 160.0
 """Room for the circles, mm."""
@@ -33,7 +33,7 @@ CLEAR = 45.0
 class Drawn:
     """What scales are chosen for: the train, its views, its picture and plan; the share of the usual room."""
 
-    order: PlanetaryOrder
+    order: PlanetaryTask
     train: Train
     end: EndView
     axial: AxialView

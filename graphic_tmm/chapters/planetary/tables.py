@@ -15,13 +15,13 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.arranging import wrapped
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.paper.ruled import PADDING, table
+from graphic_tmm.paper.views import wrapped
 
 SIZE = 3.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""

@@ -14,7 +14,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from graphic_tmm.bounds import Bound, OrderError
+from graphic_tmm.bounds import Bound, TaskError
 from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
@@ -140,7 +140,7 @@ _SHAFTS = Kind(
 
 
 @dataclass(frozen=True)
-class PlanetaryOrder:
+class PlanetaryTask:
     """A planetary train 2K–H: tooth numbers wanted, or checked.
 
     ``scheme``: "ring", "external-internal", "external-external" or "internal-internal". ``module``: of the
@@ -196,7 +196,7 @@ class PlanetaryOrder:
     )
 
 
-ASKED: Asked[PlanetaryOrder] = Asked("planetary")
+ASKED: Asked[PlanetaryTask] = Asked("planetary")
 
 
 @dataclass(frozen=True)
@@ -208,42 +208,42 @@ class Train:
     satellites: int
 
 
-def scheme_of(order: PlanetaryOrder) -> Scheme:
+def scheme_of(order: PlanetaryTask) -> Scheme:
     """Return the scheme of a sound order.
 
     Raises
     ------
-    OrderError
+    TaskError
         If the scheme is not one of the four, or anything asked for is no quantity of a train.
     """
     scheme = SCHEMES.get(order.scheme)
     if scheme is None:
         listed = ", ".join(SCHEMES)
         says = said('no scheme "{name}": take one of {listed}', name=order.scheme, listed=listed)
-        raise OrderError("planetary", "scheme", says)
+        raise TaskError("planetary", "scheme", says)
     _refuse_sizes(order, scheme)
     _refuse_counts(order, scheme)
     _refuse_ratio(order)
     return scheme
 
 
-def module_ratio(order: PlanetaryOrder) -> Fraction:
+def module_ratio(order: PlanetaryTask) -> Fraction:
     """Return module_2/module as the ratio of small whole numbers that it is."""
     if order.module_2 is None:
         return Fraction(1)
     return Fraction(order.module_2 / order.module).limit_denominator(1000)
 
 
-def _refuse(key: str, message: str) -> OrderError:
-    return OrderError("planetary", key, message)
+def _refuse(key: str, message: str) -> TaskError:
+    return TaskError("planetary", key, message)
 
 
 def _bounded(key: str, value: object) -> None:
     """Refuse a value outside the bounds of a key."""
-    bound_of(PlanetaryOrder, key).refuse("planetary", key, value)
+    bound_of(PlanetaryTask, key).refuse("planetary", key, value)
 
 
-def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
+def _refuse_sizes(order: PlanetaryTask, scheme: Scheme) -> None:
     for name, value in (
         ("module", order.module),
         ("module_2", order.module_2),
@@ -285,7 +285,7 @@ def _refuse_sizes(order: PlanetaryOrder, scheme: Scheme) -> None:
         )
 
 
-def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
+def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
     if order.teeth and len(order.teeth) != len(scheme.wheels):
         raise _refuse(
             "teeth",
@@ -315,7 +315,7 @@ def _refuse_counts(order: PlanetaryOrder, scheme: Scheme) -> None:
         raise _refuse("least", says)
 
 
-def _refuse_ratio(order: PlanetaryOrder) -> None:
+def _refuse_ratio(order: PlanetaryTask) -> None:
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
             raise _refuse(
@@ -340,7 +340,7 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "planetary", PlanetaryOrder, "a planetary train", alone=True,
+        "planetary", PlanetaryTask, "a planetary train", alone=True,
         begin='ratio = 4.55, module = "8 mm"', check=check,
         refuse=scheme_of,
     ),

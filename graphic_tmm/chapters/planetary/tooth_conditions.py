@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.planetary import formulas as f
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder, Scheme
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme
 
 Whole = NDArray[np.int64]
 Truths = NDArray[np.bool_]
@@ -73,7 +73,7 @@ def ratio_parts(scheme: Scheme, z: Teeth) -> tuple[Whole, Whole]:
     return below - scheme.first * scheme.second * z.z2 * z.z4, below
 
 
-def ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:
+def ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:
     """Return driving over driven angular velocity, (n,); ∞ where the driven shaft stands."""
     above, below = ratio_parts(scheme, z)
     if order.driving == "H":
@@ -82,7 +82,7 @@ def ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> NDArray[np.float64
     return np.asarray(np.where(moves, above / np.where(moves, below, 1), np.inf))
 
 
-def within(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
+def within(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
     """Return whether the ratio is the one wanted, within its tolerance; any that moves if none is wanted."""
     found = ratio(order, scheme, z)
     if order.ratio is None:
@@ -157,7 +157,7 @@ def clear_roots(ring: Whole, rim: Whole, alpha: float, ha: float) -> Truths:
     return np.asarray(ring >= Calculated(f.least_ring, (rim, alpha, ha)).found())
 
 
-def meshes(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
+def meshes(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
     """Return whether no ring fouls the satellites inside it, at their roots or with its tips."""
     fine = np.ones(z.z1.shape, dtype=np.bool_)
     for ring, rim in internal(scheme):
@@ -167,7 +167,7 @@ def meshes(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
     return fine
 
 
-def size(order: PlanetaryOrder, scheme: Scheme, z: Teeth, q: Fraction) -> NDArray[np.float64]:
+def size(order: PlanetaryTask, scheme: Scheme, z: Teeth, q: Fraction) -> NDArray[np.float64]:
     """Return the diameter about the main axis that the teeth of all wheels take, in modules, (n,).
 
     Wheels and satellites reach to their tips, rings to the roots of their teeth.

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.chapters.planetary import tooth_conditions as c
 from graphic_tmm.chapters.planetary.task import (
-    PlanetaryOrder,
+    PlanetaryTask,
     Scheme,
     Train,
     module_ratio,
@@ -63,7 +63,7 @@ class Solutions:
 Left = tuple[str, int]
 
 
-def search(order: PlanetaryOrder) -> Solutions:
+def search(order: PlanetaryTask) -> Solutions:
     """Return all trains with the ratio that fulfil the conditions, none if there is none.
 
     Raises
@@ -74,7 +74,7 @@ def search(order: PlanetaryOrder) -> Solutions:
     return _search(order)[0]
 
 
-def choose(order: PlanetaryOrder) -> Train:
+def choose(order: PlanetaryTask) -> Train:
     """Return the smallest train of an order, or the one whose tooth numbers it gives.
 
     Raises
@@ -104,7 +104,7 @@ def choose(order: PlanetaryOrder) -> Train:
     )
 
 
-def _wanted(order: PlanetaryOrder) -> str:
+def _wanted(order: PlanetaryTask) -> str:
     name = "U_1H" if order.driving == "1" else "U_H1"
     given = "".join(f", z{i} = {z}" for i, z in enumerate(order.teeth, 1) if z is not None)
     return said(
@@ -134,7 +134,7 @@ def _emptied(name: str, before: int) -> str:
     return said("of {n} left till then, {remedy}", n=before, remedy=remedy)
 
 
-def _checked(order: PlanetaryOrder, scheme: Scheme) -> Train:
+def _checked(order: PlanetaryTask, scheme: Scheme) -> Train:
     """Return the train given, with the first number of satellites that is allowed and fulfils everything."""
     teeth = tuple(z for z in order.teeth if z is not None)
     broken = []
@@ -153,7 +153,7 @@ def _checked(order: PlanetaryOrder, scheme: Scheme) -> Train:
     raise StructureError(says, "planetary.teeth", head="planetary")
 
 
-def _search(order: PlanetaryOrder) -> tuple[Solutions, list[Left]]:
+def _search(order: PlanetaryTask) -> tuple[Solutions, list[Left]]:
     """Return the solutions, and how many trains each condition left."""
     scheme, q = scheme_of(order), module_ratio(order)
     if order.ratio is None:
@@ -180,7 +180,7 @@ def _search(order: PlanetaryOrder) -> tuple[Solutions, list[Left]]:
     return _ranked(order, scheme, z, k, q), left
 
 
-def _ranked(order: PlanetaryOrder, scheme: Scheme, z: Teeth, k: Whole, q: Fraction) -> Solutions:
+def _ranked(order: PlanetaryTask, scheme: Scheme, z: Teeth, k: Whole, q: Fraction) -> Solutions:
     assert order.ratio is not None
     sizes, ratios = c.size(order, scheme, z, q), c.ratio(order, scheme, z)
     miss = np.abs(ratios - order.ratio)
@@ -189,7 +189,7 @@ def _ranked(order: PlanetaryOrder, scheme: Scheme, z: Teeth, k: Whole, q: Fracti
     return Solutions(scheme, teeth, k[rank], ratios[rank], sizes[rank] * order.module)
 
 
-def _bounds(order: PlanetaryOrder, scheme: Scheme) -> list[tuple[int, int]]:
+def _bounds(order: PlanetaryTask, scheme: Scheme) -> list[tuple[int, int]]:
     """Return from where to where z1 … z4 are sought; a given one is sought at its own place only."""
     limits, rings = order.limits, {ring for ring, _ in c.internal(scheme)}
     given = dict(zip(scheme.wheels, order.teeth, strict=False))
@@ -202,14 +202,14 @@ def _bounds(order: PlanetaryOrder, scheme: Scheme) -> list[tuple[int, int]]:
     return found
 
 
-def _within_limits(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Truths:
+def _within_limits(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
     inside = [
         (n >= low) & (n <= high) for n, (low, high) in zip(z, _bounds(order, scheme), strict=True)
     ]
     return np.asarray(np.all(inside, axis=0))
 
 
-def _candidates(order: PlanetaryOrder, scheme: Scheme, q: Fraction) -> Teeth:
+def _candidates(order: PlanetaryTask, scheme: Scheme, q: Fraction) -> Teeth:
     """Return the trains with one distance of axes whose ratio may be the one wanted."""
     (low1, high1), (low2, high2), third, _ = _bounds(order, scheme)
     grid = np.mgrid[low1 : high1 + 1, low2 : high2 + 1].reshape(2, -1)
@@ -229,7 +229,7 @@ def _candidates(order: PlanetaryOrder, scheme: Scheme, q: Fraction) -> Teeth:
 
 
 def _window(
-    order: PlanetaryOrder, scheme: Scheme, z: Teeth, third: tuple[int, int]
+    order: PlanetaryTask, scheme: Scheme, z: Teeth, third: tuple[int, int]
 ) -> tuple[Whole, Whole]:
     """Return the least and the most z3 of each z1, z2 that can give the ratio; ``z.z3``: z4 ± z3.
 

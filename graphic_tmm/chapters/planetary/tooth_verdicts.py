@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from graphic_tmm.chapters.planetary import tooth_conditions as c
 from graphic_tmm.chapters.planetary.task import (
-    PlanetaryOrder,
+    PlanetaryTask,
     Scheme,
     Train,
     module_ratio,
@@ -45,7 +45,7 @@ class Verdict(NamedTuple):
     text: str
 
 
-def check(order: PlanetaryOrder, train: Train) -> tuple[Verdict, ...]:
+def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
     """Return the verdict of every condition on a train; the ratio is one if the order wants it.
 
     Raises
@@ -80,7 +80,7 @@ def _wheel(scheme: Scheme, name: str) -> str:
     return {"z1": "1", "z2": "2", "z3": "2", "z4": "3"}[name]
 
 
-def _ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+def _ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
     found, name = float(c.ratio(order, scheme, z)[0]), "U_1H" if order.driving == "1" else "U_H1"
     holds = _said(c.within(order, scheme, z))
     if order.ratio is None:
@@ -103,7 +103,7 @@ def _ratio(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ..
     return (Verdict("ratio", "", holds, found, text),)
 
 
-def _coaxial(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Verdict:
+def _coaxial(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Verdict:
     q = module_ratio(order)
     (z1,), (z2,), (z3,), (z4,) = z
     first, second = z1 + scheme.first * z2, float(q) * (z4 + scheme.second * z3)
@@ -126,7 +126,7 @@ def _coaxial(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> Verdict:
     return Verdict("coaxial", "", holds, float(second), text)
 
 
-def _neighbours(order: PlanetaryOrder, train: Train, z: Teeth) -> Verdict:
+def _neighbours(order: PlanetaryTask, train: Train, z: Teeth) -> Verdict:
     scheme, k, q = train.scheme, train.satellites, module_ratio(order)
     (z1,), (z2,), _, _ = z
     holds = _said(c.neighbours(scheme, z, k, q, order.ha))
@@ -158,7 +158,7 @@ def _assembly(train: Train, z: Teeth) -> Verdict:
     return Verdict("assembly", "", holds, float(found), text)
 
 
-def _undercut(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+def _undercut(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
     made = []
     for name in c.external(scheme):
         (count,), wheel = getattr(z, name), _wheel(scheme, name)
@@ -176,7 +176,7 @@ def _undercut(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict,
     return tuple(made)
 
 
-def _interference(order: PlanetaryOrder, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+def _interference(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
     made = []
     for ring, rim in c.internal(scheme):
         outer, inner = getattr(z, ring), getattr(z, rim)

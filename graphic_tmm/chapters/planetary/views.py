@@ -18,8 +18,8 @@ from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
-from graphic_tmm.paper.arranging import mu_text
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.views import mu_text
 
 
 def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

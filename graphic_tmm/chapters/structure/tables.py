@@ -9,12 +9,12 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.paper.arranging import captioned
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.views import captioned
 from graphic_tmm.readers.result_table import SIZE
 
 WORDS = Tongues(

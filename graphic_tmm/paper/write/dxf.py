@@ -14,9 +14,9 @@ from typing import Any
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke
+from graphic_tmm.paper.labels import flat, shape
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import Pen, pens
-from graphic_tmm.paper.placing import flat, shape
 from graphic_tmm.paper.write.svg import shift
 
 WEIGHTS = (

@@ -25,7 +25,7 @@ from support.cams import (
 from support.each import each
 
 from graphic_tmm.chapters.cam.task import (
-    CamOrder,
+    CamTask,
     FlatFollower,
     Follower,
     Law,
@@ -45,11 +45,11 @@ FOLLOWERS: dict[str, tuple[Follower, float]] = {
 }
 
 
-def order(name: str, law: str = "sine", **more: object) -> CamOrder:
+def order(name: str, law: str = "sine", **more: object) -> CamTask:
     follower, pressure = FOLLOWERS[name]
     data = ROCKING if isinstance(follower, RockerFollower) else C6
     laws = {"rise_law": Law(law), "return_law": Law(law)}
-    return CamOrder(**{**data, **laws, "follower": follower, "pressure": pressure, **more})  # type: ignore[arg-type]
+    return CamTask(**{**data, **laws, "follower": follower, "pressure": pressure, **more})  # type: ignore[arg-type]
 
 
 @cache
@@ -57,7 +57,7 @@ def drawn(name: str, law: str = "sine", divisions: int = 24, turns: str = "clock
     return made(order(name, law, divisions=divisions, turns=turns))
 
 
-def bound(of: CamOrder) -> float:
+def bound(of: CamTask) -> float:
     """How far the least r0 may be off, m."""
     scale = of.follower.lever if isinstance(of.follower, RockerFollower) else 1.0
     speed = of.stroke * scale / np.radians(min(of.rise, of.fall))
@@ -67,10 +67,10 @@ def bound(of: CamOrder) -> float:
 
 
 def test_the_least_r0_of_the_windrower() -> None:
-    exact = least_radius(CamOrder(**C6))
+    exact = least_radius(CamTask(**C6))
     assert exact == pytest.approx(EXACT_R0, abs=1e-7)
     assert exact == pytest.approx(0.04903, abs=0.000005)
-    found = made(CamOrder(**C6))
+    found = made(CamTask(**C6))
     assert found.one(found.cam.least) == pytest.approx(0.04903, abs=0.00005)
     assert abs(found.one(found.cam.least) - exact) < bound(found.cam.order)
     assert found.one(found.cam.r0) == 0.05  # in whole millimetres
@@ -84,13 +84,13 @@ def test_the_least_r0_of_the_windrower() -> None:
 def test_the_tangency_lies_on_the_curve_not_at_the_positions(
     phi: np.ndarray, points_only: float
 ) -> None:
-    s, v, _ = motion(CamOrder(**C6), phi)
+    s, v, _ = motion(CamTask(**C6), phi)
     assert (np.abs(v) / np.tan(np.radians(30)) - s).max() == pytest.approx(points_only, abs=5e-6)
 
 
 @pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
 def test_the_document_s_radius_passes(turns: str) -> None:
-    found = made(CamOrder(**C6, r0=0.0521, turns=turns))
+    found = made(CamTask(**C6, r0=0.0521, turns=turns))
     assert found.one(found.cam.r0) > found.one(found.cam.least)
     assert found.one(found.cam.centre.radius) == pytest.approx(0.0521 / 0.00056)
     alpha = pressure_angles(found.cam.order, 0.0521, np.arange(0, 360, 0.5))
@@ -118,14 +118,14 @@ def test_the_limits_of_rise_and_return_may_differ(name: str) -> None:
 @pytest.mark.slow
 def test_the_least_of_all_stands_where_both_limits_meet() -> None:
     """With the offset of the apex the least r0 is that of the apex; no other offset allows a smaller one."""
-    free = made(CamOrder(**C6, divisions=24))
+    free = made(CamTask(**C6, divisions=24))
     centre = free.cam.centre
     apex = free.reading[centre.apex][0, 0] * free.one(centre.mu)
     offset = -apex.real  # the cam turns counter-clockwise
-    own = made(CamOrder(**C6, divisions=24, follower=RollerFollower(offset)))
+    own = made(CamTask(**C6, divisions=24, follower=RollerFollower(offset)))
     assert own.one(own.cam.least) == pytest.approx(free.one(centre.apex_radius), rel=1e-9)
     for other in offset + np.linspace(-0.01, 0.01, 9):
-        least = least_radius(CamOrder(**C6, follower=RollerFollower(other)), 0.1)
+        least = least_radius(CamTask(**C6, follower=RollerFollower(other)), 0.1)
         assert least > free.one(centre.apex_radius) - bound(own.cam.order)
 
 
@@ -184,7 +184,7 @@ def test_the_curvature_on_both_sides_of_a_jump(law: str) -> None:
 @pytest.mark.parametrize("least", [0.0, 0.006])
 def test_the_least_r0_of_a_flat_face(law: str, least: float) -> None:
     follower = FlatFollower(least)
-    of = CamOrder(**C6, rise_law=Law(law), return_law=Law(law), follower=follower, divisions=24)
+    of = CamTask(**C6, rise_law=Law(law), return_law=Law(law), follower=follower, divisions=24)
     found = made(of)
     s, _, a = motion(of, np.arange(0.0, 360.0, 0.01) + 0.005)
     due = least - min((s + a).min(), 0.0)
@@ -199,7 +199,7 @@ def test_the_least_r0_of_a_flat_face(law: str, least: float) -> None:
 
 
 def test_a_scale_of_its_own_changes_nothing_but_millimetres() -> None:
-    one, two = made(CamOrder(**C6)), made(CamOrder(**C6, mu_l=0.0005, mu_V=0.001))
+    one, two = made(CamTask(**C6)), made(CamTask(**C6, mu_l=0.0005, mu_V=0.001))
     for mark in ("least", "r0"):
         first, second = (found.one(getattr(found.cam, mark)) for found in (one, two))
         assert first == pytest.approx(second, rel=1e-12)

@@ -12,7 +12,7 @@ from support.each import each
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.task import (
-    CamOrder,
+    CamTask,
     FlatFollower,
     Law,
     RockerFollower,
@@ -29,7 +29,7 @@ DIAGRAMS = {"trapezoid": TRAPEZOID, "triangles": TRIANGLES, "jumps": JUMPS, "sla
 
 @cache
 def drawn(rise: Law, fall: Law, divisions: int = 12, turns: str = "counterclockwise") -> Made:
-    return made(CamOrder(**C6, rise_law=rise, return_law=fall, divisions=divisions, turns=turns))
+    return made(CamTask(**C6, rise_law=rise, return_law=fall, divisions=divisions, turns=turns))
 
 
 def by_stretch(of: Made, which: str) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -130,10 +130,10 @@ def test_each_diagram_is_the_derivative_of_the_one_before(name: str) -> None:
 
 
 def test_scales_are_those_of_the_document() -> None:
-    found = made(CamOrder(**C6, height=50.0))
+    found = made(CamTask(**C6, height=50.0))
     assert found.one(found.cam.diagrams.S.axes.mu) == pytest.approx(0.00056)
     assert found.one(found.cam.diagrams.V.axes.mu) == pytest.approx(0.00056)
-    own = made(CamOrder(**C6, mu_S=0.0005, mu_V=0.001, mu_A=0.002))
+    own = made(CamTask(**C6, mu_S=0.0005, mu_V=0.001, mu_A=0.002))
     read = [
         found_.one(d.axes.mu)
         for found_, d in ((own, own.cam.diagrams.S), (own, own.cam.diagrams.V))
@@ -163,7 +163,7 @@ def test_the_scales_of_an_integral_follow_from_the_stroke_the_last_first() -> No
     ],
 )
 def test_the_turn_is_divided(phases: tuple[float, ...], count: int) -> None:
-    turn = divide(CamOrder(0.02, *phases))
+    turn = divide(CamTask(0.02, *phases))
     assert turn.positions == count
     assert turn.angles[0] == 0.0
     assert turn.angles[turn.rise.last] == phases[0]
@@ -173,10 +173,10 @@ def test_the_turn_is_divided(phases: tuple[float, ...], count: int) -> None:
 
 
 def test_parts_of_the_turn_go_to_its_phases() -> None:
-    turn = divide(CamOrder(0.02, 100, 20, 90, 150, per_turn=36))
+    turn = divide(CamTask(0.02, 100, 20, 90, 150, per_turn=36))
     assert (turn.rise.parts, turn.fall.parts) == (10, 9)
     jumping = Law("constant acceleration")
-    even = divide(CamOrder(0.02, 100, 20, 90, 150, jumping, jumping, per_turn=36))
+    even = divide(CamTask(0.02, 100, 20, 90, 150, jumping, jumping, per_turn=36))
     assert (even.rise.parts, even.fall.parts) == (10, 10)
     assert even.fall.stretches == ((11, 16), (16, 21))
 
@@ -234,11 +234,11 @@ NONSENSE = [
 @each("change, says", NONSENSE)
 def test_nonsense_is_refused_with_a_remedy(change: dict[str, object], says: str) -> None:
     with pytest.raises(StructureError, match=says):
-        made(CamOrder(**{**C6, **change}))  # type: ignore[arg-type]
+        made(CamTask(**{**C6, **change}))  # type: ignore[arg-type]
 
 
 def test_a_jump_that_no_division_meets_is_refused() -> None:
     k = 0.4637
     law = Law("diagram", ((0, 1 / k), (k, 1 / k), (k, -1 / (1 - k)), (1, -1 / (1 - k))))
     with pytest.raises(StructureError, match="position at every jump"):
-        made(CamOrder(**C6, rise_law=law))
+        made(CamTask(**C6, rise_law=law))

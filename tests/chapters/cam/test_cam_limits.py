@@ -9,7 +9,7 @@ from support.cams import C6, Made, curvatures, least_radius, made, motion, press
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.chapters.cam.findings import CamFinding, cam_findings
-from graphic_tmm.chapters.cam.task import CamOrder, FlatFollower, RockerFollower, RollerFollower
+from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower, RollerFollower
 
 FINE = np.arange(0.0, 360.0, 0.02)
 
@@ -21,19 +21,19 @@ def findings(of: Made) -> tuple[CamFinding, ...]:
 @pytest.mark.parametrize(
     "order",
     [
-        CamOrder(**C6),
-        CamOrder(**C6, r0=0.0521),
-        CamOrder(**C6, follower=RollerFollower(0.012)),
-        CamOrder(**C6, follower=FlatFollower(0.005)),
-        CamOrder(**{**C6, "stroke": 0.35}, follower=RockerFollower(0.08, 0.1), pressure=40.0),
+        CamTask(**C6),
+        CamTask(**C6, r0=0.0521),
+        CamTask(**C6, follower=RollerFollower(0.012)),
+        CamTask(**C6, follower=FlatFollower(0.005)),
+        CamTask(**{**C6, "stroke": 0.35}, follower=RockerFollower(0.08, 0.1), pressure=40.0),
     ],
 )
-def test_a_cam_within_its_limits_has_no_findings(order: CamOrder) -> None:
+def test_a_cam_within_its_limits_has_no_findings(order: CamTask) -> None:
     assert not findings(made(order))
 
 
 def test_r0_too_small_is_named_with_the_angle() -> None:
-    found = made(CamOrder(**C6, r0=0.044))
+    found = made(CamTask(**C6, r0=0.044))
     (one,) = [f for f in findings(found) if f.kind == "pressure"]
     alpha = pressure_angles(found.cam.order, 0.044, FINE)
     assert one.angle == pytest.approx(FINE[np.argmin(alpha)], abs=0.5)
@@ -45,7 +45,7 @@ def test_r0_too_small_is_named_with_the_angle() -> None:
 
 
 def test_r0_too_small_for_both_phases_is_named_twice() -> None:
-    found = made(CamOrder(**C6, r0=0.03))
+    found = made(CamTask(**C6, r0=0.03))
     assert [f.kind for f in findings(found)][:2] == ["pressure", "pressure"]
     rise, fall = findings(found)[:2]
     assert 0 < rise.angle < 100
@@ -53,17 +53,17 @@ def test_r0_too_small_for_both_phases_is_named_twice() -> None:
 
 
 def test_rollers_too_large_are_named() -> None:
-    by_r0 = findings(made(CamOrder(**C6, r0=0.0521, roller=0.022)))
+    by_r0 = findings(made(CamTask(**C6, r0=0.0521, roller=0.022)))
     assert [f.kind for f in by_r0] == ["roller by r0"]
     assert by_r0[0].limit == pytest.approx(20.84)
     loose = {"share_of_r0": 0.9, "r0": 0.0521}
-    found = made(CamOrder(**C6, roller=0.031, **loose))
+    found = made(CamTask(**C6, roller=0.031, **loose))
     (one,) = findings(found)
     kappa = curvatures(found.cam.order, 0.0521, FINE)
     assert one.kind == "roller by curvature"
     assert one.limit == pytest.approx(0.7e3 / kappa.max(), rel=1e-3)
     assert one.angle == pytest.approx(FINE[np.argmax(kappa)], abs=0.5)
-    (cut,) = findings(made(CamOrder(**C6, roller=0.043, **loose)))
+    (cut,) = findings(made(CamTask(**C6, roller=0.043, **loose)))
     assert cut.kind == "undercut"
     assert cut.limit == pytest.approx(1e3 / kappa.max(), rel=1e-3)
     assert cut.angle == pytest.approx(FINE[np.argmax(kappa)], abs=0.5)
@@ -72,7 +72,7 @@ def test_rollers_too_large_are_named() -> None:
 
 
 def test_the_roller_chosen_is_the_largest_allowed_in_whole_millimetres() -> None:
-    found = made(CamOrder(**C6, r0=0.0521))
+    found = made(CamTask(**C6, r0=0.0521))
     size = found.cam.roller
     assert size is not None
     assert found.one(size.by_r0) == pytest.approx(0.4 * 0.0521)
@@ -82,7 +82,7 @@ def test_the_roller_chosen_is_the_largest_allowed_in_whole_millimetres() -> None
 
 
 def test_a_flat_face_on_a_hollow_is_named_with_the_angle() -> None:
-    found = made(CamOrder(**C6, follower=FlatFollower(), r0=0.04))
+    found = made(CamTask(**C6, follower=FlatFollower(), r0=0.04))
     (one,) = findings(found)
     s, _, a = motion(found.cam.order, FINE)
     rho = 1e3 * (0.04 + s + a)
@@ -95,8 +95,8 @@ def test_a_flat_face_on_a_hollow_is_named_with_the_angle() -> None:
 def test_a_rocker_whose_centre_stands_too_far_down_is_told_to_move_it() -> None:
     """On a given circle of centres the allowed region has an end on either side."""
     rocking = {**C6, "stroke": 0.35, "follower": RockerFollower(0.08, 0.1), "pressure": 34.0}
-    assert not findings(made(CamOrder(**rocking)))
-    found = made(CamOrder(**rocking, r0=0.12))
+    assert not findings(made(CamTask(**rocking)))
+    found = made(CamTask(**rocking, r0=0.12))
     assert found.one(found.cam.r0) > found.one(found.cam.least)
     (one,) = findings(found)
     alpha = pressure_angles(found.cam.order, 0.12, FINE)
@@ -106,7 +106,7 @@ def test_a_rocker_whose_centre_stands_too_far_down_is_told_to_move_it() -> None:
 
 
 def test_a_rocker_that_finds_no_centre_is_named_with_the_angle() -> None:
-    order = CamOrder(**{**C6, "stroke": 0.5}, follower=RockerFollower(0.08, 0.1), pressure=34.0)
+    order = CamTask(**{**C6, "stroke": 0.5}, follower=RockerFollower(0.08, 0.1), pressure=34.0)
     assert np.isnan(least_radius(order, 1.0))
     found = made(order)
     (one,) = findings(found)
@@ -119,7 +119,7 @@ def test_a_rocker_that_finds_no_centre_is_named_with_the_angle() -> None:
 
 def test_a_ruler_of_half_a_millimetre_gives_nearly_the_same_cam() -> None:
     """Readings are off by 0.25 mm at most; S and dS/dφ both, so r0 by (1 + 1/tan 30°) of that, and one more."""
-    found = made(CamOrder(**C6))
+    found = made(CamTask(**C6))
     read = execute(found.log, found.given, hand=Hand(0.5))
     due = found.one(found.cam.least)
     bound = 0.25 * (2 + 1 / np.tan(np.radians(30))) * 0.00056

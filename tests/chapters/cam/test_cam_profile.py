@@ -12,7 +12,7 @@ from support.cams import C6, SHAPES, Made, displaced, made, motion, outline, pol
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.task import (
-    CamOrder,
+    CamTask,
     FlatFollower,
     Follower,
     Law,
@@ -39,7 +39,7 @@ def drawn(name: str, law: Law, turns: str = "counterclockwise") -> Made:
     data = {**C6, "stroke": 0.35} if isinstance(follower, RockerFollower) else C6
     pressure = 40.0 if isinstance(follower, RockerFollower) else 30.0
     return made(
-        CamOrder(
+        CamTask(
             **data, rise_law=law, return_law=law, follower=follower, turns=turns, pressure=pressure
         )
     )
@@ -72,13 +72,13 @@ def test_every_follower_is_moved_by_its_profile(name: str, turns: str) -> None:
 )
 @pytest.mark.parametrize("follower", [RollerFollower(), FlatFollower(0.004)], ids=repr)
 def test_dwells_may_be_left_out(phases: tuple[float, ...], follower: Follower) -> None:
-    found = made(CamOrder(0.02, *phases, follower=follower))
+    found = made(CamTask(0.02, *phases, follower=follower))
     assert off(found) < HUNDREDTH
 
 
 @pytest.mark.slow
 def test_the_document_s_cam_with_its_roller() -> None:
-    found = made(CamOrder(**C6, r0=0.0521, roller=0.0168))
+    found = made(CamTask(**C6, r0=0.0521, roller=0.0168))
     assert off(found) < HUNDREDTH
     assert found.one(found.cam.profile.roller) == pytest.approx(30.0)
     assert not cam_findings(found.reading, found.cam)
@@ -136,7 +136,7 @@ def test_the_profile_closes_smoothly(name: str) -> None:
 
 
 def test_a_roller_too_large_leaves_the_place_undrawn_and_names_it() -> None:
-    found = made(CamOrder(**C6, r0=0.0521, roller=0.045))
+    found = made(CamTask(**C6, r0=0.0521, roller=0.045))
     told = examine(found.log, found.given, [found.cam.profile.working.curves[1]])
     gone = [f for f in told if f.kind == "undrawn"]
     assert [f.step.op.name for f in gone] == ["equidistant_pace"]

@@ -20,29 +20,29 @@ from graphic_tmm.chapters.cam.ink_numbers import Numbers
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import (
-    CamOrder,
+    CamTask,
     FlatFollower,
     Law,
     RockerFollower,
     RollerFollower,
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
-from graphic_tmm.paper.placing import box, flat, shape
+from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.paper.write.svg import svg
 
 ROCKING = {**C6, "stroke": 0.35, "pressure": 40.0}
 TRIANGLES = Law("diagram", ((0, 0), (0.25, 1), (0.75, -1), (1, 0)))
 ORDERS = {
-    "central": CamOrder(**C6, r0=0.0521, roller=0.0168),
-    "clockwise offset": CamOrder(**C6, follower=RollerFollower(0.01), turns="clockwise"),
-    "cosine": CamOrder(**C6, rise_law=Law("cosine"), return_law=Law("constant acceleration")),
-    "given": CamOrder(**C6, rise_law=TRIANGLES, return_law=Law("3-4-5")),
-    "rocker": CamOrder(**ROCKING, follower=RockerFollower(0.08, 0.1)),
-    "rocker along": CamOrder(
+    "central": CamTask(**C6, r0=0.0521, roller=0.0168),
+    "clockwise offset": CamTask(**C6, follower=RollerFollower(0.01), turns="clockwise"),
+    "cosine": CamTask(**C6, rise_law=Law("cosine"), return_law=Law("constant acceleration")),
+    "given": CamTask(**C6, rise_law=TRIANGLES, return_law=Law("3-4-5")),
+    "rocker": CamTask(**ROCKING, follower=RockerFollower(0.08, 0.1)),
+    "rocker along": CamTask(
         **ROCKING, follower=RockerFollower(0.08, 0.1, same_sense=True), turns="clockwise"
     ),
-    "flat": CamOrder(**C6, follower=FlatFollower(0.005)),
-    "no dwells": CamOrder(0.02, 180, 0, 180, 0),
+    "flat": CamTask(**C6, follower=FlatFollower(0.005)),
+    "no dwells": CamTask(0.02, 180, 0, 180, 0),
 }
 
 
@@ -193,10 +193,10 @@ def test_a_semicircle_is_divided_at_its_points(name: str) -> None:
 def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     """No centre, no profile; the diagrams stand, and no coordinate is missing on the sheet."""
     of = made(
-        CamOrder(**{**ROCKING, "stroke": 0.5, "pressure": 34.0}, follower=RockerFollower(0.08, 0.1))
+        CamTask(**{**ROCKING, "stroke": 0.5, "pressure": 34.0}, follower=RockerFollower(0.08, 0.1))
     )
     assert np.isnan(of.one(of.cam.r0))
     assert "nan" not in sheet(views(of))
     assert len([s for s in graph(of, "cam S").strokes if isinstance(s, Bezier)]) == 2
-    undercut = made(CamOrder(**C6, r0=0.0521, roller=0.045))
+    undercut = made(CamTask(**C6, r0=0.0521, roller=0.045))
     assert "nan" not in sheet(views(undercut))

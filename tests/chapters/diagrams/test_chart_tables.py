@@ -12,7 +12,7 @@ from support import gallery
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.readers.columns import (
     Column,
@@ -22,10 +22,10 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import fitted
 
-ORDER = KinematicOrder("B", start="displacement")
+ORDER = KinematicTask("B", start="displacement")
 
 
-def engine(order: KinematicOrder) -> Scene:
+def engine(order: KinematicTask) -> Scene:
     """The engine with diagrams instead of its flywheel."""
     place = ("positions", "velocities", "accelerations", "diagrams")
     sheets = (SheetOrder("A1", place),)

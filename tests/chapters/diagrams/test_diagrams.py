@@ -13,7 +13,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, Kinematic
-from graphic_tmm.chapters.diagrams.task import KinematicOrder
+from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
@@ -38,7 +38,7 @@ def drawn(name: str, count: int = 0, **order: object) -> Drawn:
     row = replace(scene.row, count=count or scene.row.count, extra=())
     if count:
         row = replace(row, accelerations=())
-    wanted = KinematicOrder(POINTS[name], **order)  # type: ignore[arg-type]
+    wanted = KinematicTask(POINTS[name], **order)  # type: ignore[arg-type]
     sheets = (SheetOrder("A1", ("positions", "velocities", "accelerations", "diagrams")),)
     return drawn_of(
         replace(scene, row=row, sheets=sheets).asking(diagrams=wanted, flywheel=None, forces=None),
@@ -155,10 +155,10 @@ def test_a_base_over_the_angle_gives_the_same_values() -> None:
 
 
 def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
-    scene = read(SHEETS / "windrower").asking(diagrams=KinematicOrder("C"))
+    scene = read(SHEETS / "windrower").asking(diagrams=KinematicTask("C"))
     with pytest.raises(StructureError, match=r"diagrams.point: point C does not slide.*are D"):
         drawn_of(scene)
-    none = read(SHEETS / "crank-rocker").asking(diagrams=KinematicOrder("B"))
+    none = read(SHEETS / "crank-rocker").asking(diagrams=KinematicTask("B"))
     none = replace(none, sheets=(SheetOrder("A1", ("positions", "diagrams")),))
     with pytest.raises(StructureError, match="this mechanism has none"):
         drawn_of(none)
@@ -166,7 +166,7 @@ def test_a_point_that_does_not_slide_is_refused_with_those_that_do() -> None:
 
 @pytest.mark.parametrize("pole", [0.0, -10.0, float("nan")])
 def test_a_pole_distance_that_is_none_is_refused(pole: float) -> None:
-    order = KinematicOrder("D", V=ScaleOrder(pole=pole))
+    order = KinematicTask("D", V=ScaleOrder(pole=pole))
     with pytest.raises(StructureError, match=r"H_V = .* is not greater than 0"):
         drawn_of(read(SHEETS / "windrower").asking(diagrams=order))
 

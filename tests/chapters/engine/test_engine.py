@@ -13,7 +13,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
-from graphic_tmm.chapters.engine.task import EngineOrder
+from graphic_tmm.chapters.engine.task import EngineTask
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import StructureError
@@ -33,7 +33,7 @@ def column(made: Drawn, segment: str) -> np.ndarray:
     return next(c for c in engine_columns(made) if c.segment == segment).value[0]
 
 
-def order(**changes: object) -> EngineOrder:
+def order(**changes: object) -> EngineTask:
     assert SCENE.tasks.get("engine") is not None
     return replace(SCENE.tasks["engine"], **changes)  # type: ignore[arg-type]
 

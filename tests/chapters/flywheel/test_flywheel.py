@@ -16,7 +16,7 @@ from support.gallery import SHEETS
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
-from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.flywheel.task import FlywheelTask
 from graphic_tmm.chapters.indicator.task import Gas
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
@@ -341,6 +341,6 @@ def test_an_order_without_a_part_records_no_step_of_it() -> None:
 
 def test_orders_are_frozen() -> None:
     order = scene().tasks["flywheel"]
-    assert isinstance(order, FlywheelOrder)
+    assert isinstance(order, FlywheelTask)
     with pytest.raises(AttributeError):
         order.delta = 0.1  # type: ignore[misc]

@@ -10,7 +10,7 @@ import pytest
 from support.boards import drawn_of
 from support.gallery import SHEETS, drawn, exact, made
 
-from graphic_tmm.chapters.flywheel.task import FlywheelOrder
+from graphic_tmm.chapters.flywheel.task import FlywheelTask
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.readers.table import results_of, table
 from graphic_tmm.readers.warnings import warnings
@@ -78,4 +78,4 @@ def test_a_scene_without_a_flywheel_has_no_column_of_it() -> None:
     document = json.loads(table(found, "json"))
     assert not [c for c in document["columns"] if c["plan"] == "flywheel"]
     assert set(document["results"]) == {"W", "formula"}
-    assert isinstance(drawn("engine", exact=True).scene.tasks["flywheel"], FlywheelOrder)
+    assert isinstance(drawn("engine", exact=True).scene.tasks["flywheel"], FlywheelTask)

@@ -17,7 +17,7 @@ from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
-from graphic_tmm.paper.placing import box, flat, shape
+from graphic_tmm.paper.labels import box, flat, shape
 
 
 def flywheel() -> Flywheel:

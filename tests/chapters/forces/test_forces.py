@@ -18,7 +18,7 @@ from support.wrenches import StaticsError
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.forces.plan import FORCES
-from graphic_tmm.chapters.forces.task import ForcesOrder, Friction, Load
+from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.write.svg import svg
@@ -170,7 +170,7 @@ def test_a_scene_without_effects_has_the_bytes_of_one_that_never_heard_of_them()
     places = [sheet for sheet in plain.sheets if "forces" not in sheet.place]
     kept = tuple(replace(s, place=tuple(p for p in s.place if p != "flywheel")) for s in places)
     never = replace(plain, sheets=kept)
-    heard = never.asking(forces=ForcesOrder(("8",)))
+    heard = never.asking(forces=ForcesTask(("8",)))
     shown = record(heard, heard.shown).construction
     assert len(log_of(never).steps) == len(shown.steps) < len(log_of(heard).steps)
     assert [svg(s) for s in sheets(never)[1]] == [svg(s) for s in sheets(heard)[1]]
@@ -271,7 +271,7 @@ def test_forces_of_any_size(size: float) -> None:
 
 def test_parallel_unknown_forces_are_a_finding() -> None:
     scene = read(SHEETS / "toggle-press")
-    order = ForcesOrder(("all",), (Load(scene.mechanism.links[-1].number, _last(scene), 100.0),))  # type: ignore[union-attr]
+    order = ForcesTask(("all",), (Load(scene.mechanism.links[-1].number, _last(scene), 100.0),))  # type: ignore[union-attr]
     places = replace(scene.sheets[0], place=(*scene.sheets[0].place, "forces"))
     made = drawn_of(replace(scene, sheets=(places,)).asking(forces=order), exact=True)
     assert FORCES.of(made) is not None

@@ -11,7 +11,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.forces.plan import FORCES
-from graphic_tmm.chapters.forces.task import ForcesOrder, Load, Travel
+from graphic_tmm.chapters.forces.task import ForcesTask, Load, Travel
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
@@ -24,7 +24,7 @@ SHEET = (SheetOrder("A1", ("positions", "velocities", "forces")),)
 
 
 def loaded(*loads: Load, scene: Scene = ENGINE, **options: object) -> Drawn:
-    order = ForcesOrder(("all",), tuple(loads), **options)  # type: ignore[arg-type]
+    order = ForcesTask(("all",), tuple(loads), **options)  # type: ignore[arg-type]
     flywheel = None
     return drawn_of(
         replace(scene, sheets=SHEET).asking(forces=order, flywheel=flywheel), exact=True

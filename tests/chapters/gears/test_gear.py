@@ -14,15 +14,15 @@ from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.values import Length, arrays, undefined
 from graphic_tmm.chapters.gears.rows import STATIONS
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 
-WINDROWER = GearOrder(
+WINDROWER = GearTask(
     15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=(23.5, 47.0, 94.0, 141.0, 164.5)
 )
 EPS = float(np.finfo(float).eps)
 
 
-def results(order: GearOrder) -> dict[str, float]:
+def results(order: GearTask) -> dict[str, float]:
     of = pair(order)
     return {name: value for name, (value, _) in of.results().items()}
 
@@ -54,7 +54,7 @@ def test_the_tips_of_the_windrowers_gears() -> None:
     assert round(found["s_a2"] / 0.008, 4) == 0.7867
 
 
-def exact(order: GearOrder) -> dict[str, float]:
+def exact(order: GearTask) -> dict[str, float]:
     """The pair by formulas of its own, 40 digits."""
     with mpmath.workdps(40):
         mp = mpmath.mpf
@@ -89,7 +89,7 @@ def test_any_pair_by_formulas_of_its_own_and_the_drawn_contact_ratio(seed: int) 
     rng = np.random.default_rng(seed)
     z1, z2 = (int(z) for z in rng.integers(20, 200, 2))
     x1, x2 = (float(x) for x in rng.uniform(-0.1, 0.8, 2))
-    order = GearOrder(
+    order = GearTask(
         z1, z2, float(rng.uniform(1e-3, 2e-2)), x1, x2, alpha=float(rng.choice([20, 25]))
     )
     of, due = pair(order), exact(order)
@@ -207,12 +207,12 @@ def test_the_curves_of_sliding_stand_over_their_stations() -> None:
 
 
 FAULTS = {
-    "undercut": GearOrder(12, 40, 0.008),
-    "pointed tooth": GearOrder(8, 40, 0.008, 0.9, -0.2),
-    "tip thickness": GearOrder(10, 40, 0.008, 0.75, 0.0),
-    "interference": GearOrder(17, 200, 0.008, 0.05, 0.0, ha=1.0, delta_y=-0.2),
-    "clearance": GearOrder(20, 30, 0.008, 1.0, 1.0, delta_y=0.0),
-    "contact ratio": GearOrder(10, 12, 0.008, 1.0, 1.2),
+    "undercut": GearTask(12, 40, 0.008),
+    "pointed tooth": GearTask(8, 40, 0.008, 0.9, -0.2),
+    "tip thickness": GearTask(10, 40, 0.008, 0.75, 0.0),
+    "interference": GearTask(17, 200, 0.008, 0.05, 0.0, ha=1.0, delta_y=-0.2),
+    "clearance": GearTask(20, 30, 0.008, 1.0, 1.0, delta_y=0.0),
+    "contact ratio": GearTask(10, 12, 0.008, 1.0, 1.2),
 }
 
 
@@ -232,7 +232,7 @@ def test_a_good_pair_passes_every_check() -> None:
 @pytest.mark.parametrize("z", [6, 9, 13, 16])
 def test_a_shift_at_its_limit_is_not_undercut_and_less_is(z: int) -> None:
     least = float(1 - mpmath.mpf(z) / 2 * mpmath.sin(mpmath.radians(20)) ** 2)
-    at, below = (pair(GearOrder(z, 40, 0.008, least - d)) for d in (0.0, 1e-6))
+    at, below = (pair(GearTask(z, 40, 0.008, least - d)) for d in (0.0, 1e-6))
     assert ("undercut", 1) not in at.failed()
     assert ("undercut", 1) in below.failed()
     for of in (at, below):
@@ -248,7 +248,7 @@ def test_nothing_is_left_undrawn() -> None:
 
 
 def test_what_interferes_is_told_where_it_cannot_be_drawn() -> None:
-    of = pair(GearOrder(6, 60, 0.008, 0.0, 0.0))
+    of = pair(GearTask(6, 60, 0.008, 0.0, 0.0))
     assert {"undercut", "interference"} <= {name for name, _ in of.failed()}
     found = examine(of.log, of.given, [step.it for step in of.log.steps])
     assert {f.step.op.name for f in found} == {"specific_sliding"}

@@ -9,10 +9,10 @@ from support.each import each
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.chapters.gears.plan import draw_gear
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.errors import StructureError
 
-GOOD = GearOrder(15, 25, 0.008, 0.83, 0.445)
+GOOD = GearTask(15, 25, 0.008, 0.83, 0.445)
 NAN = float("nan")
 
 

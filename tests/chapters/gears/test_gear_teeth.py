@@ -11,34 +11,34 @@ from support.each import each
 from support.teeth import Pair, dense, flank, meshing, pair, profile, wheel
 
 from graphic_tmm.board.findings import examine
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.errors import StructureError
 
 M = 8.0
 TOUCH = 1e-3
 """Flanks touch to this many real mm, and never overlap by more."""
-WINDROWER = GearOrder(15, 25, 0.008, 0.83, 0.445)
+WINDROWER = GearTask(15, 25, 0.008, 0.83, 0.445)
 CASES = (
     WINDROWER,
-    GearOrder(17, 43, 0.008, 0.1, -0.1),
-    GearOrder(10, 30, 0.008, 0.5, 0.0),
-    GearOrder(20, 200, 0.008),
-    GearOrder(30, 31, 0.008, -0.2, 1.0),
-    GearOrder(12, 12, 0.008, 0.4, 0.4, alpha=25.0, c=0.2),
-    GearOrder(25, 60, 0.008, c=0.4),
+    GearTask(17, 43, 0.008, 0.1, -0.1),
+    GearTask(10, 30, 0.008, 0.5, 0.0),
+    GearTask(20, 200, 0.008),
+    GearTask(30, 31, 0.008, -0.2, 1.0),
+    GearTask(12, 12, 0.008, 0.4, 0.4, alpha=25.0, c=0.2),
+    GearTask(25, 60, 0.008, c=0.4),
 )
-UNDERCUT = (GearOrder(12, 40, 0.008), GearOrder(8, 20, 0.008), GearOrder(6, 25, 0.008, -0.2, 0.2))
+UNDERCUT = (GearTask(12, 40, 0.008), GearTask(8, 20, 0.008), GearTask(6, 25, 0.008, -0.2, 0.2))
 
 
 @cache
-def drawn(order: GearOrder) -> Pair:
+def drawn(order: GearTask) -> Pair:
     return pair(order)
 
 
 @each("order", CASES)
 @each("k", [0, 1])
 def test_rolled_points_are_those_of_the_involute_through_the_pitch_point(
-    order: GearOrder, k: int
+    order: GearTask, k: int
 ) -> None:
     of = drawn(order)
     made = of.gear.wheels[k]
@@ -60,7 +60,7 @@ def test_rolled_points_are_those_of_the_involute_through_the_pitch_point(
 @each("order", CASES)
 @each("k", [0, 1])
 def test_a_flank_between_its_points_is_the_involute_to_a_ten_thousandth_of_a_module(
-    order: GearOrder, k: int
+    order: GearTask, k: int
 ) -> None:
     of = drawn(order)
     made = of.gear.wheels[k]
@@ -77,7 +77,7 @@ def test_a_flank_between_its_points_is_the_involute_to_a_ten_thousandth_of_a_mod
 @each("order", CASES)
 @each("k", [0, 1])
 def test_the_tooth_is_as_thick_as_calculated_at_the_pitch_circle_and_at_the_tip(
-    order: GearOrder, k: int
+    order: GearTask, k: int
 ) -> None:
     of = drawn(order)
     made, sizes = of.gear.wheels[k], of.gear.wheels[k].sizes
@@ -93,7 +93,7 @@ def test_the_tooth_is_as_thick_as_calculated_at_the_pitch_circle_and_at_the_tip(
 
 @each("order", CASES)
 @each("k", [0, 1])
-def test_teeth_stand_one_pitch_apart_and_are_symmetrical(order: GearOrder, k: int) -> None:
+def test_teeth_stand_one_pitch_apart_and_are_symmetrical(order: GearTask, k: int) -> None:
     of = drawn(order)
     made = of.gear.wheels[k]
     centre, z = of.one(made.circles.centre), (order.z1, order.z2)[k]
@@ -112,7 +112,7 @@ def test_teeth_stand_one_pitch_apart_and_are_symmetrical(order: GearOrder, k: in
                 np.testing.assert_allclose(own, middle * np.exp(2j * np.pi * sense / z), atol=1e-9)
 
 
-def rack(order: GearOrder, x: float) -> shapely.Polygon:
+def rack(order: GearTask, x: float) -> shapely.Polygon:
     """A tooth of the basic rack in modules, its pitch line y = 0: straight sides, corners rounded."""
     alpha, top, depth = np.radians(order.alpha), 4.0, order.ha + order.c
 
@@ -131,7 +131,7 @@ def rack(order: GearOrder, x: float) -> shapely.Polygon:
 
 
 @cache
-def cut(order: GearOrder, k: int) -> shapely.Geometry:
+def cut(order: GearTask, k: int) -> shapely.Geometry:
     """What a rack takes away beside a tooth of wheel k, its space upright, in modules."""
     z, x = (order.z1, order.z2)[k], (order.x1, order.x2)[k]
     tool, r = rack(order, x), z / 2
@@ -146,7 +146,7 @@ def cut(order: GearOrder, k: int) -> shapely.Geometry:
 @pytest.mark.slow
 @pytest.mark.parametrize("order", [*CASES[:4], *CASES[5:], *UNDERCUT])
 @pytest.mark.parametrize("k", [0, 1])
-def test_flank_and_fillet_are_what_a_rack_cuts(order: GearOrder, k: int) -> None:
+def test_flank_and_fillet_are_what_a_rack_cuts(order: GearTask, k: int) -> None:
     of = drawn(order)
     made = of.gear.wheels[k]
     centre, z = of.one(made.circles.centre), (order.z1, order.z2)[k]
@@ -163,7 +163,7 @@ def test_flank_and_fillet_are_what_a_rack_cuts(order: GearOrder, k: int) -> None
 
 @pytest.mark.slow
 @pytest.mark.parametrize("order", CASES)
-def test_turned_through_a_pitch_flanks_touch_and_never_overlap(order: GearOrder) -> None:
+def test_turned_through_a_pitch_flanks_touch_and_never_overlap(order: GearTask) -> None:
     of = drawn(order)
     assert of.failed() <= {("tip thickness", 1), ("tip thickness", 2)}
     assert worst(of, 25) < TOUCH
@@ -190,7 +190,7 @@ def test_any_pair_is_right_or_its_fault_has_a_name() -> None:
         z1, z2 = (int(v) for v in np.exp(rng.uniform(np.log(6), np.log(200), 2)).round())
         x1, x2 = rng.uniform(-0.5, 1.2, 2).round(3)
         try:
-            of = pair(GearOrder(z1, z2, 0.008, float(x1), float(x2)))
+            of = pair(GearTask(z1, z2, 0.008, float(x1), float(x2)))
         except StructureError as error:
             told.add(str(error)[:30])
             continue
@@ -205,7 +205,7 @@ def test_any_pair_is_right_or_its_fault_has_a_name() -> None:
 
 
 def test_a_pointed_tooth_ends_where_its_flanks_meet() -> None:
-    of = drawn(GearOrder(8, 40, 0.008, 0.9, -0.2))
+    of = drawn(GearTask(8, 40, 0.008, 0.9, -0.2))
     assert ("pointed tooth", 1) in of.failed()
     made = of.gear.wheels[0]
     sides = made.teeth[1]
@@ -217,7 +217,7 @@ def test_a_pointed_tooth_ends_where_its_flanks_meet() -> None:
 def test_the_number_of_steps_is_the_orders() -> None:
     errors = []
     for steps in (6, 12, 24):
-        of = pair(GearOrder(15, 25, 0.008, 0.83, 0.445, steps=steps))
+        of = pair(GearTask(15, 25, 0.008, 0.83, 0.445, steps=steps))
         made = of.gear.wheels[0]
         centre, base = of.one(made.circles.centre), 1000 * of.real(made.sizes.r_b)
         spots = (dense(of.reading[made.flank]) - centre) * of.mm

@@ -15,29 +15,29 @@ from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
-from graphic_tmm.chapters.gears.task import GearOrder
+from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
-from graphic_tmm.paper.layout import bounds
-from graphic_tmm.paper.placing import box, flat, shape
+from graphic_tmm.paper.labels import box, flat, shape
+from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import svg
 
-WINDROWER = GearOrder(15, 25, 0.008, 0.83, 0.445, stations=(23.5, 47.0, 94.0, 141.0, 164.5))
+WINDROWER = GearTask(15, 25, 0.008, 0.83, 0.445, stations=(23.5, 47.0, 94.0, 141.0, 164.5))
 ORDERS = (
     WINDROWER,
-    GearOrder(6, 30, 0.008, 0.9, 0.0),
-    GearOrder(8, 20, 0.008),
-    GearOrder(20, 200, 0.008, 0.2, -0.2),
-    GearOrder(6, 60, 0.008),
+    GearTask(6, 30, 0.008, 0.9, 0.0),
+    GearTask(8, 20, 0.008),
+    GearTask(20, 200, 0.008, 0.2, -0.2),
+    GearTask(6, 60, 0.008),
 )
 VIEWS = ("gear", "rolling 1", "rolling 2", "sliding")
 
 
 @cache
-def drawn(order: GearOrder = WINDROWER) -> Pair:
+def drawn(order: GearTask = WINDROWER) -> Pair:
     return pair(order)
 
 
-def view(name: str, order: GearOrder = WINDROWER, *, lettered: bool = True) -> Drawing:
+def view(name: str, order: GearTask = WINDROWER, *, lettered: bool = True) -> Drawing:
     of = drawn(order)
     if name == "gear":
         return draw_gear_ink(of.reading, of.gear, "ru", "X", lettered=lettered)
@@ -54,7 +54,7 @@ def main(of: Drawing) -> list[shapely.Geometry]:
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS)
 @each("name", VIEWS)
-def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: GearOrder) -> None:
+def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: GearTask) -> None:
     made = view(name, order)
     boxes = [box(label) for label in made.labels]
     assert all(a.disjoint(b) for a, b in combinations(boxes, 2))
@@ -64,7 +64,7 @@ def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: G
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS[:2])
 @pytest.mark.parametrize("name", VIEWS)
-def test_an_unlettered_view_has_room_for_its_ink(name: str, order: GearOrder) -> None:
+def test_an_unlettered_view_has_room_for_its_ink(name: str, order: GearTask) -> None:
     bare = view(name, order, lettered=False)
     assert bare.cell is not None
     room = shapely.box(*bare.cell)
@@ -73,7 +73,7 @@ def test_an_unlettered_view_has_room_for_its_ink(name: str, order: GearOrder) ->
 
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS)
-def test_the_outline_is_that_of_the_board(order: GearOrder) -> None:
+def test_the_outline_is_that_of_the_board(order: GearTask) -> None:
     of = drawn(order)
     lines = main(view("gear", order))
     ink = shapely.union_all(lines)
@@ -135,7 +135,7 @@ def test_letters_of_the_meshing() -> None:
 
 
 def test_a_centre_too_far_is_left_out() -> None:
-    far = view("gear", GearOrder(20, 200, 0.008, 0.2, -0.2))
+    far = view("gear", GearTask(20, 200, 0.008, 0.2, -0.2))
     left, low, right, top = bounds(far)
     assert top - low < 450.0
     assert right - left < 450.0
@@ -177,7 +177,7 @@ def test_the_curves_of_sliding_go_to_one_over_the_limits() -> None:
 
 
 def test_the_table_of_sliding_is_that_of_the_windrower() -> None:
-    of = pair(GearOrder(15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=WINDROWER.stations))
+    of = pair(GearTask(15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=WINDROWER.stations))
     texts = [label.text for label in sliding_table(of.reading, of.gear, "ru", "X").labels]
     for figure in ("−3,030", "−0,715", "0,442", "0,828", "0,939", "0,752", "0,417", "−0,793",
                    "−4,82", "−15,27", "68,0", "181,4", "−∞"):  # fmt: skip

@@ -14,10 +14,10 @@ from support.gallery import SHEETS
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.indicator.plan import Indicator
-from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Row
-from graphic_tmm.paper.placing import flat
+from graphic_tmm.paper.labels import flat
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 
@@ -31,7 +31,7 @@ def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Drawn:
     scene = read(SHEETS / "engine")
     assert scene.tasks.get("flywheel") is not None
     shaft = Gas(SHAFT, BORE, ROD) if double else None
-    order = IndicatorOrder("B", Gas(COVER, BORE), shaft, base=80.0, mu=2000.0)
+    order = IndicatorTask("B", Gas(COVER, BORE), shaft, base=80.0, mu=2000.0)
     row = replace(scene.row, extra=extra)
     return drawn_of(
         replace(

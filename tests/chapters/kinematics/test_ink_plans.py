@@ -18,10 +18,10 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     vectors,
 )
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.labels import box
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.placing import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
 
 

@@ -23,24 +23,24 @@ from graphic_tmm.chapters.planetary.tables import (
     ratio_lines,
     train_table,
 )
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder
+from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
+from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
-from graphic_tmm.paper.placing import box, shape
 from graphic_tmm.paper.write.svg import svg
 
-C7 = PlanetaryOrder("ring", 0.008, 302.4, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
+C7 = PlanetaryTask("ring", 0.008, 302.4, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
 ORDERS = {
     "C7": C7,
-    "ring, five": PlanetaryOrder("ring", 0.004, -100.0, ratio=3.2, tolerance=0.05, satellites=(5,)),
-    "external-internal": PlanetaryOrder("external-internal", 0.004, 302.0, ratio=12.0),
-    "external-external": PlanetaryOrder("external-external", 0.004, 302.0, ratio=-0.5, tolerance=0.03),
-    "external-external, H": PlanetaryOrder("external-external", 0.004, 302.0, "H", ratio=60.0),
-    "internal-internal": PlanetaryOrder("internal-internal", 0.004, 302.0, "H", ratio=-40.0, tolerance=0.05),
-    "internal-internal, two": PlanetaryOrder(
+    "ring, five": PlanetaryTask("ring", 0.004, -100.0, ratio=3.2, tolerance=0.05, satellites=(5,)),
+    "external-internal": PlanetaryTask("external-internal", 0.004, 302.0, ratio=12.0),
+    "external-external": PlanetaryTask("external-external", 0.004, 302.0, ratio=-0.5, tolerance=0.03),
+    "external-external, H": PlanetaryTask("external-external", 0.004, 302.0, "H", ratio=60.0),
+    "internal-internal": PlanetaryTask("internal-internal", 0.004, 302.0, "H", ratio=-40.0, tolerance=0.05),
+    "internal-internal, two": PlanetaryTask(
         "internal-internal", 0.004, -302.0, "H", ratio=20.0, tolerance=0.05, satellites=(2,)
     ),
 }  # fmt: skip

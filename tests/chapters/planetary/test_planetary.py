@@ -18,12 +18,12 @@ from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import LENGTHS
 from graphic_tmm.chapters.planetary.plan import Planetary, draw_overall, draw_planetary
-from graphic_tmm.chapters.planetary.task import PlanetaryOrder
+from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.errors import StructureError
 
 SPEED = 302.4
-C7 = PlanetaryOrder("ring", 0.008, SPEED, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
+C7 = PlanetaryTask("ring", 0.008, SPEED, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
 GIVEN = {
     "ring": (25, 32, 89),
     "external-internal": (18, 48, 21, 87),
@@ -32,13 +32,13 @@ GIVEN = {
 }
 
 
-def drawn(order: PlanetaryOrder) -> tuple[Planetary, Construction, dict[Mark, Any]]:
+def drawn(order: PlanetaryTask) -> tuple[Planetary, Construction, dict[Mark, Any]]:
     draft = Draft()
     made = draw_planetary(draft, order)
     return made, draft.board.construction(), draft.given
 
 
-def read(order: PlanetaryOrder, hand: Hand | None = None) -> tuple[Planetary, Reading]:
+def read(order: PlanetaryTask, hand: Hand | None = None) -> tuple[Planetary, Reading]:
     made, log, given = drawn(order)
     return made, execute(log, given) if hand is None else execute(log, given, hand=hand)
 
@@ -47,11 +47,11 @@ def value(reading: Reading, mark: Mark) -> float:
     return float(reading[mark][0, 0])
 
 
-def order_of(scheme: str, driving: str = "1", **more: Any) -> PlanetaryOrder:
-    return PlanetaryOrder(scheme, 0.004, SPEED, driving, teeth=GIVEN[scheme], **more)
+def order_of(scheme: str, driving: str = "1", **more: Any) -> PlanetaryTask:
+    return PlanetaryTask(scheme, 0.004, SPEED, driving, teeth=GIVEN[scheme], **more)
 
 
-def valid(draw: random.Random, scheme: str) -> PlanetaryOrder:
+def valid(draw: random.Random, scheme: str) -> PlanetaryTask:
     """A random train that fulfils every condition of the oracle."""
     while True:
         k, q = draw.choice((2, 3, 4)), draw.choice((F(1), F(1), F(5, 4), F(4, 5)))
@@ -64,7 +64,7 @@ def valid(draw: random.Random, scheme: str) -> PlanetaryOrder:
             if z4.denominator != 1 or z4 < 1 or z1 + first * z2 < 1:
                 continue
             teeth = (z1, z2, z3, int(z4))
-        order = PlanetaryOrder(
+        order = PlanetaryTask(
             scheme, 0.004, draw.choice((-1, 1)) * draw.uniform(1.0, 500.0), draw.choice("1H"),
             teeth=teeth, satellites=(k,), module_2=None if q == 1 else 0.004 * float(q),
         )  # fmt: skip

@@ -11,28 +11,28 @@ import numpy as np
 import pytest
 from support import train_oracle as oracle
 
-from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder
+from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, choose, search
 from graphic_tmm.errors import StructureError
 
-C7 = PlanetaryOrder("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
+C7 = PlanetaryTask("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
 SMALL = Limits(least=17, most=26, ring_most=80)
 ORDERS = [
-    PlanetaryOrder("ring", 0.005, 1.0, ratio=4.55, tolerance=0.02, satellites=(2, 3, 4),
+    PlanetaryTask("ring", 0.005, 1.0, ratio=4.55, tolerance=0.02, satellites=(2, 3, 4),
                    limits=Limits(most=60, ring_most=140)),
-    PlanetaryOrder("ring", 0.005, 1.0, ratio=0.3, driving="H", tolerance=0.1, satellites=(5, 3),
+    PlanetaryTask("ring", 0.005, 1.0, ratio=0.3, driving="H", tolerance=0.1, satellites=(5, 3),
                    limits=Limits(most=60, ring_most=140)),
-    PlanetaryOrder("external-internal", 0.005, 1.0, ratio=4.0, tolerance=0.05, satellites=(3, 4), limits=SMALL),
-    PlanetaryOrder("external-internal", 0.005, 1.0, ratio=4.0, tolerance=0.2, satellites=(2, 3), limits=SMALL,
+    PlanetaryTask("external-internal", 0.005, 1.0, ratio=4.0, tolerance=0.05, satellites=(3, 4), limits=SMALL),
+    PlanetaryTask("external-internal", 0.005, 1.0, ratio=4.0, tolerance=0.2, satellites=(2, 3), limits=SMALL,
                    module_2=0.004),
-    PlanetaryOrder("external-external", 0.005, 1.0, ratio=-0.4, tolerance=0.3, satellites=(2, 3), limits=SMALL),
-    PlanetaryOrder("external-external", 0.005, 1.0, ratio=12.0, driving="H", tolerance=0.3, satellites=(3, 1),
+    PlanetaryTask("external-external", 0.005, 1.0, ratio=-0.4, tolerance=0.3, satellites=(2, 3), limits=SMALL),
+    PlanetaryTask("external-external", 0.005, 1.0, ratio=12.0, driving="H", tolerance=0.3, satellites=(3, 1),
                    limits=SMALL),
-    PlanetaryOrder("external-external", 0.004, 1.0, ratio=0.3, tolerance=0.5, satellites=(3,), module_2=0.005,
+    PlanetaryTask("external-external", 0.004, 1.0, ratio=0.3, tolerance=0.5, satellites=(3,), module_2=0.005,
                    limits=replace(SMALL, least=15)),
-    PlanetaryOrder("internal-internal", 0.005, 1.0, ratio=-10.0, driving="H", tolerance=0.5, satellites=(2, 3),
+    PlanetaryTask("internal-internal", 0.005, 1.0, ratio=-10.0, driving="H", tolerance=0.5, satellites=(2, 3),
                    limits=replace(SMALL, ring_most=60)),
-    PlanetaryOrder("internal-internal", 0.005, 1.0, ratio=0.06, tolerance=0.5, satellites=(1, 2),
+    PlanetaryTask("internal-internal", 0.005, 1.0, ratio=0.06, tolerance=0.5, satellites=(1, 2),
                    limits=replace(SMALL, most=24, ring_most=52)),
 ]  # fmt: skip
 
@@ -45,7 +45,7 @@ def listed(found: Solutions, scheme: str) -> list[tuple[oracle.Four, int]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS, ids=lambda o: f"{o.scheme} {o.ratio}")
-def test_the_search_finds_what_brute_force_finds(order: PlanetaryOrder) -> None:
+def test_the_search_finds_what_brute_force_finds(order: PlanetaryTask) -> None:
     found = search(order)
     rows = listed(found, order.scheme)
     due = oracle.brute_force(order)
@@ -55,7 +55,7 @@ def test_the_search_finds_what_brute_force_finds(order: PlanetaryOrder) -> None:
 
 
 @pytest.mark.parametrize("order", ORDERS, ids=lambda o: f"{o.scheme} {o.ratio}")
-def test_solutions_are_ranked_by_size_and_always_in_the_same_order(order: PlanetaryOrder) -> None:
+def test_solutions_are_ranked_by_size_and_always_in_the_same_order(order: PlanetaryTask) -> None:
     found = search(order)
     q = F(1) if order.module_2 is None else F(order.module_2 / order.module).limit_denominator(100)
     spans = [float(oracle.span(order, z, q)) * order.module for z, _ in listed(found, order.scheme)]

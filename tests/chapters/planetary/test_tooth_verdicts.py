@@ -10,14 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support import train_oracle as oracle
 
-from graphic_tmm.chapters.planetary.task import SCHEMES, Limits, PlanetaryOrder, Train
+from graphic_tmm.chapters.planetary.task import SCHEMES, Limits, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_verdicts import CONDITIONS, Verdict, check
 
-C7 = PlanetaryOrder("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003)
+C7 = PlanetaryTask("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003)
 RING = SCHEMES["ring"]
 
 
-def verdicts(order: PlanetaryOrder, teeth: tuple[int, ...], k: int) -> dict[str, list[Verdict]]:
+def verdicts(order: PlanetaryTask, teeth: tuple[int, ...], k: int) -> dict[str, list[Verdict]]:
     found: dict[str, list[Verdict]] = {}
     for verdict in check(order, Train(SCHEMES[order.scheme], teeth, k)):
         found.setdefault(verdict.condition, []).append(verdict)
@@ -66,7 +66,7 @@ def test_a_condition_that_fails_is_named(
 
 def test_rows_of_two_modules_are_checked_in_modules_of_the_first() -> None:
     teeth = (20, 20, 18, 50)
-    order = PlanetaryOrder("external-internal", 0.004, 1.0, module_2=0.005, teeth=teeth)
+    order = PlanetaryTask("external-internal", 0.004, 1.0, module_2=0.005, teeth=teeth)
     found = verdicts(order, teeth, 2)
     (coaxial,), (assembly,) = found["coaxial"], found["assembly"]
     assert coaxial.holds
@@ -76,7 +76,7 @@ def test_rows_of_two_modules_are_checked_in_modules_of_the_first() -> None:
 
 
 def test_a_train_that_stands_is_no_train() -> None:
-    order = PlanetaryOrder("external-external", 0.004, 1.0, teeth=(20, 20, 20, 20))
+    order = PlanetaryTask("external-external", 0.004, 1.0, teeth=(20, 20, 20, 20))
     (ratio,) = verdicts(order, (20, 20, 20, 20), 2)["ratio"]
     assert not ratio.holds
     assert "a shaft stands" in ratio.text
@@ -103,7 +103,7 @@ def test_verdicts_together_say_what_the_oracle_says(data: st.DataObject) -> None
     else:
         z4 = (z1 + first * z2) / q - second * z3
         teeth = (z1, z2, z3, max(1, round(z4)))
-    order = PlanetaryOrder(
+    order = PlanetaryTask(
         name, 0.004, 1.0, module_2=None if q == 1 else 0.004 * float(q),
         limits=Limits(least=least), teeth=teeth,
     )  # fmt: skip

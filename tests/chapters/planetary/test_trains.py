@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 from support.each import each
 
-from graphic_tmm.chapters.planetary.task import Limits, PlanetaryOrder, module_ratio, scheme_of
+from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask, module_ratio, scheme_of
 from graphic_tmm.chapters.planetary.tooth_search import choose, search
 from graphic_tmm.errors import StructureError
 
-C7 = PlanetaryOrder("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
+C7 = PlanetaryTask("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
 TWO = replace(C7, scheme="external-internal", teeth=(), ratio=12.0)
 NAN = float("nan")
 

@@ -10,7 +10,7 @@ from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
-from graphic_tmm.chapters.indicator.task import Gas, IndicatorOrder, Stretch
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
@@ -35,7 +35,7 @@ def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -
     scene = read(SHEETS / "engine")
     assert scene.tasks.get("flywheel") is not None
     gas = Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
+    order = replace(scene.tasks["flywheel"], indicator=IndicatorTask("B", gas, mu=2000.0))
     row = replace(scene.row, count=count, extra=extra, accelerations=())
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
     return drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
@@ -95,7 +95,7 @@ def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
     scene = read(SHEETS / "engine")
     assert scene.tasks.get("flywheel") is not None
     gas = Gas((1e5,) * 12, BORE) if not stretches else Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.tasks["flywheel"], indicator=IndicatorOrder("B", gas, mu=2000.0))
+    order = replace(scene.tasks["flywheel"], indicator=IndicatorTask("B", gas, mu=2000.0))
     sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
     row = replace(scene.row, zero=zero, accelerations=())
     drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)

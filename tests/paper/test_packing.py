@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.paper.drawing import Drawing, line
-from graphic_tmm.paper.layout import GAP, Room, bounds, pack, settled
+from graphic_tmm.paper.packing import GAP, Room, bounds, pack, settled
 
 ROOM = Room((20.0, 5.0, 836.0, 589.0), ((651.0, 5.0, 836.0, 60.0), (20.0, 575.0, 90.0, 589.0)))
 kinds = st.sampled_from(["velocities-1", "table-links", "accelerations-2"])

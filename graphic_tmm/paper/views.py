@@ -11,10 +11,10 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Within
-from graphic_tmm.paper.layout import bounds, settled
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.packing import bounds, settled
 
 CAPTION = 5.0
 """Sizes of lettering, mm (ГОСТ 2.304)."""

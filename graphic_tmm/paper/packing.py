@@ -15,7 +15,7 @@ import shapely
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.placing import box, shape
+from graphic_tmm.paper.labels import box, shape
 
 GAP = 7.0
 """Clear space between views, and between a view and the frame, mm."""
