@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import SOURCE, speaking
+from graphic_tmm.language.said import joined
 from graphic_tmm.readers.findings import finding, left_out
 
 SILENT = ("touching", "lost")
@@ -21,7 +22,7 @@ def _told(drawn: Drawn, language: str) -> Iterator[str]:
     project, names = drawn.project, drawn.names
     if drawn.undrawn:
         missing = ", ".join(names[i] for i in drawn.undrawn)
-        over = "".join(chapter.ranges(project) for chapter in project.chapters)
+        over = joined("", (chapter.ranges(project) for chapter in project.chapters))
         _ = speaking(language)
         yield _("positions {missing} cannot be drawn{over}", missing=missing, over=over)
     findings = drawn.findings()

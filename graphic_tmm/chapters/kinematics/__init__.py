@@ -63,6 +63,7 @@ from graphic_tmm.chapters.kinematics.scales import (
     sizes_of,
 )
 from graphic_tmm.chapters.kinematics.table import kinematic_columns, rate_marks, speed_marks
+from graphic_tmm.language.said import joined
 from graphic_tmm.project import Project
 
 
@@ -77,8 +78,8 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
 
 def _ranges(project: Project) -> str:
     """Return, as the end of a sentence, over which ranges of the crank the mechanism assembles."""
-    said = KINEMATICS.on(project).assembly.said
-    return f": {said}" if said else ""
+    says = KINEMATICS.on(project).assembly.said
+    return joined("", (": ", says)) if says else ""
 
 
 _BOTH = (VELOCITIES, ACCELERATIONS)

@@ -47,8 +47,12 @@ class Assembly(NamedTuple):
         """The ranges as a sentence; "" if it is all of the turn."""
         if not self.ranges:
             return ""
-        ranges = " and ".join(f"{a % 360:.2f}° to {b % 360:.2f}°" for a, b in self.ranges)
-        return f"group {', '.join(self.groups)} assembles for crank angles {ranges} only"
+        ranges = (said("{a:.2f}° to {b:.2f}°", a=a % 360, b=b % 360) for a, b in self.ranges)
+        return said(
+            "group {groups} assembles for crank angles {ranges} only",
+            groups=", ".join(self.groups),
+            ranges=joined(said(" and "), ranges),
+        )
 
 
 def closures(survey: Survey) -> tuple[Closure, ...]:
