@@ -13,7 +13,7 @@ import svgwrite
 from clock import ROOT, Row, in_turns, show
 
 from graphic_tmm.fitting.compose import compose
-from graphic_tmm.paper import labels
+from graphic_tmm.paper import labels as places
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
@@ -73,24 +73,24 @@ def rows() -> list[Row]:
     full = (*scene.sheets[0].place, "results")
     scene = replace(scene, sheets=(SheetOrder("A1", full),)).asking(diagrams=None)
     made = fitted(scene)
-    (composed,) = compose(made.scene, made)
+    (composed,) = compose(made.scene, (made,))
     plain = Plain.of(svg(composed))
     texts = labels()
     assert len(set(texts)) == 800
 
     def forgetting() -> None:
         letters.letter.cache_clear()
-        placing.box.cache_clear()
-        svg(compose(made.scene, made)[0])
+        places.box.cache_clear()
+        svg(compose(made.scene, (made,))[0])
 
     def whole() -> None:
-        svg(compose(made.scene, made)[0])
+        svg(compose(made.scene, (made,))[0])
 
     names = {
         f"{len(plain.paths)} paths, {len(plain.words)} texts, svgwrite": lambda: plain.write(debug=False),
         "a full A1 sheet of the windrower: composed, placed, written": whole,
         "the same, no label remembered": forgetting,
-        "of it, composed and placed": lambda: compose(made.scene, made),
+        "of it, composed and placed": lambda: compose(made.scene, (made,)),
         "of it, written as SVG": lambda: svg(composed),
         "800 labels to strokes, each of them new": lambda: letter_all(texts, letters.compose),
         "the same labels remembered": lambda: letter_all(texts, letters.letter),

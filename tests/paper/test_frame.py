@@ -11,6 +11,7 @@ from shapely.geometry import LineString, Polygon, box
 from support.each import each
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.paper import labels
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.formats import FORMATS, size_of
 from graphic_tmm.paper.frame.frame import FIELDS, drawing_area, frame
@@ -313,5 +314,5 @@ def test_an_upright_a1_has_its_designation_along_the_right_side_read_from_the_le
     drawing = frame("A1 portrait", language="ru", first=True, number=1, count=1, fields=fields)
     (label,) = [k for k in drawing.labels if k.turn == -90]
     assert label.text.startswith("ТММ")
-    assert box(575, 766, 589, 836).covers(placing.box(label))
+    assert box(575, 766, 589, 836).covers(labels.box(label))
     assert "Формат A1" in {k.text for k in drawing.labels}
