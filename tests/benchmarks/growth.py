@@ -66,7 +66,7 @@ def trials() -> Row:
 def elements() -> Row:
     """Return the line of writing a sheet on which everything stands several times."""
     made = fitted(read(ROOT / "sheets" / "windrower"))
-    sheet = compose(made.scene, made)[0]
+    sheet = compose(made.scene, (made,))[0]
     sheets = {n: sheet._replace(drawings=sheet.drawings * n) for n in COPIES}
     counts = {n: svg(one).count("<") // 2 for n, one in sheets.items()}
     seconds = in_turns({str(counts[n]): partial(svg, one) for n, one in sheets.items()}, rounds=7)
