@@ -111,7 +111,7 @@ def test_an_input_is_kept(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         else:
             stands(place)
     before = {p.name: p.is_dir() or p.read_bytes() for p in tmp_path.iterdir()}
-    done = invoke(*arguments)
+    done = invoke(*arguments, "-l", "en")
     assert done.exit_code == 2, done.output
     assert "this file was read; it is not written over: name another" in done.stderr
     assert {p.name: p.is_dir() or p.read_bytes() for p in tmp_path.iterdir()} == before
