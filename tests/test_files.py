@@ -105,7 +105,7 @@ def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("a file")
     out = "/proc/nothing/here" if stand == "proc" else str(tmp_path / stand)
     for command in (("draw", "engine", "-o", out), ("new", out, "--like", "engine")):
-        result = invoke(*command)
+        result = invoke(*command, "-l", "en")
         assert result.exit_code == 2, result.output
         assert "cannot write into" in result.stderr
         assert "name another folder" in result.stderr
@@ -276,7 +276,7 @@ def test_an_unreadable_file_and_an_unwritable_folder(tmp_path: Path) -> None:
     assert (result.exit_code, "UTF-8" in result.stderr) == (2, True)
     wall = tmp_path / "wall"
     wall.write_text("a file")
-    result = invoke("draw", "engine", "-o", str(wall / "out"))
+    result = invoke("draw", "engine", "-o", str(wall / "out"), "-l", "en")
     assert result.exit_code == 2
     assert "cannot write into" in result.stderr
     assert "-o" in result.stderr

@@ -157,7 +157,7 @@ def test_the_same_scene_gives_the_same_bytes(name: str) -> None:
 @pytest.mark.slow
 def test_the_bytes_do_not_depend_on_the_process() -> None:
     code = (
-        "import sys; from graphic_tmm.studio import sheet_files, scene_path;"
+        "import sys; from graphic_tmm.scenes import scene_path; from graphic_tmm.studio import sheet_files;"
         "from graphic_tmm.scene.read import read;"
         "texts = sheet_files(read(scene_path('crank-rocker')))[1];"
         "sys.stdout.buffer.write(''.join(texts.values()).encode())"

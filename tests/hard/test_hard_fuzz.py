@@ -64,7 +64,7 @@ def test_a_plan_too_small_to_measure_is_refused(tmp_path: Path) -> None:
     text = source("windrower")
     scene, out = tmp_path / "scene.toml", tmp_path / "out"
     scene.write_text(text.replace('mu_l = "0.004 m/mm"', 'mu_l = "4000.0 m/mm"'), encoding="utf-8")
-    result = invoke("draw", scene, "-o", out)
+    result = invoke("draw", scene, "-o", out, "-l", "en")
     assert (result.exit_code, out.exists()) == (2, False), result.output
     assert "scales.mu_l: " in result.stderr
     assert "too small to measure" in result.stderr

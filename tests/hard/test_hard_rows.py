@@ -48,7 +48,7 @@ def test_one_two_or_three_positions(count: int, command: list[str], tmp_path: Pa
         path = tmp_path / f"{name}.toml"
         path.write_text("\n".join(lines), encoding="utf-8")
         out = ["-o", str(tmp_path / name)] if command == ["draw"] else []
-        result = invoke(command[0], path, *command[1:], *out)
+        result = invoke(command[0], path, *command[1:], *out, "-l", "en")
         assert result.exit_code == due, result.output
         if due:
             assert "needs 4 positions at least" in result.stderr

@@ -69,6 +69,6 @@ def test_a_position_of_a_cam_can_be_asked_for(tmp_path: Path) -> None:
     done = invoke("steps", path, "-n", "20")
     assert done.exit_code == 0
     assert done.stdout.splitlines()[0].endswith("положение 20")
-    done = invoke("steps", path, "-n", "99")
+    done = invoke("steps", path, "-n", "99", "-l", "en")
     assert done.exit_code == 2
     assert "--position: there is no 99; there are 0, 1" in done.stderr
