@@ -31,14 +31,92 @@ from graphic_tmm.board.operations import instruments
 from graphic_tmm.language.catalogue import speaking
 print(OPERATIONS["mark_off"].sentence, speaking("ru")(OPERATIONS["mark_off"].sentence), sep=" | ")
 """
+LAW_FILE = '''"""The law 4-5-6-7: the acceleration begins and ends without a bend."""
+
+from __future__ import annotations
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.operations.instruments import lay_off
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, uprights
 
 
-def added(folder: Path, edits: dict[str, tuple[str, str]], code: str, *arguments: str) -> str:
+@formula
+def smooth_S(u: Number, height: Length) -> Length:
+    """{height}·(35·{u}⁴ − 84·{u}⁵ + 70·{u}⁶ − 20·{u}⁷)"""
+
+
+@formula
+def smooth_V(u: Number, stroke: Number, phase: Number, mu: Number) -> Length:
+    """{stroke}·(140·{u}³ − 420·{u}⁴ + 420·{u}⁵ − 140·{u}⁶)/({phase}·{mu})"""
+
+
+@formula
+def smooth_A(u: Number, stroke: Number, phase: Number, mu: Number) -> Length:
+    """{stroke}·(420·{u}² − 1680·{u}³ + 2100·{u}⁴ − 840·{u}⁵)/({phase}²·{mu})"""
+
+
+def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
+    (u,) = ground.shares
+    op = {"S": smooth_S, "V": smooth_V, "A": smooth_A}[which]
+    given = (height,) if which == "S" else (ground.stroke, ground.phase)
+    over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
+    return (draft.draw(lay_off, which.lower(), over, draft.draw(op, "y", u, *given), free=True),)
+
+
+LAW = DrawnLaw("4-5-6-7", 5, _points)
+'''
+LAW = """
+import sys
+from graphic_tmm.readers.table import scene_columns
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
+text = open(sys.argv[1]).read().replace('"sine"', '"4-5-6-7"')
+open("scene.toml", "w").write(text)
+columns = {one.segment: one for one in scene_columns(make(read("scene.toml"), exact=True))}
+print(*columns["S"].value[0, :13])
+"""
+MISTAKE = """
+import sys
+from graphic_tmm.checking.cells import cells_and_points
+from graphic_tmm.checking.mistakes.catalogue import CATALOGUE
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
+made = make(read(sys.argv[1]), exact=True)
+due = cells_and_points(made)
+(found,) = (figures for one in CATALOGUE if one.name == "rate by half" for figures in one.figures(made))
+print(*sorted({key[1] for key in due if found[key] != due[key]}))
+"""
+
+KEY = """
+import sys
+from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheets
+text = open(sys.argv[1]).read().replace("[gears]", '[gears]\\nhub = "40 mm"')
+open("scene.toml", "w").write(text)
+made, paper = sheets(read("scene.toml"))
+(board,) = made.boards
+(view,) = (one for sheet in paper for one in sheet.drawings if one.name == "hub")
+gear = GEARS.on(board)
+print(float((board.reading[gear.hub].radius * board.reading[gear.line.mu])[0, 0]), view.title)
+"""
+
+
+def added(
+    folder: Path,
+    edits: dict[str, tuple[str, str]] | list[tuple[str, str, str]],
+    code: str,
+    *arguments: str,
+) -> str:
     """Return what a program prints with a copy of the package in which files (old, new) were edited."""
     copy = folder / "graphic_tmm"
     shutil.copytree(ROOT / "graphic_tmm", copy, ignore=shutil.ignore_patterns("__pycache__"))
-    for name, (old, new) in edits.items():
-        text = (copy / name).read_text(encoding="utf-8")
+    rows = edits if isinstance(edits, list) else [(name, *both) for name, both in edits.items()]
+    for name, old, new in rows:
+        text = (copy / name).read_text(encoding="utf-8") if old else ""
         assert old in text
         (copy / name).write_text(text.replace(old, new, 1), encoding="utf-8")
     done = subprocess.run(
@@ -89,3 +167,62 @@ def test_an_instrument_operation_is_two_files(tmp_path: Path) -> None:
     }
     told = added(tmp_path, edits, OPERATION)
     assert "Mark off the beginning {it} of {on}. | Отметить начало {it} прямой {on}." in told
+
+
+@pytest.mark.slow
+def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
+    """And a line of the catalogue, if its title is new; the reference of keys and the schema are printed."""
+    field = "    c: float = key(v.CLEARANCE,"
+    own = '    hub: float | None = key(v.POSITIVE_LENGTH, "diameter of a hub", "40 mm", None)\n'
+    made = "    return Gear(order,"
+    steps = (
+        "    hub = None\n    if order.hub is not None:\n"
+        '        draft.open("hub")\n        draft.mu_l = line.mu\n        centre = draft.take(Point, "O", 0j)\n'
+        '        hub = draft.draw(strike, "(h)", centre, draft.length("r_h", order.hub / 2))\n'
+    )
+    done, shown = "contact, sliding, checks)", "    return [*found, _checks(drawn, made)]"
+    head = "from __future__ import annotations\n"
+    wanted = (
+        "\nfrom graphic_tmm.board.operations.instruments import strike\n"
+        "from graphic_tmm.board.values import Point\n"
+    )
+    view = (
+        "    if made.hub is not None:\n        radius = float(reading[made.hub].radius[0, 0])\n"
+        '        found.append(Drawing("hub", "hub", (circle("main", 0j, radius),)))\n'
+    )
+    last = "    checks: tuple[Check, ...]\n"
+    edits = [
+        ("chapters/gears/task.py", field, own + field),
+        ("chapters/gears/plan.py", made, steps + made),
+        ("chapters/gears/plan.py", done, done.replace(")", ", hub)")),
+        ("chapters/gears/plan.py", last, last + "    hub: Mark | None = None\n"),
+        ("chapters/gears/plan.py", head, head + wanted),
+        ("chapters/gears/views.py", shown, view + shown),
+        ("chapters/gears/views.py", "import Drawing", "import Drawing, circle"),
+    ]
+    assert len({name for name, *_ in edits}) == 3
+    scene = str(SHEETS / "gear-pair" / "scene.toml")
+    assert added(tmp_path, edits, KEY, scene).split() == ["0.02", "hub"]
+
+
+@pytest.mark.slow
+def test_a_mistake_is_one_file(tmp_path: Path) -> None:
+    line = "CATALOGUE = (\n"
+    entry = (
+        f'{line}    Mistake(\n        said("rate by half"),\n        said("a rate is halved"),\n'
+        '        running("rate", lambda right, *v: 0.5 * right),\n    ),\n'
+    )
+    edits = {"checking/mistakes/catalogue.py": (line, entry)}
+    found = added(tmp_path, edits, MISTAKE, str(SHEETS / "crank-rocker" / "scene.toml")).split()
+    assert "omega2" in found
+    assert "pa" not in found
+
+
+@pytest.mark.slow
+def test_a_law_of_a_cam_is_one_file(tmp_path: Path) -> None:
+    scene = str(SHEETS / "cam" / "scene.toml")
+    new = {"chapters/cam/laws/smooth.py": ("", LAW_FILE)}
+    drawn = [float(one) for one in added(tmp_path, new, LAW, scene).split()]
+    u = [k / 12 for k in range(13)]
+    due = [0.028 * (35 * x**4 - 84 * x**5 + 70 * x**6 - 20 * x**7) for x in u]
+    assert drawn == pytest.approx(due, abs=1e-12)

@@ -62,6 +62,17 @@ def choice(*words: str, **synonyms: str) -> Kind:
     return Kind(read, {"type": "string", "enum": list(meant)})
 
 
+def choice_of(words: Callable[[], tuple[str, ...]]) -> Kind:
+    """Return the kind of one of some words that are asked for when a scene is read."""
+
+    def read(value: object, names: Names) -> str:
+        if isinstance(value, str) and value in words():
+            return value
+        raise ValueError(no_choice(value, list(words()), list(words())))
+
+    return Kind(read, lambda: {"type": "string", "enum": list(words())})
+
+
 def no_choice(value: object, words: list[str], known: list[str]) -> Said:
     """Return why a value is none of some words, the one of all ``known`` that was probably meant, the words."""
     listed = ", ".join(f'"{word}"' for word in words)

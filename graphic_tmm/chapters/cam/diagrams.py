@@ -21,10 +21,11 @@ from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam import law_formulas as law
 from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integral
-from graphic_tmm.chapters.cam.laws import Ground, draw_law
+from graphic_tmm.chapters.cam.laws import laws
+from graphic_tmm.chapters.cam.laws.ground import Ground
 from graphic_tmm.chapters.cam.operations import in_turn, phase_end
 from graphic_tmm.chapters.cam.phases import Phase, Turn
-from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, RockerFollower
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
 LETTERS = {"S": "S", "V": "S′", "A": "S″"}
@@ -150,7 +151,7 @@ def _divided(
 def _integrals(draft: Draft, common: _Common) -> tuple[Integral | None, ...]:
     found: list[Integral | None] = []
     for phase in common.turn.phases:
-        if phase.law.name == "diagram":
+        if phase.law.name == BY_DIAGRAM:
             rest = (common.turn, phase, common.stroke, common.order.poles)
             found.append(draw_integral(draft, common.base, *rest))
         else:
@@ -169,7 +170,7 @@ def _diagram(
     for k, integral in enumerate(common.integrals):
         ground = _ground(draft, common, k, axes)
         if integral is None:
-            points += draw_law(draft, ground, which, height)
+            points += laws()[ground.of.law.name].points(draft, ground, which, height)
         else:
             points += lay_integral(draft, ground, integral, which, height)
         draft.open(VIEWS[which])

@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
-from graphic_tmm.chapters.cam.task import CamTask, Law
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, Law
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -134,7 +134,9 @@ def _division(order: CamTask, name: str, extent: float, law: Law) -> Division:
 
 def _jumps(law: Law) -> list[float]:
     """Return the shares inside a phase at which the acceleration jumps."""
-    if law.name == "constant acceleration":
-        return [0.5]
+    from graphic_tmm.chapters.cam.laws import laws
+
+    if law.name != BY_DIAGRAM:
+        return list(laws()[law.name].jumps)
     double = [a[0] for a, b in pairwise(law.points) if b[0] - a[0] <= SLACK]
     return [share for share in double if SLACK < share < 1.0 - SLACK]

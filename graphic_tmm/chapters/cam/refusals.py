@@ -8,7 +8,14 @@ from itertools import pairwise
 import numpy as np
 
 from graphic_tmm.bounds import POSITIVE, TaskError
-from graphic_tmm.chapters.cam.task import LAWS, CamTask, FlatFollower, Law, RockerFollower
+from graphic_tmm.chapters.cam.task import (
+    BY_DIAGRAM,
+    CamTask,
+    FlatFollower,
+    Law,
+    RockerFollower,
+    names,
+)
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -102,13 +109,13 @@ def _refuse_choices(order: CamTask) -> None:
 
 
 def _refuse_law(key: str, law: Law) -> None:
-    if law.name not in LAWS:
+    if law.name not in names():
         raise TaskError(
             "cam",
             key,
-            said('no law "{name}": take one of {listed}', name=law.name, listed=", ".join(LAWS)),
+            said('no law "{name}": take one of {listed}', name=law.name, listed=", ".join(names())),
         )
-    if law.name != "diagram":
+    if law.name != BY_DIAGRAM:
         if law.points:
             raise TaskError("cam", key, said('points belong to the law "diagram" only'))
         return

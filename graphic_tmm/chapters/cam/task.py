@@ -18,13 +18,20 @@ from graphic_tmm.scene.misfits import listed, stands
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
-LAWS = ("sine", "cosine", "constant acceleration", "3-4-5", "diagram")
-"""The laws of motion; "diagram" is given by points of its acceleration diagram."""
+BY_DIAGRAM = "diagram"
+"""The law that is given by points of its acceleration diagram."""
+
+
+def names() -> tuple[str, ...]:
+    """Return the laws of motion."""
+    from graphic_tmm.chapters.cam.laws import laws
+
+    return (*laws(), BY_DIAGRAM)
 
 
 @dataclass(frozen=True)
 class Law:
-    """How the follower moves over one phase: one of `LAWS`.
+    """How the follower moves over one phase: one of `names`.
 
     ``points`` of the law "diagram": (share of the phase, acceleration), in order, joined by straight lines; the
     acceleration is positive while the follower speeds up, in any unit, for its scale follows from the stroke.
@@ -108,13 +115,13 @@ def _rest(said: Said) -> float:
 
 
 def _rise_law(said: Said) -> Law:
-    return Law(said.law, (said.law_points or ()) if said.law == "diagram" else ())
+    return Law(said.law, (said.law_points or ()) if said.law == BY_DIAGRAM else ())
 
 
 def _return_law(said: Said) -> Law:
     name = said.return_law or said.law
     points = said.return_points or said.law_points or ()
-    return Law(name, points if name == "diagram" else ())
+    return Law(name, points if name == BY_DIAGRAM else ())
 
 
 def _follower(said: Said) -> Follower:
@@ -136,7 +143,7 @@ _MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
 _DWELL = v.number(Bound(0, 360, below=True), "angle")
 _LIMIT = v.number(Bound(0, 90, above=True, below=True), "angle")
 _SHARE = v.number(v.SHARE)
-_LAW = v.choice(*LAWS)
+_LAW = v.choice_of(names)
 
 
 @dataclass(frozen=True)
@@ -274,10 +281,10 @@ def _laws(cam: Said) -> Iterator[Found]:
     for law, points in (("law", "law_points"), ("return_law", "return_points")):
         given, name = getattr(cam, points) is not None, getattr(cam, law)
         others = points == "return_points" and cam.law_points
-        if name == "diagram" and not given and not others:
+        if name == BY_DIAGRAM and not given and not others:
             says = said("the law diagram needs points, [[0, 0], [0.25, 1], ...]")
             yield Found(("cam", points), says)
-        if given and name not in ("diagram", None):
+        if given and name not in (BY_DIAGRAM, None):
             says = said('only {law} = "diagram" takes points; leave them out', law=law)
             yield Found(("cam", points), says)
 
