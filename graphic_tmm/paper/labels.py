@@ -175,10 +175,12 @@ def interrupt(
             made.append(stroke)
             continue
         left = shapely.difference(whole, shapely.union_all([boxes[k] for k in hits]))
-        for piece in shapely.get_parts(left):
-            if piece.length > CLEAR:
-                ends = [(float(x), float(y), 0.0) for x, y in piece.coords]
-                made.append(stroke._replace(path=tuple(ends)))
+        pieces = [piece for piece in shapely.get_parts(left) if piece.length > CLEAR]
+        if not pieces:  # it would vanish
+            made.append(stroke)
+        for piece in pieces:
+            ends = [(float(x), float(y), 0.0) for x, y in piece.coords]
+            made.append(stroke._replace(path=tuple(ends)))
     return tuple(made)
 
 

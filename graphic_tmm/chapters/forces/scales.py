@@ -1,4 +1,4 @@
-"""μ_F of the polygons, how much larger than the velocity plan the lever is, what cannot be compared."""
+"""μ_F of the polygons, μ_l of what is detached, how much larger than the velocity plan the lever is."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard
+from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapter import Size
 from graphic_tmm.chapters.forces.plan import FORCES, VIEW
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.fitting.scales import Fitting, extent
+from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -23,6 +24,8 @@ LEVER = 150.0
 """Room for the lever, mm."""
 ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 0.5, 0.4, 0.25, 0.2, 0.1)
 """How many times the lever may be larger than the velocity plan."""
+DETACHED = 0.6
+"""Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
 POLYGON = 200.0
 """Room for a polygon of forces, mm."""
 
@@ -37,7 +40,7 @@ SIZES = (
     Size("groups", least=0.25),
     Size("lever", least=0.05),
 )
-"""Of polygons, of the arrows on detached groups, of the lever: shares of the usual room."""
+"""Of polygons, of detached groups, of the lever: shares of the usual room."""
 
 
 def polygon_scales(project: Project) -> list[Mark]:
@@ -56,7 +59,7 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     """
     project, doubts, made = fitting.project, fitting.doubts, FORCES.on(fitting)
     log, scales = project.construction, polygon_scales(project)
-    ones = {**fitting.ones, **dict.fromkeys(scales, 1.0)}
+    ones = {**fitting.ones, **dict.fromkeys([*scales, *(f.mu for f in made.figures)], 1.0)}
     views = {mu.view for mu in scales}
     marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
     reading = execute(log, ones, marks).without(doubts.lost)
@@ -66,8 +69,29 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
         reach = extent([np.concatenate([[0j], *spots])])
         if made.order.mu or reach > 0.0:
             found[mu] = made.order.mu or standard(reach, POLYGON * fitting.sizes["forces"])
+    found |= _detached(fitting, ones)
     room = LEVER * fitting.sizes["lever"]
     return found | {made.lever.times: _enlarged(fitting, {**ones, **found}, room)}
+
+
+def _detached(fitting: Fitting, given: Mapping[Mark, object]) -> dict[Mark, object]:
+    """Return μ_l of what is detached: a standard one at which its points take their room in all positions.
+
+    ``given``: with all of them 1.
+    """
+    made, found = FORCES.on(fitting), dict[Mark, object]()
+    room = narrowest(sheet.format for sheet in fitting.scene.sheets).room
+    room *= DETACHED * fitting.sizes["groups"]
+    points = [mark for figure in made.figures for mark in figure.points.values()]
+    reading = execute(fitting.project.construction, given, points).without(fitting.doubts.lost)
+    for figure in made.figures:
+        spots = [_at(reading[mark], made.places) for mark in figure.points.values()]
+        # each position is a figure of its own
+        rows = np.array([np.broadcast_to(row, len(made.places)) for row in spots])
+        reach = max((extent([column]) for column in rows.T), default=0.0)
+        if reach > 0.0:
+            found[figure.mu] = standard_length(reach, room)
+    return found
 
 
 def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
@@ -92,18 +116,23 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
 
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
-    """Return the scales of the lever, and of the polygons that have one ``given``."""
+    """Return the scales of the lever, and of the polygons and detached groups that have one ``given``."""
     made = FORCES.on(project)
     mu = made.lever.mu
     found = {mu.view: Scale("μ_v", float(reading[mu][0, 0]), mu.unit)}
     for polygon in made.polygons:
         if polygon.mu in given:
             found[polygon.view] = Scale("μ_F", float(reading[polygon.mu][0, 0]), "N/mm")
+    for figure in made.figures:
+        if figure.mu in given:
+            found[figure.view] = Scale("μ_l", float(reading[figure.mu][0, 0]), figure.mu.unit)
     return found
 
 
 def scale_key(view: str) -> str:
-    """Return what machines call the scale factor of a view: forces 4-5 -> mu_F_4_5."""
+    """Return what machines call the scale factor of a view: forces 4-5 -> mu_F_4_5, group 1 -> mu_l_1."""
+    if view.startswith("group "):
+        return "mu_l_" + view.removeprefix("group ").replace("-", "_")
     if view.startswith(f"{VIEW} "):
         return "mu_F_" + view.removeprefix(f"{VIEW} ").replace("-", "_").replace(" ", "_pass_")
     return "mu_lever" if view == "lever" else ""
