@@ -21,8 +21,8 @@ from graphic_tmm.board.operations.graph_curves import graph_of_rays
 from graphic_tmm.board.operations.instruments import join, lay_off, measure_along, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, flat, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
+from graphic_tmm.paper.labels import flat, interrupt, leaders, place
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead, pole
