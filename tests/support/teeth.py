@@ -48,7 +48,7 @@ class Pair(NamedTuple):
             self.project,
             self.given,
             {},
-            Numbers(self.reading, {}),
+            Numbers(self.reading, {}, self.reading),
             EXACT,
             Doubts((), {}),
             (),
