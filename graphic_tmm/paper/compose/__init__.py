@@ -7,6 +7,6 @@ one sheet, `sheets` several.
 
 All of it works on boxes (`Outline`), so whoever chooses sizes asks without drawing: `sheet.fits` whether a
 sheet holds some (a millisecond for fifty views), `sheets.composed` how many sheets an order takes (some ten),
-and both where they would stand. A box is a view's `Outline.of`, or an outline of any width and height with the `Stand`
-that the view declares. The same sizes always make the same sheets.
+and both where they would stand. A box is a view's `Outline.of`, or an outline of any width and height with the
+`Stand` that the view declares. The same sizes always make the same sheets.
 """

@@ -13,6 +13,9 @@ from typing import NamedTuple
 from graphic_tmm.paper.compose.slicing import GRID, Leaf, Tree
 from graphic_tmm.paper.compose.units import PAIRED, WIDEST, Shape, Unit, split
 
+NEAR = 50.0
+"""What leaves no more than this, mm, of the height beside it stands at the upper edge."""
+
 Spots = Iterator[tuple[int, float, float]]
 """Boxes by their index, each with its left and upper edge."""
 
@@ -92,18 +95,29 @@ def _row(part: Need, x: float, y: float, width: float, height: float, gap: float
     sizes = [one.width + (one.across - 1) * (wide - gap) for one in part.parts]
     left = width - sum(sizes) - wide * (len(sizes) - 1)
     x += left / 2
-    level = _level(part, height)
+    line = _line(part, height)
     for one, size in zip(part.parts, sizes, strict=True):
         if one.last:
             x += left / 2
-        low = level if level is not None and one.cut is None and not one.last else height
-        yield from spread(one, x, y, size, low, gap)
+        top, high = line if _single(one) else (0.0, height)
+        yield from spread(one, x, y + top, size, high, gap)
         x += size + wide
 
 
-def _level(part: Need, height: float) -> float | None:
-    """Return how far down the row of single boxes stands whose lower edges are on one line."""
-    return None
+def _single(part: Need) -> bool:
+    """Whether a part is one row of boxes that may stand at any height of its cell."""
+    return part.cut is None and part.down == 1 and bool(part.unit.members)
+
+
+def _line(part: Need, height: float) -> tuple[float, float]:
+    """Return top and height of the cell in which the single rows that stand side by side end on one line.
+
+    It is at the upper edge, beside columns that begin there, if little is left below it; else in the middle.
+    """
+    most = max((one.height for one in part.parts if _single(one)), default=height)
+    columns = any(one.cut is not None or one.down > 1 for one in part.parts)
+    left = height - most
+    return (0.0 if columns and left <= NEAR else left / 2), most
 
 
 def _column(part: Need, x: float, y: float, width: float, height: float, gap: float) -> Spots:
@@ -128,7 +142,9 @@ def _unit(part: Need, x: float, y: float, width: float, height: float, gap: floa
     lines = split(unit.sizes, shape.rows)
     least = sum(max(h for _, h in line) for line in lines) + gap * (len(lines) - 1)
     high = grown(least, len(lines), height, gap, most)
-    if unit.stand.kind != "lead":
+    if len(lines) == 1:
+        y += height - least
+    elif unit.stand.kind != "lead":
         y += (height - least - (high - gap) * (len(lines) - 1)) / 2
     members = iter(unit.members)
     for line in lines:
