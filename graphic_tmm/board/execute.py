@@ -73,7 +73,7 @@ class Reading:
 
     def cut(self, places: Sequence[int]) -> Reading:
         """Return the numbers at some positions (indices)."""
-        values = {slot: _cut(value, list(places)) for slot, value in self.values.items()}
+        values = {slot: cut(value, places) for slot, value in self.values.items()}
         return replace(self, values=values, positions=len(places))
 
     def trial(self, k: int) -> Reading:
@@ -85,13 +85,13 @@ class Reading:
         return isinstance(mark, Mark) and mark.slot in self.values
 
 
-def _cut(value: Any, places: list[int]) -> Any:
+def cut(value: Any, places: Sequence[int]) -> Any:
     """Return a value at some positions; a curve is whole."""
     if isinstance(value, Curve):
         return value
     if isinstance(value, tuple):
-        return type(value)(*(_cut(array, places) for array in value))
-    return value if value.shape[1] == 1 else value[:, places]
+        return type(value)(*(cut(array, places) for array in value))
+    return value if value.shape[1] == 1 else value[:, list(places)]
 
 
 class _Trial(Mapping[int, Any]):
