@@ -10,8 +10,8 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.drawing import Drawing, Label, Stand, Within
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
@@ -101,7 +101,6 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
     for text, size in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size
-        size = CAPTION if k == 0 and view.stand.kind == "lead" else SMALL
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
         widest = max(widest, made.width)

@@ -59,8 +59,8 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     )
     mu, done = mu_text(drawn.scales[POSITIONS], drawn.scene.language), finished(view, lettered)
     size = heights(drawn.scene, POSITIONS)
-    return [captioned(done._replace(leads=True), words["positions"], mu, heights=size)]
-    return [captioned(view._replace(stand=Stand(kind="lead")), words["positions"], mu)]
+    leading = done._replace(stand=Stand(kind="lead"))
+    return [captioned(leading, words["positions"], mu, heights=size)]
 
 
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -110,8 +110,10 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     ]
     mu = mu_text(scale, drawn.scene.language)
     titles = [view.title for view in views]
+    told = [
         captioned(view, escape(title), mu, heights=size)
-    told = [captioned(view, escape(title), mu) for view, title in zip(views, titles, strict=True)]
+        for view, title in zip(views, titles, strict=True)
+    ]
     return in_rows(told, plan, "" if plan == VELOCITIES else VELOCITIES)
 
 
