@@ -63,7 +63,7 @@ def test_layers_by_view_position_and_line_kind(document) -> None:
     assert {*due, "accelerations-5_medium", "frame_main"} <= set(layers)
     assert layers["velocities_main"].dxf.lineweight == 80
     assert layers["velocities-1_medium"].dxf.lineweight == 40
-    assert layers["velocities-1_medium"].description.endswith("все положения: 1, medium")
+    assert layers["velocities-1_medium"].description.endswith("все положения, 1, векторы")
     assert all(layer.dxf.lineweight in (*WEIGHTS, -3) for layer in layers.values())
     used = {entity.dxf.layer for entity in document.modelspace()}
     assert used <= set(layers)

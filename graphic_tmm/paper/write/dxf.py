@@ -13,10 +13,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.labels import box, shape
-from graphic_tmm.paper.pens import CENTRE, DASHED, PHANTOM, Pen, pens
+from graphic_tmm.paper.pens import CENTRE, DASHED, KINDS, LETTERING, PHANTOM, Pen, pens
 from graphic_tmm.paper.write.dxf_blocks import Blocks, gathered, symbol_of
 from graphic_tmm.paper.write.dxf_ink import Inker, weight
 from graphic_tmm.paper.write.dxf_text import Letterer, add_styles
@@ -55,7 +56,8 @@ def dxf(sheet: Sheet, *, stroked: bool = False) -> str:
         document = new("R2010")
         document.units = units.MM
         _set_up(document, sheet)
-        writer = _Writer(document, pens(sheet.format), stroked=stroked)
+        speech = speaking(sheet.language or SOURCE)
+        writer = _Writer(document, pens(sheet.format), speech, stroked=stroked)
         for drawing in sheet.drawings:
             writer.draw(drawing)
         for kind in sorted(document.entitydb.dxf_types_in_use()):
@@ -104,8 +106,10 @@ def _extents(sheet: Sheet) -> tuple[float, float, float, float]:
 class _Writer:
     """What turns drawings into entities of one model space, on layers."""
 
-    def __init__(self, document: Any, box: Mapping[str, Pen], *, stroked: bool) -> None:
-        self.document, self.box = document, box
+    def __init__(
+        self, document: Any, box: Mapping[str, Pen], speech: Speech, *, stroked: bool
+    ) -> None:
+        self.document, self.box, self.speech = document, box, speech
         self.ink = Inker(document.modelspace(), box)
         self.blocks = Blocks(document, box)
         self.letterer = Letterer(document, document.modelspace(), stroked=stroked)
@@ -122,7 +126,8 @@ class _Writer:
             made = self.document.layers.add(
                 name, linetype=LINETYPES.get(kind, "CONTINUOUS"), lineweight=weight(width)
             )
-            made.description = f"{drawing.title or drawing.name}: {number and number + ', '}{kind}"
+            called = self.speech(KINDS.get(kind, LETTERING))
+            made.description = ", ".join(filter(None, (drawing.title, number, called)))
         return name
 
     def draw(self, drawing: Drawing) -> None:
