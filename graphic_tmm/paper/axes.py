@@ -10,8 +10,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, Wanted, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 9.0

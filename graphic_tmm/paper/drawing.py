@@ -17,7 +17,12 @@ Data = tuple[tuple[str, str], ...]
 
 
 class Stroke(NamedTuple):
-    """One line drawn with one pen: a path; ``title`` and ``data`` are read by a page, not drawn."""
+    """One line drawn with one pen: a path; ``title`` and ``data`` are read by a page, not drawn.
+
+    ``of``: the slots of the marks, and so of the steps, that it comes from; ``position``: the one it belongs to
+    (index), None: to all of them. ``part``: what it is a part of where no step left it: a body of the plan
+    ("link", "guide": ``of`` are its marks) or what a view adds ("axis", "hatching"; ``of`` is empty).
+    """
 
     pen: str
     path: Path
@@ -25,21 +30,31 @@ class Stroke(NamedTuple):
     filled: bool = False
     title: str = ""
     data: Data = ()
+    of: tuple[int, ...] = ()
+    position: int | None = None
+    part: str = ""
 
 
 class Bezier(NamedTuple):
-    """A smooth curve: 3n + 1 control points (complex, mm) of cubic arcs in succession."""
+    """A smooth curve: 3n + 1 control points (complex, mm) of cubic arcs in succession; see `Stroke`."""
 
     pen: str
     controls: tuple[complex, ...]
     title: str = ""
     data: Data = ()
+    of: tuple[int, ...] = ()
+    position: int | None = None
+    part: str = ""
+
+
+Ink = Stroke | Bezier
 
 
 class Label(NamedTuple):
     """Lettering: mark-up as `letters` takes it, the anchor point on the base line (mm), size of capitals.
 
-    ``anchor`` is "start", "middle" or "end"; ``turn`` in degrees, counter-clockwise.
+    ``anchor`` is "start", "middle" or "end"; ``turn`` in degrees, counter-clockwise. ``of``, ``position``: the
+    marks that it names, and where; see `Stroke`.
     """
 
     text: str
@@ -48,6 +63,24 @@ class Label(NamedTuple):
     anchor: str = "start"
     turn: float = 0.0
     inclined: bool = True
+    of: tuple[int, ...] = ()
+    position: int | None = None
+
+
+class Wanted(NamedTuple):
+    """A label that wants a place: what it says, the point it names, and where it would like to be.
+
+    ``radius``: how far from the point the ink of the point's own symbol reaches, mm. ``toward``: a direction
+    (complex) that is preferred, 0 for none. ``of``, ``position``: the marks that it names; see `Label`.
+    """
+
+    text: str
+    at: complex
+    size: float
+    radius: float = 1.0
+    toward: complex = 0j
+    of: tuple[int, ...] = ()
+    position: int | None = None
 
 
 class Within(NamedTuple):
@@ -82,31 +115,37 @@ class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
     ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
-    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others.
+    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others,
+    ``foot``: how high the caption at its lower edge is, mm: captions of a row begin on one line.
+    ``rubbed``: what was drawn on the way and is rubbed out at the end: no sheet shows it. ``shows``: the views
+    of the log of which it is the picture. ``wanted``: letters that have no place yet (see `finish`).
     """
 
     name: str
     title: str
-    strokes: tuple[Stroke | Bezier, ...] = ()
+    strokes: tuple[Ink, ...] = ()
     labels: tuple[Label, ...] = ()
     cell: tuple[float, float, float, float] | None = None
     apart: Callable[[Within], Sequence[Drawing]] | None = None
     stand: Stand = Stand()
+    foot: float = 0.0
+    rubbed: tuple[Ink, ...] = ()
+    shows: tuple[str, ...] = ()
+    wanted: tuple[Wanted, ...] = ()
 
     def moved(self, by: complex) -> Drawing:
         """Return the drawing translated by ``by`` (complex, mm)."""
         dx, dy = by.real, by.imag
-        strokes = tuple(
-            stroke._replace(controls=tuple(c + by for c in stroke.controls))
-            if isinstance(stroke, Bezier)
-            else stroke._replace(path=tuple((x + dx, y + dy, b) for x, y, b in stroke.path))
-            for stroke in self.strokes
-        )
+        strokes = tuple(shifted(stroke, by) for stroke in self.strokes)
+        rubbed = tuple(shifted(stroke, by) for stroke in self.rubbed)
         labels = tuple(label._replace(at=label.at + by) for label in self.labels)
+        wanted = tuple(one._replace(at=one.at + by) for one in self.wanted)
         cell = self.cell
         if cell is not None:
             cell = (cell[0] + dx, cell[1] + dy, cell[2] + dx, cell[3] + dy)
-        return self._replace(strokes=strokes, labels=labels, cell=cell)
+        return self._replace(
+            strokes=strokes, labels=labels, cell=cell, rubbed=rubbed, wanted=wanted
+        )
 
 
 class Sheet(NamedTuple):
@@ -128,6 +167,14 @@ class Sheet(NamedTuple):
         from graphic_tmm.paper.write.svg import svg
 
         return svg(self)
+
+
+def shifted(stroke: Ink, by: complex) -> Ink:
+    """Return a stroke translated by ``by`` (complex, mm)."""
+    if isinstance(stroke, Bezier):
+        return stroke._replace(controls=tuple(c + by for c in stroke.controls))
+    dx, dy = by.real, by.imag
+    return stroke._replace(path=tuple((x + dx, y + dy, b) for x, y, b in stroke.path))
 
 
 def line(pen: str, *points: complex, closed: bool = False, filled: bool = False) -> Stroke:

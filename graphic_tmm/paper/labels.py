@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple, TypeGuard
+from typing import TypeGuard
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from graphic_tmm.paper.drawing import Bezier, Label, Stroke, line
+from graphic_tmm.paper.drawing import Bezier, Label, Stroke, Wanted, line
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
@@ -30,20 +30,6 @@ LEADER = 2.2
 APART = 0.9
 """Clear space between two labels beyond that, mm."""
 _COST = {"label": 1000.0, "heavy": 36.0, "light": 4.0, "ring": 2.0, "turn": 0.6}
-
-
-class Wanted(NamedTuple):
-    """A label that wants a place: what it says, the point it names, and where it would like to be.
-
-    ``radius``: how far from the point the ink of the point's own symbol reaches, mm. ``toward``: a direction
-    (complex) that is preferred, 0 for none.
-    """
-
-    text: str
-    at: complex
-    size: float
-    radius: float = 1.0
-    toward: complex = 0j
 
 
 @lru_cache(maxsize=4096)
@@ -151,7 +137,8 @@ def _best(
         hits = tree.query(grown(CLEAR / 2 + APART), predicate="intersects")[0]
         cost += _COST["label"] * np.bincount(hits, minlength=tried.size)
     best = int(np.argmin(np.round(cost, 6)))
-    label = Label(one.text, complex(x[best], y[best] + made.descent), one.size)
+    spot = complex(x[best], y[best] + made.descent)
+    label = Label(one.text, spot, one.size, of=one.of, position=one.position)
     return label, tried[best]
 
 
@@ -164,7 +151,8 @@ def leaders(wanted: Sequence[Wanted], labels: Sequence[Label]) -> tuple[Stroke, 
             near = shapely.get_coordinates(shapely.shortest_line(spot, frame))
             start, end = (complex(x, y) for x, y in near)
             reach = (end - start) / abs(end - start)
-            made.append(line("thin", start + one.radius * reach, end - 0.5 * CLEAR * reach))
+            ink = line("thin", start + one.radius * reach, end - 0.5 * CLEAR * reach)
+            made.append(ink._replace(part="leader", of=one.of, position=one.position))
     return tuple(made)
 
 

@@ -8,8 +8,8 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from graphic_tmm.paper.drawing import Bezier, Label, Stroke, arc, circle, line
-from graphic_tmm.paper.labels import Wanted, box, interrupt, leaders, place, shape
+from graphic_tmm.paper.drawing import Bezier, Label, Stroke, Wanted, arc, circle, line
+from graphic_tmm.paper.labels import box, interrupt, leaders, place, shape
 
 spots = st.builds(complex, st.integers(0, 60), st.integers(0, 60))
 clouds = st.lists(spots, min_size=1, max_size=8, unique=True)

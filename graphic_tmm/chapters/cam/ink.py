@@ -16,7 +16,6 @@ from graphic_tmm.chapters.cam.ink_numbers import (
     LEAST,
     SIZE,
     SMALL,
-    Ink,
     Numbers,
     directions,
     finished,
@@ -26,8 +25,7 @@ from graphic_tmm.chapters.cam.ink_numbers import (
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW, Contour
 from graphic_tmm.chapters.cam.rocker import Lever
-from graphic_tmm.paper.drawing import Drawing, arc, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
 
 BEYOND = 4.0

@@ -16,7 +16,6 @@ from graphic_tmm.chapters.cam.ink_numbers import (
     OVER,
     SIZE,
     SMALL,
-    Ink,
     Numbers,
     arrow_axis,
     finished,
@@ -24,8 +23,7 @@ from graphic_tmm.chapters.cam.ink_numbers import (
     segments,
 )
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Drawing, Label, arc, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import hatching
 

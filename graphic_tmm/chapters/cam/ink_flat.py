@@ -13,7 +13,6 @@ from graphic_tmm.chapters.cam.ink_numbers import (
     OVER,
     SIZE,
     SMALL,
-    Ink,
     Numbers,
     arrow_axis,
     finished,
@@ -21,8 +20,7 @@ from graphic_tmm.chapters.cam.ink_numbers import (
     segments,
 )
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Drawing, arc, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.symbols.dimensions import dimension
 
 BEYOND = 14.0

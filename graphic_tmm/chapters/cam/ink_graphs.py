@@ -21,9 +21,8 @@ from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam import law_formulas as law
 from graphic_tmm.chapters.cam.ink_numbers import DOT, LEAST, NUMBER, OVER, SIZE, finished
 from graphic_tmm.chapters.cam.operations import divide_semicircle
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, Wanted, arc, circle, line
 from graphic_tmm.paper.graph import TICK, axes_ink, axes_of
-from graphic_tmm.paper.labels import Wanted
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )

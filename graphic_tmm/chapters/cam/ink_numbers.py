@@ -11,8 +11,8 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
@@ -24,8 +24,6 @@ ROOM = 10.0
 """Room for letters about it before they have their places, mm; chosen by eye."""
 SIZE, SMALL, NUMBER = 5.0, 3.5, 2.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""
-
-Ink = Stroke | Bezier
 
 
 class Numbers:

@@ -13,7 +13,6 @@ from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_numbers import (
     SIZE,
     SMALL,
-    Ink,
     Numbers,
     finished,
     numbered,
@@ -21,8 +20,7 @@ from graphic_tmm.chapters.cam.ink_numbers import (
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
-from graphic_tmm.paper.drawing import Drawing, arc, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot
 
 AROUND = 12.0

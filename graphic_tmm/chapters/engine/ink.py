@@ -9,8 +9,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.forces.ink_polygons import LEAST, spot
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )

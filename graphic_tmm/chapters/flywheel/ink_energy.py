@@ -11,8 +11,7 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
 from graphic_tmm.paper.axes import ASIDE, DOT, NUMBER, OVER, SIZE, Spots, axes, finished, largest
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
 from graphic_tmm.paper.symbols.dimensions import dimension
 
 

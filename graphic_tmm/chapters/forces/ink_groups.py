@@ -19,8 +19,8 @@ from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force
 from graphic_tmm.chapters.kinematics.ink_positions import HEAVY, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )

@@ -12,12 +12,10 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.forces.ink_polygons import LEAST, bar, spot
 from graphic_tmm.chapters.forces.lever import Lever
-from graphic_tmm.chapters.kinematics.ink_plans import (
-    TOGETHER,
-)
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, line
+from graphic_tmm.paper.finish import TOGETHER
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )

@@ -11,8 +11,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.symbols.arrows import told_arrow
 
 SIZE = 3.5

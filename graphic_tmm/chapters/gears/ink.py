@@ -15,8 +15,8 @@ from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.teeth import Wheel
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.paper.curve_parts import cut, nearest, points
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, arc, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, Wanted, arc, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead, round_arrow, turning_pair

@@ -11,8 +11,8 @@ from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapters.gears.outline import controls, spot, tooth_outline
 from graphic_tmm.chapters.gears.plan import Gear
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, arc, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, arc, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 

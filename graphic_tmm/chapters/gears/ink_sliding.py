@@ -12,8 +12,8 @@ from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.rows import STATIONS
 from graphic_tmm.chapters.gears.sliding import VIEW
 from graphic_tmm.language.numbers import number
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 12.0

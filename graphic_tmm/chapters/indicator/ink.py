@@ -19,8 +19,7 @@ from graphic_tmm.paper.axes import (
     finished,
     largest,
 )
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, line
 
 
 def draw_indicator_ink(

@@ -17,11 +17,9 @@ import shapely
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.chapters.kinematics.figures import rigid
-from graphic_tmm.chapters.kinematics.ink_plans import (
-    TOGETHER,
-)
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
 from graphic_tmm.paper.drawing import Stroke, circle, line
+from graphic_tmm.paper.finish import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
     SLIDER_WIDTH,
     STONE_WIDTH,

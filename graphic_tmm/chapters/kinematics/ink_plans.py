@@ -13,38 +13,39 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along, meet
+from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted
+from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.finish import TOGETHER, Named, lettered, shared
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
+from graphic_tmm.paper.rules import stays as usual
+from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 
-BEYOND = 4.0
-"""How far a construction line goes on behind the intersection, mm."""
 SHORTEST = 0.01
 """A vector below this share of the longest of its plan is a point, and so is one below half a millimetre."""
-TOGETHER = 0.35
-"""Points nearer than this, mm, share one label."""
 SIZE = 3.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""
 SMALL = 2.5
 """Letters of a plan, and of one whose positions share a pole, mm."""
-MARGIN = 7.0
-"""Room that letters and overrunning lines take about a plan, mm."""
 
 
 class Vector(NamedTuple):
-    """A vector of a plan: its two marks and the segment's letter; ``absolute`` if it starts at the pole."""
+    """A vector of a plan: its two marks and the segment's letter; ``absolute`` if it starts at the pole.
+
+    ``step``: the one that drew or measured it first.
+    """
 
     start: Mark
     end: Mark
     segment: str
     absolute: bool
+    step: Step
 
 
 def vectors(construction: Construction, plan: str) -> tuple[Vector, ...]:
@@ -59,7 +60,7 @@ def vectors(construction: Construction, plan: str) -> tuple[Vector, ...]:
         ends = _ends(step, by_mark)
         if ends is not None:
             start, end, segment = ends
-            found.setdefault((start, end), Vector(start, end, segment, start == view.pole))
+            found.setdefault((start, end), Vector(start, end, segment, start == view.pole, step))
     return tuple(found.values())
 
 
@@ -89,7 +90,6 @@ def draw_plan(
     mu: float,
     unit: str,
     *,
-    lettered: bool = True,
     upon: Sequence[Stroke] = (),
 ) -> Drawing:
     """Return a plan in one position, or in several from a common pole: vectors with arrows, lines, letters.
@@ -102,32 +102,39 @@ def draw_plan(
     assert view is not None
     assert view.pole is not None
     common = len(places) > 1
-    seen = [(place, _Places(reading, place.at)) for place in places]
-    drawn = [
-        (at, v)
-        for _, at in seen
-        for v in vectors(construction, plan)
-        if at.there(v.start) and at.there(v.end)
+    seen = Seen(construction, reading, (plan,), [place.at for place in places])
+    told = vectors(construction, plan)
+    manner = _manner(seen, told, mu, unit, common=common)
+    traces = figure(seen, manner)
+    spot = seen.point(view.pole, places[0].at)
+    strokes = (*traces.staying, *body(pole(spot), "pole", [view.pole]), *upon)
+    wanted = _letters(seen, places, view.pole)
+    return Drawing(name, title, strokes, rubbed=traces.rubbed, shows=(plan,), wanted=tuple(wanted))
+
+
+def _manner(seen: Seen, told: Sequence[Vector], mu: float, unit: str, *, common: bool) -> Manner:
+    """Return how a plan is inked: what was measured or laid off is a vector, seen once."""
+    lengths = [
+        abs(seen.point(one.end, k) - seen.point(one.start, k))
+        for one in told
+        for k in seen.positions
     ]
-    longest = max((abs(at[v.end] - at[v.start]) for at, v in drawn), default=0.0)
+    longest = max((length for length in lengths if np.isfinite(length)), default=0.0)
     least = max(SHORTEST * longest, 0.5)
-    strokes: list[Stroke | Bezier] = []
-    if not common:
-        strokes += [line("thin", *ends) for ends in _beyond(construction, plan, seen[0][1], least)]
-    for at, vector in drawn:
-        a, b = at[vector.start], at[vector.end]
-        if abs(b - a) >= least:
-            strokes += _vector(vector, a, b, mu, unit, thin=common)
-    at = seen[0][1]
-    strokes += [*pole(at[view.pole]), *upon]
-    if not lettered:
-        spots = [there[v.end] for there, v in drawn] + [at[view.pole]]
-        x, y = [z.real for z in spots], [z.imag for z in spots]
-        m = MARGIN
-        return Drawing(name, title, cell=(min(x) - m, min(y) - m, max(x) + m, max(y) + m))
-    wanted = list(_letters(construction, plan, seen, view.pole))
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    by_mark = {one.step.it: one for one in told}
+
+    def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        one = by_mark.get(step.it)
+        if one is not None:
+            a, b = seen.point(one.start, k), seen.point(one.end, k)
+            if abs(b - a) >= least:
+                yield from _vector(one, a, b, mu, unit, thin=common)
+
+    def stays(seen: Seen, step: Step) -> bool:
+        return step.it in by_mark or (not common and usual(seen, step))
+
+    inked = (measure.name, measure_along.name, lay_off.name)
+    return Manner(dict.fromkeys(inked, vector), stays)
 
 
 def _vector(
@@ -137,53 +144,19 @@ def _vector(
     return told_arrow(a, b, pen, vector.segment, mu, unit)
 
 
-def _beyond(
-    construction: Construction, plan: str, at: _Places, least: float
-) -> Iterator[tuple[complex, complex]]:
-    """Yield the construction lines: from where each began to a little behind where it met the other."""
-    by_mark = {step.it: step for step in construction.steps}
-    for step in construction.steps:
-        if step.it.view != plan or step.op is not meet or not at.there(step.it):
-            continue
-        end = at[step.it]
-        for drawn in (by_mark[mark] for mark in step.uses):
-            start = at[drawn.uses[0]] if at.there(drawn.uses[0]) else end
-            if abs(end - start) >= least:
-                yield start, end + (end - start) / abs(end - start) * BEYOND
-
-
-class _Places:
-    """The points of one position."""
-
-    def __init__(self, reading: Reading, index: int) -> None:
-        self.reading, self.index = reading, index
-
-    def __getitem__(self, mark: Mark) -> complex:
-        row = self.reading[mark][0]
-        return complex(row[self.index if row.size > 1 else 0])
-
-    def there(self, mark: Mark) -> bool:
-        """Whether the point can be drawn."""
-        return bool(np.isfinite(self[mark]))
-
-
-def _letters(
-    construction: Construction, plan: str, seen: Sequence[tuple[Place, _Places]], pole_mark: Mark
-) -> Iterator[Wanted]:
-    steps = [s.it for s in construction.steps if s.it.view == plan and s.it.kind is Point]
-    spots = [(seen[0][1][pole_mark], markup(pole_mark.name))]
-    for stood, at in seen:
-        spots += [(at[m], markup(m.name, stood.number)) for m in steps if at.there(m)]
-    common = len(seen) > 1
-    middle = spots[0][0] if common else complex(np.mean([spot for spot, _ in spots]))
-    groups: list[tuple[complex, list[str]]] = []
-    for k, (spot, text) in enumerate(spots):
-        if common and k and abs(spot - middle) < TOGETHER:
-            continue  # an image without velocity lies in the pole
-        near = next((names for place_at, names in groups if abs(place_at - spot) < TOGETHER), None)
-        if near is None:
-            groups.append((spot, [text]))
-        else:
-            near.append(text)
-    for spot, names in groups:
-        yield Wanted(", ".join(names), spot, SMALL if common else SIZE, 1.0, spot - middle)
+def _letters(seen: Seen, places: Sequence[Place], pole_mark: Mark) -> list[Wanted]:
+    """The letters of a plan; from a common pole images without velocity lie in it, and are not lettered."""
+    at_pole = seen.point(pole_mark, places[0].at)
+    marks = [step.it for step in seen.steps if step.it.kind is Point]
+    named = [
+        Named(seen.point(m, stood.at), markup(m.name, stood.number), (m.slot,), stood.at)
+        for stood in places
+        for m in marks
+    ]
+    named = [one for one in named if finite(one.at)]
+    common = len(places) > 1
+    if common:
+        named = [one for one in named if abs(one.at - at_pole) >= TOGETHER]
+    named = [Named(at_pole, markup(pole_mark.name), (pole_mark.slot,)), *named]
+    middle = at_pole if common else complex(np.mean([one.at for one in named]))
+    return lettered(shared(named), SMALL if common else SIZE, away_from=middle)

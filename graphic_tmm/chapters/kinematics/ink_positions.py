@@ -11,12 +11,10 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
-from graphic_tmm.chapters.kinematics.ink_plans import (
-    TOGETHER,
-)
 from graphic_tmm.chapters.kinematics.reaches import Reach
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
+from graphic_tmm.paper.finish import TOGETHER
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )

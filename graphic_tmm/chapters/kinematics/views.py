@@ -23,6 +23,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
@@ -88,16 +89,18 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
             for k, name in shown
         ]
     views = [
-        draw_plan(
-            drawn.construction,
-            reading,
-            plan,
-            stood,
-            name,
-            title,
-            scale.value,
-            UNITS[plan],
-            lettered=lettered,
+        finished(
+            draw_plan(
+                drawn.construction,
+                reading,
+                plan,
+                stood,
+                name,
+                title,
+                scale.value,
+                UNITS[plan],
+            ),
+            lettered,
         )
         for name, title, stood in orders
     ]
@@ -150,4 +153,4 @@ def plan_at(
         return draw_position_ink(log, reading, reaches(drawn), place, name, title, upon=upon)
     at = [Place(drawn.row(plan).index(place))]
     mu = drawn.scales[plan].value
-    return draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon)
+    return finished(draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon))

@@ -22,8 +22,8 @@ from graphic_tmm.chapters.planetary.ink_rates import (
 )
 from graphic_tmm.chapters.planetary.ink_scheme import draw_scheme, spots
 from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, line
-from graphic_tmm.paper.labels import Wanted, box, interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, Wanted, line
+from graphic_tmm.paper.labels import box, interrupt, leaders, place
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )

@@ -8,8 +8,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from graphic_tmm.chapters.planetary.ink_numbers import BESIDE, NUMBER, SIZE, TrainInk
-from graphic_tmm.paper.drawing import Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Stroke, Wanted, circle, line
 from graphic_tmm.paper.symbols.gears import CENTRE_BEYOND, RIM
 from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH, hatching, turning_pair
 

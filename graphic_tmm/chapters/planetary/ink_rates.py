@@ -6,8 +6,7 @@ from itertools import pairwise
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.planetary.ink_numbers import BESIDE, LEAST, NUMBER, OVER, TrainInk
-from graphic_tmm.paper.drawing import Stroke, circle, line
-from graphic_tmm.paper.labels import Wanted
+from graphic_tmm.paper.drawing import Stroke, Wanted, circle, line
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH, arrowhead, pole
 
 TOGETHER = 1.0

@@ -49,7 +49,7 @@ def placed(
     area = sum((o.width + gap) * (o.height + gap) for o in outlines)
     if area > (width + gap) * (height + gap):
         return None
-    there = [*units, Unit((), (foot,))] if min(foot) > 0.0 else list(units)
+    there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
     ways: list[Sequence[Shape]] = [shapes(unit.sizes, gap) for unit in there]
     ways[0] = _below(ways[0], head, gap)
     names = {unit.stand.block: k for k, unit in enumerate(units) if unit.stand.block}

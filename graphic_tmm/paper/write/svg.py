@@ -19,7 +19,7 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, Vertex
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Sheet, Stroke, Vertex
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import Pen, fitted, pens, tracing
 
@@ -36,8 +36,6 @@ FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML 1.0 does not allow."""
 
 ANCHORS = {"start": 0.0, "middle": 0.5, "end": 1.0}
-
-Ink = Stroke | Bezier
 
 
 def number(value: float) -> str:

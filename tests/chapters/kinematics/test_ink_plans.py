@@ -12,16 +12,17 @@ from support.each import each
 from support.gallery import NAMES, PLANS, drawn
 
 from graphic_tmm.chapters.kinematics.ink_plans import (
-    BEYOND,
     Place,
     draw_plan,
     vectors,
 )
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.labels import box
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
+from graphic_tmm.paper.rules import BEYOND
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
 
 
@@ -31,7 +32,8 @@ def plan(name: str, which: str, index: int, lettered: bool = True) -> Drawing:
     reading = work.of("accelerations") if which == "accelerations" else work.reading
     assert reading is not None
     log, mu = work.project.construction, work.scales[which].value
-    return draw_plan(log, reading, which, [Place(index)], "x", "X", mu, "m/s", lettered=lettered)
+    view = draw_plan(log, reading, which, [Place(index)], "x", "X", mu, "m/s")
+    return finished(view, lettered)
 
 
 def arrows(view: Drawing) -> dict[str, Stroke]:
@@ -198,7 +200,7 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
     work = drawn("crank-rocker")
     log, mu = work.project.construction, work.scales["velocities"].value
     places = [Place(k, name) for k, name in enumerate(work.project.names)]
-    view = draw_plan(log, work.reading, "velocities", places, "x", "X", mu, "m/s")
+    view = finished(draw_plan(log, work.reading, "velocities", places, "x", "X", mu, "m/s"))
     lengths = sorted(dict(s.data)["mm"] for s in view.strokes if isinstance(s, Stroke) and s.data)
     single = [
         dict(s.data)["mm"]

@@ -1,0 +1,88 @@
+"""A recorded construction and its numbers as ink sees them: places, lines and arcs in one position."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Curve
+from graphic_tmm.paper.drawing import Ink
+
+Rule = Callable[["Seen", Step, int], Iterable[Ink]]
+"""The log and its numbers, a step, a position (index) -> the strokes that it leaves there."""
+
+
+class Seen:
+    """Views of a log and their numbers, as ink sees them; ``positions`` (indices) of those that are drawn.
+
+    ``reading`` holds one drawing; where a mark does not vary it has one position.
+    """
+
+    def __init__(
+        self,
+        construction: Construction,
+        reading: Reading,
+        views: Sequence[str],
+        positions: Sequence[int],
+    ) -> None:
+        self.construction, self.reading = construction, reading
+        self.views, self.positions = tuple(views), tuple(positions)
+
+    @cached_property
+    def by_mark(self) -> Mapping[Mark, Step]:
+        """The steps of the whole log by the mark that each left."""
+        return {step.it: step for step in self.construction.steps}
+
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """The steps of the views, in the order in which they were done."""
+        return tuple(s for s in self.construction.steps if s.it.view in self.views)
+
+    @cached_property
+    def uses(self) -> Mapping[Mark, tuple[Step, ...]]:
+        """The steps of the views that use a mark."""
+        found: dict[Mark, tuple[Step, ...]] = {}
+        for step in self.steps:
+            for mark in dict.fromkeys(step.uses):
+                found[mark] = (*found.get(mark, ()), step)
+        return found
+
+    def point(self, mark: Mark, k: int) -> complex:
+        """Return where a point is, mm; NaN where it cannot be drawn."""
+        return _at(self.reading[mark], k)
+
+    def number(self, mark: Mark, k: int) -> float:
+        """Return a length (mm), an angle (degrees) or a number."""
+        return _at(self.reading[mark], k).real
+
+    def line(self, mark: Mark, k: int) -> tuple[complex, complex]:
+        """Return where a line begins, mm, and its direction."""
+        value = self.reading[mark]
+        return _at(value.at, k), _at(value.along, k)
+
+    def arc(self, mark: Mark, k: int) -> tuple[complex, float]:
+        """Return the centre and the radius of an arc, mm."""
+        value = self.reading[mark]
+        return _at(value.centre, k), _at(value.radius, k).real
+
+    def varies(self, step: Step) -> bool:
+        """Whether what a step leaves differs from position to position."""
+        if step.it.kind is Curve:
+            return False
+        value = self.reading[step.it]
+        parts = value if isinstance(value, tuple) else (value,)
+        return any(part.shape[1] > 1 for part in parts)
+
+
+def _at(row: np.ndarray, k: int) -> complex:
+    return complex(row[0, k if row.shape[1] > 1 else 0])
+
+
+def finite(*spots: complex) -> bool:
+    """Whether all of some places are there."""
+    return all(cmath.isfinite(spot) for spot in spots)

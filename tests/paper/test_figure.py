@@ -1,0 +1,75 @@
+"""The figure reads the log: every step of a plan leaves ink or none by name; pictures add up to the view."""
+
+from __future__ import annotations
+
+import pytest
+from support.each import each
+from support.figures import assert_pictures_make_the_view, without_ink, without_source
+from support.gallery import PLANS, drawn
+
+from graphic_tmm.board.grammar import OPERATIONS
+from graphic_tmm.board.values import Arc, Curve, Line, Point
+from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.figure import of_step, pictures, until
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.rules import BY_KIND, RULES, TRACELESS
+
+
+def plan(work: Drawn, which: str, index: int) -> Drawing:
+    reading = work.of(which)
+    assert reading is not None
+    mu = work.scales[which].value
+    return finished(draw_plan(work.construction, reading, which, [Place(index)], "x", "X", mu, ""))
+
+
+def test_every_operation_leaves_ink_or_none_by_name() -> None:
+    for op in OPERATIONS.values():
+        if op.formula or op.leaves in (Line, Arc, Curve, Point) or op.name in RULES:
+            continue
+        assert op.name in TRACELESS or not op.run.__module__.startswith("graphic_tmm.board"), op
+    assert set(BY_KIND) == {Line, Arc, Curve, Point}
+    assert not {name for name in TRACELESS if name not in OPERATIONS}
+
+
+@pytest.mark.slow
+@each("name, which", PLANS)
+def test_steps_of_a_plan_are_its_ink(name: str, which: str) -> None:
+    work = drawn(name, exact=True)
+    views = [plan(work, which, k) for k in range(len(work.row(which)))]
+    assert not without_ink(work.construction, views)
+    for view in views:
+        assert not without_source(view)
+        assert_pictures_make_the_view(work.construction, view)
+
+
+def test_a_plan_is_drawn_step_by_step() -> None:
+    work = drawn("engine", exact=True)
+    view = plan(work, "velocities", 1)
+    made = pictures(work.construction, view)
+    assert made[0].given
+    letters = [[label.text for label in picture.letters] for picture in made]
+    assert letters[0] == ["p"]
+    named = [text for texts in letters for text in texts]
+    assert named.index("a") < named.index("b") < named.index("s_{2}")
+    rubbed = [picture for picture in made if set(picture.ink) & set(view.rubbed)]
+    assert rubbed, "the figure similar to the link is built with lines that do not stay"
+
+
+def test_a_step_can_be_asked_for_and_all_that_is_there_with_it() -> None:
+    work = drawn("engine", exact=True)
+    log, view = work.construction, plan(work, "velocities", 1)
+    marks = {step.it.name: step.it for step in log.steps if step.it.view == "velocities"}
+    told = of_step(view, marks["a"])
+    assert [label.text for label in told.letters] == ["a"]
+    assert {dict(stroke.data).get("segment") for stroke in told.ink} >= {"pa"}
+    count = -1
+    for step in log.steps:
+        if step.it.view == "velocities":
+            there = until(log, view, step.it, 1)
+            assert len(there.ink) >= count, "nothing is taken away on the way"
+            count = len(there.ink)
+            assert set(of_step(view, step.it).ink) <= set(there.ink)
+    assert set(there.ink) == {*view.strokes, *view.rubbed}
+    assert there.letters == view.labels

@@ -1,0 +1,63 @@
+"""What holds of every picture of a plan, whoever drew it: asked of the drawing and the log, not of the ink."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from graphic_tmm.board.record import Construction, Step
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.figure import pictures
+from graphic_tmm.paper.rules import TRACELESS
+
+
+def slots_shown(view: Drawing) -> set[int]:
+    """The marks that strokes, rubbed ones too, and letters of a view come from."""
+    everything = (*view.strokes, *view.rubbed, *view.labels)
+    return {slot for one in everything for slot in one.of}
+
+
+def steps_of(log: Construction, view: Drawing) -> list[Step]:
+    """The steps of the plans that a view is the picture of, but for those that leave no trace by name."""
+    there = [step for step in log.steps if step.it.view in view.shows]
+    return [step for step in there if not step.op.formula and step.op.name not in TRACELESS]
+
+
+def without_ink(
+    log: Construction, views: Iterable[Drawing], traceless: Iterable[str] = ()
+) -> set[str]:
+    """The operations of steps that leave nothing in any of the views which show their plan.
+
+    ``traceless``: operations of the chapter that leave no trace by name.
+    """
+    drawn = list(views)
+    shown = set[int]().union(*(slots_shown(view) for view in drawn))
+    wanted = {step.it.slot: step for view in drawn for step in steps_of(log, view)}
+    missing = {step.op.name for slot, step in wanted.items() if slot not in shown}
+    return missing - set(traceless)
+
+
+def without_source(view: Drawing) -> list[str]:
+    """The strokes of a plan's view that neither come from steps nor are a part of something by name."""
+    return [stroke.pen for stroke in view.strokes if not (stroke.of or stroke.part)]
+
+
+def assert_pictures_make_the_view(log: Construction, view: Drawing) -> None:
+    """The last picture without what is rubbed out is the view; no stroke is drawn twice or too early."""
+    made = pictures(log, view)
+    ink = [stroke for picture in made for stroke in picture.ink]
+    letters = [label for picture in made for label in picture.letters]
+    rubbed = set(view.rubbed)
+    assert sorted(map(repr, ink)) == sorted(map(repr, (*view.strokes, *view.rubbed)))
+    assert sorted(map(repr, letters)) == sorted(map(repr, view.labels))
+    left = [stroke for stroke in ink if stroke not in rubbed]
+    assert set(left) == set(view.strokes)
+    order = {step.it.slot: n for n, step in enumerate(log.steps)}
+    done: set[int | None] = set()
+    last: dict[int | None, int] = {}
+    for picture in made[1:]:
+        when = max(order[slot] for slot in picture.marks)
+        assert when > last.get(picture.position, -1), "pictures go in the order of the steps"
+        last[picture.position] = when
+        done |= set(picture.marks)
+        for stroke in (*picture.ink, *picture.letters):
+            assert all(order.get(slot, -1) <= when for slot in stroke.of)
