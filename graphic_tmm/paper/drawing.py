@@ -98,14 +98,26 @@ class Within(NamedTuple):
         return max(min(w / max(width, 1e-9), h / max(height, 1e-9)) for w, h in self.sizes)
 
 
+class Stand(NamedTuple):
+    """How a view stands among the others of a sheet.
+
+    Views of one ``block`` stand together; ``below``: the block that stands above it. ``kind``: "lead" at the
+    upper left, first of its sheet; "row" in rows with its block, "pair" no farther than 25 mm from the view
+    before it; "table" wherever there is room for it; "" in its order.
+    """
+
+    block: str = ""
+    kind: str = ""
+    below: str = ""
+
+
 class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
     ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
-    comes apart into where no sheet holds it whole; None if it does not. ``leads``: it stands at the left of its
-    sheet, and other plans beside it. ``rubbed``: what was drawn on the way and is rubbed out at the end: no
-    sheet shows it. ``shows``: the views of the log of which it is the picture. ``wanted``: letters that have no
-    place yet (see `finish`).
+    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others.
+    ``rubbed``: what was drawn on the way and is rubbed out at the end: no sheet shows it. ``shows``: the views
+    of the log of which it is the picture. ``wanted``: letters that have no place yet (see `finish`).
     """
 
     name: str
@@ -114,7 +126,7 @@ class Drawing(NamedTuple):
     labels: tuple[Label, ...] = ()
     cell: tuple[float, float, float, float] | None = None
     apart: Callable[[Within], Sequence[Drawing]] | None = None
-    leads: bool = False
+    stand: Stand = Stand()
     rubbed: tuple[Ink, ...] = ()
     shows: tuple[str, ...] = ()
     wanted: tuple[Wanted, ...] = ()

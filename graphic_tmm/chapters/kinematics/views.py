@@ -22,13 +22,13 @@ from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, in_cells, mu_text
+from graphic_tmm.paper.views import captioned, in_rows, mu_text
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
@@ -62,7 +62,8 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     )
     mu, done = mu_text(drawn.scales[POSITIONS], drawn.scene.language), finished(view, lettered)
     size = heights(drawn.scene, POSITIONS)
-    return [captioned(done._replace(leads=True), words["positions"], mu, heights=size)]
+    leading = done._replace(stand=Stand(kind="lead"))
+    return [captioned(leading, words["positions"], mu, heights=size)]
 
 
 def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -117,10 +118,11 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     ]
     mu = mu_text(scale, drawn.scene.language)
     titles = [view.title for view in views]
-    return [
+    told = [
         captioned(view, escape(title), mu, heights=size)
-        for view, title in zip(in_cells(views), titles, strict=True)
+        for view, title in zip(views, titles, strict=True)
     ]
+    return in_rows(told, plan, "" if plan == VELOCITIES else VELOCITIES)
 
 
 def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -132,6 +134,7 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         if told:
             size = heights(drawn.scene, "equations")
             found.append(draw_equations(log, plan, title, told, size))
+            found += in_rows([draw_equations(log, plan, title, told)], plan)
     return found
 
 
