@@ -38,7 +38,7 @@ from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Data, Drawing, Ink, Wanted, circle, line
-from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.finish import Named, lettered, shared
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.indices import (
@@ -195,18 +195,13 @@ class _Bodies:
         self.points, self.index = shown.figure.points, index
 
     def strokes(self) -> Iterator[Ink]:
-        """The links, and what slides on them."""
-        for name in self.names:
-            yield from self._body(self.ink.lines(name, self.index, HEAVY), [name])
-        yield from self._body(self.ink.symbols(self.names, self.index), self.names)
-
-    def _body(self, strokes: Sequence[Ink], names: Sequence[str]) -> Iterator[Ink]:
-        marks = dict.fromkeys(m for name in names for f in self._told(name) for m in f.marks)
-        stood = [self.points[mark] for mark in marks if mark in self.points]
-        return body(strokes, "link", stood or self.points.values(), self.index)
-
-    def _told(self, name: str) -> Iterator[Figure]:
-        return self.ink.of(name, "link", "centre", "stone", "slider", "guide")
+        """The links, and what slides on them; they stand on the points of the figure."""
+        found = [s for name in self.names for s in self.ink.lines(name, self.index, HEAVY)]
+        found += self.ink.symbols(self.names, self.index)
+        own = {of.slot: mark.slot for of, mark in self.points.items()}
+        for stroke in found:
+            of = tuple(own[slot] for slot in stroke.of if slot in own)
+            yield stroke._replace(of=of or tuple(own.values()))
 
     def letters(self, high: Heights) -> list[Wanted]:
         """The letters of the points of the links."""

@@ -41,7 +41,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.seen import Seen
-from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.paper.views import captioned, mu_text, paired
 from graphic_tmm.readers.result_table import (
     result_table,
 )
@@ -143,16 +143,14 @@ def _three(
         high,
     )
     heading = f"{called(f'equations {name}', _)}, {at}"
-    return [
-        told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}"),
-        told(
-            finished(plan, lettered),
-            caption,
-            mu_text(scale, language),
-            _equation(polygon, language),
-        ),
-        draw_balances(f"equations-{name}-{position}", heading, rows, place, high),
-    ]
+    equation = _equation(polygon, language)
+    return paired(
+        [
+            told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}"),
+            told(finished(plan, lettered), caption, mu_text(scale, language), equation),
+            draw_balances(f"equations-{name}-{position}", heading, rows, place, high),
+        ]
+    )
 
 
 def _equation(polygon: Polygon, language: str) -> str:
@@ -236,10 +234,10 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         )
         times = f"{made.lever.times.name} = {number(_value(drawn, made.lever.times), language)}"
         lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
-        views.append(captioned(finished(view, lettered), title, *lines, heights=high))
         heading = f"{_('Equations of the lever')}, {at}"
         rows = lever_rows(_writer(drawn, place), made)
-        views.append(draw_balances(f"equations-lever-{name}", heading, rows, place, high))
+        told = draw_balances(f"equations-lever-{name}", heading, rows, place, high)
+        views += paired([captioned(finished(view, lettered), title, *lines, heights=high), told])
     return views
 
 
