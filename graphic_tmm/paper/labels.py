@@ -22,7 +22,8 @@ RINGS = (0.0, 1.2, 3.0, 6.0, 10.0, 15.0)
 """How much farther than next to its point a label is tried, mm; chosen by eye."""
 DIRECTIONS = 24
 """Directions in which a label is tried, every 15°; chosen by eye."""
-_HEAVY = ("main", "medium", "joint", "body", "rod")
+HEAVY = ("main", "medium", "joint", "body", "rod")
+"""Pens whose lines no letter may stand on."""
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""
 LEADER = 2.2
@@ -92,8 +93,8 @@ def place(
     taken: Sequence[Label] = (),
 ) -> tuple[Label, ...]:
     """Return the labels at their places, in the order wanted; ``taken`` labels stand already."""
-    heavy = [shape(s) for s in strokes if s.pen in _HEAVY]
-    light = [shape(s) for s in strokes if s.pen not in _HEAVY]
+    heavy = [shape(s) for s in strokes if s.pen in HEAVY]
+    light = [shape(s) for s in strokes if s.pen not in HEAVY]
     lines = (shapely.STRtree(heavy), shapely.STRtree(light))
     boxes = [box(label) for label in taken]
     placed = []

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
@@ -30,16 +30,19 @@ def mu_text(scale: Scale, language: str) -> str:
     return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
 
 
-def pole_texts(log: Construction, reading: Reading, view: str, language: str) -> list[str]:
-    """Return the pole distances of a view as they are written: H_V = 20 mm."""
-    found = []
+def pole_figures(log: Construction, reading: Reading, view: str, language: str) -> dict[Mark, str]:
+    """Return the pole distances of a view (Length) as they are dimensioned: H_V = 20."""
+    found = {}
     for pole in log.roles(view, roles.POLE):
         step = log.step(pole)
         if step is not None:
-            distance = step.uses[1]
-            value = number(float(reading[distance][0, 0]), language)
-            found.append(f"{distance.name} = {value} {unit('mm', language)}")
+            found[step.uses[1]] = length_figure(reading, step.uses[1], language)
     return found
+
+
+def length_figure(reading: Reading, length: Mark, language: str) -> str:
+    """Return a length as it is dimensioned on a drawing, with its letter: H_V = 20."""
+    return f"{length.name} = {number(float(reading[length][0, 0]), language)}"
 
 
 def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
@@ -137,8 +140,13 @@ def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
         max(b[2] for b in boxes),
         max(b[3] for b in boxes),
     )
-    strokes = tuple(stroke for view in moved for stroke in view.strokes)
-    labels = tuple(label for view in moved for label in view.labels)
     return Drawing(
-        name, "; ".join(view.title for view in views), strokes, labels, cell, lambda _: views
+        name,
+        "; ".join(view.title for view in views),
+        tuple(stroke for view in moved for stroke in view.strokes),
+        tuple(label for view in moved for label in view.labels),
+        cell,
+        lambda _: views,
+        rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
+        shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
     )
