@@ -105,8 +105,8 @@ def _level(named: Sequence[Named], bases: tuple[float, float], size: float, ink:
         tried: list[tuple[float, int, Label]] = []
         starts = np.stack([-BESIDE - far - wide, BESIDE + far], axis=1).ravel()
         for base, aside in zip(bases, (0.0, _OTHER_SIDE), strict=True):
-            for k, left in enumerate(one.at.real + starts):
-                label = Label(one.text, complex(float(left), base), size)
+            for k, left in enumerate((one.at.real + starts).tolist()):
+                label = Label(one.text, complex(left, base), size)
                 over = np.count_nonzero((feet > left) & (feet < left + wide))
                 own = _LABEL * bool(left < end + CLEAR) + _FOOT * over + _FAR * float(far[k // 2])
                 tried.append((round(aside + own + ink.cost(box(label)), 6), len(tried), label))

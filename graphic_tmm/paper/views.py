@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.drawing import Drawing, Label, Within
+from graphic_tmm.paper.drawing import Drawing, Label, Stand, Within
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
@@ -21,6 +21,8 @@ BELOW = 0.7
 """Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
 COLUMN = 12.0
 """A title wider than its view is broken, but never into lines shorter than this, of its height."""
+NUMERALS = "0123456789*°.,"
+"""What the number of a position consists of."""
 STACK = 5.0
 """Clear height between two diagrams of a stack, mm."""
 
@@ -45,16 +47,14 @@ def length_figure(reading: Reading, length: Mark, language: str) -> str:
     return f"{length.name} = {number(float(reading[length][0, 0]), language)}"
 
 
-def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
-    """Return views that each take a cell of one size, with their ink in the middle, so that rows align."""
-    boxes = [bounds(view) for view in views]
-    width = max((right - left for left, _, right, _ in boxes), default=0.0)
-    height = max((top - low for _, low, _, top in boxes), default=0.0)
-    made = []
-    for view, (left, low, right, top) in zip(views, boxes, strict=True):
-        x, y = (left + right - width) / 2, (low + top - height) / 2
-        made.append(view._replace(cell=(x, y, x + width, y + height)))
-    return made
+def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawing]:
+    """Return views that stand in rows, in order, each with its own box; ``below``: under another block."""
+    return [view._replace(stand=Stand(block, "row", below)) for view in views]
+
+
+def paired(views: Sequence[Drawing]) -> list[Drawing]:
+    """Return views that stand beside each other: a figure and what belongs to it."""
+    return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
 
 
 def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> Drawing:
@@ -67,8 +67,8 @@ def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> D
     if view.name.startswith("table"):
         told = [(text, heights.number) for text in lines]
     else:
-        widest = max(right - left, COLUMN * heights.title)
-        told = [(part, heights.title) for part in _broken(lines[:1], heights.title, widest)]
+        titles = [_titled(text, heights.title, right - left) for text in lines[:1]]
+        told = [(part, heights.title) for parts in titles for part in parts]
         told += [(text, heights.point) for text in lines[1:]]
 
     def apart(within: Within) -> list[Drawing]:
@@ -79,6 +79,16 @@ def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> D
         ]
 
     return _above(told, view)._replace(apart=apart)
+
+
+def _titled(text: str, size: float, width: float) -> list[str]:
+    """Return a title in lines, broken where it is wider than its view.
+
+    Of a series only the numbers at the end differ: either all titles of it are broken, or none is.
+    """
+    stem = letter(text.rstrip(NUMERALS), size=size).width
+    most = max(width, COLUMN * size)
+    return [text] if stem + 2 * size <= most else wrapped(text, size, min(stem, most))
 
 
 def _broken(lines: Sequence[str], size: float, width: float) -> list[str]:
@@ -97,11 +107,12 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
         widest = max(widest, made.width)
+    foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)
     if tabular:
         cell = (left, low, max(right, left + widest), top)
-    return view._replace(labels=tuple(labels), cell=cell, apart=None)
+    return view._replace(labels=tuple(labels), cell=cell, apart=None, foot=foot)
 
 
 def wrapped(text: str, size: float, width: float) -> list[str]:
@@ -123,11 +134,34 @@ def _outside(head: str) -> bool:
     return head.count("{") == head.count("}")
 
 
+def _height(views: Sequence[Drawing]) -> float:
+    """Return how high views are one below the other."""
+    boxes = [bounds(view) for view in views]
+    return sum(high - low + STACK for _, low, _, high in boxes) - STACK
+
+
 def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
     """Return drawings one below the other as one, their origins above each other.
 
-    Where no sheet is so high they stand by themselves.
+    Where no sheet is so high as many as fit stand one below the other; all parts are equally wide, so that the
+    origins of those at one edge stand above each other too.
     """
+    boxes = [bounds(view) for view in views]
+    left, right = min(b[0] for b in boxes), max(b[2] for b in boxes)
+
+    def apart(within: Within) -> list[Drawing]:
+        room = max((h for w, h in within.sizes if w >= right - left), default=0.0)
+        parts: list[list[Drawing]] = []
+        for view, (_, low, _, high) in zip(views, boxes, strict=True):
+            wide = view._replace(cell=(left, low, right, high))
+            if parts and _height([*parts[-1], wide]) <= room:
+                parts[-1].append(wide)
+            else:
+                parts.append([wide])
+        if len(parts) == 1:
+            return list(views)
+        return [part[0] if len(part) == 1 else stacked(part[0].name, part) for part in parts]
+
     moved, top = [], 0.0
     for view in views:
         _, low, _, high = bounds(view)
@@ -146,7 +180,8 @@ def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
         tuple(stroke for view in moved for stroke in view.strokes),
         tuple(label for view in moved for label in view.labels),
         cell,
-        lambda _: views,
+        apart,
+        views[0].stand,
         rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
         shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
     )

@@ -91,7 +91,7 @@ def _forces(seen: Seen, made: Engine) -> dict[Mark, _Force]:
         mark: _Force(seen.by_mark[mark], start, mark, letter)
         for mark, (start, letter) in ends.items()
     }
-    measured = {
+    measured: dict[tuple[Mark, ...], str] = {
         (t.end_q, t.end_p): "N",
         (t.at_b, t.end_q): "Q",
         (t.at_a, t.end_t): "T",
@@ -100,7 +100,7 @@ def _forces(seen: Seen, made: Engine) -> dict[Mark, _Force]:
     for step in seen.steps:
         letter = measured.get(step.uses[:2]) if step.op is measure_along else None
         if letter is not None:
-            found[step.it] = _Force(step, *step.uses[:2], letter)
+            found[step.it] = _Force(step, step.uses[0], step.uses[1], letter)
     return found
 
 
