@@ -109,9 +109,10 @@ def _level(named: Sequence[Named], bases: tuple[float, float], size: float, ink:
                 label = Label(one.text, complex(left, base), size)
                 over = np.count_nonzero((feet > left) & (feet < left + wide))
                 own = _LABEL * bool(left < end + CLEAR) + _FOOT * over + _FAR * float(far[k // 2])
-                tried.append((round(aside + own + ink.cost(box(label)), 6), len(tried), label))
-        own, _, label = min(tried, key=lambda one: one[:2])
+                whole = round(float(aside + own + ink.cost(box(label))), 6)
+                tried.append((whole, len(tried), label))
+        least, _, label = min(tried, key=lambda one: one[:2])
         labels.append(label._replace(of=one.of, position=one.position))
         end = label.at.real + wide
-        cost += own
+        cost += least
     return _Row(tuple(labels), cost)

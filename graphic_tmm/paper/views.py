@@ -146,13 +146,13 @@ def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
     Where no sheet is so high as many as fit stand one below the other; all parts are equally wide, so that the
     origins of those at one edge stand above each other too.
     """
-    boxes = [bounds(view) for view in views]
-    left, right = min(b[0] for b in boxes), max(b[2] for b in boxes)
+    own = [bounds(view) for view in views]
+    left, right = min(b[0] for b in own), max(b[2] for b in own)
 
     def apart(within: Within) -> list[Drawing]:
         room = max((h for w, h in within.sizes if w >= right - left), default=0.0)
         parts: list[list[Drawing]] = []
-        for view, (_, low, _, high) in zip(views, boxes, strict=True):
+        for view, (_, low, _, high) in zip(views, own, strict=True):
             wide = view._replace(cell=(left, low, right, high))
             if parts and _height([*parts[-1], wide]) <= room:
                 parts[-1].append(wide)
