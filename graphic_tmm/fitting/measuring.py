@@ -182,7 +182,7 @@ def cells(
         return [view for one in several for view in cells(one, scene, boards, within, lettered)]
     whole = views_of(place, scene, boards, lettered)
     return [
-        Drawing(view.name, view.title, cell=bounds(view), stand=view.stand)
+        Drawing(view.name, view.title, cell=bounds(view), stand=view.stand, foot=view.foot)
         for one in whole
         for view in settled(one, within)
     ]

@@ -8,11 +8,11 @@ from itertools import pairwise
 
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.packing import bounds, holds
-from graphic_tmm.paper.ruled import Grid, measured, table
+from graphic_tmm.paper.ruled import TITLE_GAP, Grid, measured, table
 from graphic_tmm.paper.views import stacked
 
-CROWNED = 12.0
-"""Room for the title above a block, mm."""
+CROWNED = 1.8
+"""Room for the title above a block, beside the gap under it, of the height of its capitals."""
 
 
 def breakable(
@@ -25,6 +25,7 @@ def breakable(
     lead: int = 0,
     over: int = 0,
     size: float = 3.5,
+    title_size: float = 5.0,
     align: Sequence[str] | None = None,
 ) -> Drawing:
     """Return a ruled table that comes apart into as few even blocks as a sheet holds; see `table`.
@@ -38,17 +39,20 @@ def breakable(
         cells = [[row[j] for j in kept] for row in (*rows[:over], *(rows[i] for i in down))]
         ways = [align[j] for j in kept] if align else None
         told, own = (f"{title} ({again})", f"{name}-{k + 1}") if k else (title, name)
-        return table(own, told, [columns[j] for j in kept], cells, size=size, align=ways)
+        heads = [columns[j] for j in kept]
+        return table(own, told, heads, cells, size=size, title_size=title_size, align=ways)
 
     def apart(within: Within) -> list[Drawing]:
         grid = measured(name, columns, rows, size=size, head_size=size, align=align)
-        _, _, across, down = min(_parts(grid, lead, over, room) for room in within.sizes)
+        crown = TITLE_GAP + CROWNED * title_size
+        rooms = [(wide, high - crown) for wide, high in within.sizes]
+        _, _, across, down = min(_parts(grid, lead, over, room) for room in rooms)
         runs = [
             (a, d) for d in _runs(over, len(rows), down) for a in _runs(lead, len(columns), across)
         ]
         return piled([block(k, *run) for k, run in enumerate(runs)], within)
 
-    whole = table(name, title, columns, rows, size=size, align=align)
+    whole = table(name, title, columns, rows, size=size, title_size=title_size, align=align)
     return whole._replace(cell=bounds(whole), apart=apart)
 
 
@@ -66,7 +70,10 @@ def piled(blocks: Sequence[Drawing], within: Within) -> list[Drawing]:
 def _parts(
     grid: Grid, lead: int, over: int, room: tuple[float, float]
 ) -> tuple[bool, int, int, int]:
-    """Return whether columns are too wide for a room, how many blocks it takes, in how many runs each way."""
+    """Return whether columns are too wide for a room, how many blocks it takes, in how many runs each way.
+
+    ``room``: its width, and its height less that of the title, mm.
+    """
     widths, count = grid.widths, len(grid.widths)
 
     def widest(parts: int) -> float:
@@ -75,7 +82,7 @@ def _parts(
     most = room[0] - sum(widths[:lead])
     runs = range(1, max(count - lead, 1) + 1 if lead else 2)
     across = next((parts for parts in runs if widest(parts) <= most), runs[-1])
-    rows, high = len(grid.body[0]) - over, room[1] - grid.head[0] - CROWNED
+    rows, high = len(grid.body[0]) - over, room[1] - grid.head[0]
     down = math.ceil(rows / max(math.floor(high / grid.row[0]) - over, 1))
     return widest(across) > most, across * down, across, down
 

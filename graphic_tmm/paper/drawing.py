@@ -115,7 +115,8 @@ class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
     ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
-    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others.
+    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others,
+    ``foot``: how high the caption at its lower edge is, mm: captions of a row begin on one line.
     ``rubbed``: what was drawn on the way and is rubbed out at the end: no sheet shows it. ``shows``: the views
     of the log of which it is the picture. ``wanted``: letters that have no place yet (see `finish`).
     """
@@ -127,6 +128,7 @@ class Drawing(NamedTuple):
     cell: tuple[float, float, float, float] | None = None
     apart: Callable[[Within], Sequence[Drawing]] | None = None
     stand: Stand = Stand()
+    foot: float = 0.0
     rubbed: tuple[Ink, ...] = ()
     shows: tuple[str, ...] = ()
     wanted: tuple[Wanted, ...] = ()

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.paper.drawing import Drawing, Ink, Label
@@ -121,6 +122,37 @@ def pictures(construction: Construction, drawing: Drawing) -> tuple[Picture, ...
                     )
                 )
     return tuple(made)
+
+
+class Part(NamedTuple):
+    """What of a view belongs together: its strokes, rubbed ones among them, and its letters."""
+
+    ink: tuple[Ink, ...]
+    letters: tuple[Label, ...]
+
+
+def of_step(drawing: Drawing, mark: Mark) -> Part:
+    """Return what the step that left a mark drew, and the letters that name it."""
+    return Part(
+        tuple(s for s in (*drawing.strokes, *drawing.rubbed) if not s.part and mark.slot in s.of),
+        tuple(label for label in drawing.labels if mark.slot in label.of),
+    )
+
+
+def until(construction: Construction, drawing: Drawing, mark: Mark, position: int) -> Part:
+    """Return what is there when the step that leaves a mark is done in a position: helping lines too.
+
+    What is the same in all positions is there with its step; in positions before it all is there.
+    """
+    order = {step.it.slot: n for n, step in enumerate(construction.steps)}
+    now = order[mark.slot]
+
+    def there(one: Ink | Label) -> bool:
+        when, place = _when(order, one.of, one.position)
+        return when <= now if place is None or place == position else place < position
+
+    ink = (*drawing.strokes, *drawing.rubbed)
+    return Part(tuple(filter(there, ink)), tuple(filter(there, drawing.labels)))
 
 
 def _when(

@@ -23,6 +23,7 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
 from graphic_tmm.paper.labels import flat, interrupt, leaders, place
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead, pole
 
@@ -41,10 +42,8 @@ ASIDE = 14.0
 """From the axis of the ordinates to a dimension line, mm."""
 LEAST = 0.3
 """Shorter lines are points, mm."""
-SIZE, NUMBER = 5.0, 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-ON_AXIS = {roles.EXTREME: (SIZE, -1 + 0j), roles.MEAN: (NUMBER, -1 - 0.5j)}
-"""Points on the axis of the ordinates that bear their letters: how large, on which side."""
+ON_AXIS = {roles.EXTREME: (True, -1 + 0j), roles.MEAN: (False, -1 - 0.5j)}
+"""Points on the axis of the ordinates that bear their letters: large as at points, or as numbers; the side."""
 ROOM = 6.0
 """Room for letters about a graph before they have their places, mm."""
 
@@ -106,9 +105,10 @@ def draw_graph(
     title: str,
     *,
     lettered: bool = True,
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return a graph: ``row`` intervals; the positions behind the row stand where they belong."""
-    ink = _Ink(construction, reading, view, row)
+    ink = _Ink(construction, reading, view, row, heights)
     thin = [stroke for step in ink.steps for stroke in ink.construction_of(step)]
     curves = [piece for step in ink.steps for piece in ink.curve_of(step)]
     dots = [circle("main", z, DOT, filled=True) for z in ink.dots()]
@@ -120,8 +120,9 @@ def draw_graph(
     dimensions = list(ink.dimensions(names))
     strokes += [stroke for made in dimensions for stroke in made.strokes]
     if not lettered:
-        left = min([0.0, *(spot.real for spot in ink.poles()), *[-ASIDE - SIZE] * len(dimensions)])
-        bottom = min(low, -NUMBER) - ROOM
+        beside = [-ASIDE - heights.point] * len(dimensions)
+        left = min([0.0, *(spot.real for spot in ink.poles()), *beside])
+        bottom = min(low, -heights.number) - ROOM
         cell = (left - ROOM, bottom, ink.length + OVER + ROOM, high + OVER + ROOM)
         return Drawing(view, title, tuple(strokes), cell=cell)
     wanted = list(ink.letters(names, high))
@@ -134,8 +135,10 @@ def draw_graph(
 class _Ink:
     """A view of the log and its numbers while it is inked; the origin is 0."""
 
-    def __init__(self, construction: Construction, reading: Reading, view: str, row: int) -> None:
-        self.reading, self.row = reading, row
+    def __init__(
+        self, construction: Construction, reading: Reading, view: str, row: int, heights: Heights
+    ) -> None:
+        self.reading, self.row, self.heights = reading, row, heights
         self.marks = axes_of(construction, view)
         self.by_mark = {step.it: step for step in construction.steps}
         self.steps = [step for step in construction.steps if step.it.view == view]
@@ -216,42 +219,44 @@ class _Ink:
 
     def letters(self, names: Names, high: float) -> Iterator[Wanted]:
         """The numbers of the positions under the base, the letters of the axes and of the pole."""
-        yield Wanted(names.up, complex(0, high + OVER), SIZE, 1.5, -1 + 0j)
-        yield Wanted(names.along, complex(self.length + OVER, 0), SIZE, 1.5, -1j)
+        point, small = self.heights.point, self.heights.number
+        yield Wanted(names.up, complex(0, high + OVER), point, 1.5, -1 + 0j)
+        yield Wanted(names.along, complex(self.length + OVER, 0), point, 1.5, -1j)
         for name, spot in self.lettered_poles():
-            yield Wanted(name, spot, NUMBER, 1.0, -1 + 0j)
+            yield Wanted(name, spot, small, 1.0, -1 + 0j)
         for step in self.steps:
             if step.it in names.curves and step.op in (join, graph_of_rays):
                 spot = self.outermost(step.uses[1 if step.op is join else 0])
                 spot = 0.6 * spot if step.op is join else spot
                 if np.isfinite(spot):
-                    yield Wanted(names.curves[step.it], spot, NUMBER, 1.0, 1j - 0.5)
+                    yield Wanted(names.curves[step.it], spot, small, 1.0, 1j - 0.5)
             if step.it in names.curves and step.op is measure_along:
                 spot = self.outermost(step.uses[1])
                 if np.isfinite(spot):
                     letter = names.curves[step.it]
-                    yield Wanted(letter, spot, NUMBER, 1.0, spot.imag * 1j)
+                    yield Wanted(letter, spot, small, 1.0, spot.imag * 1j)
             yield from self.named(step)
         yield from self.numbers(names)
 
     def named(self, step: Step) -> Iterator[Wanted]:
         """The letter of a point that is one of a kind: where a curve turns, what is carried to the axis."""
         if step.op in EXTREMES:
-            size, way = NUMBER, 1j if step.op is g.highest else -1j
+            large, way = False, 1j if step.op is g.highest else -1j
         elif step.it.role in ON_AXIS:
-            size, way = ON_AXIS[step.it.role]
+            large, way = ON_AXIS[step.it.role]
         else:
             return
         spot = complex(self.points(step.it)[0])
         if np.isfinite(spot):
+            size = self.heights.point if large else self.heights.number
             yield Wanted(step.it.name, spot, size, 1.0, way)
 
     def numbers(self, names: Names) -> Iterator[Wanted]:
         """The numbers of the positions under the base."""
-        feet = self.points(self.marks.feet)
+        feet, small = self.points(self.marks.feet), self.heights.number
         for name, foot in zip(names.positions, feet, strict=True):
-            yield Wanted(name, complex(foot), NUMBER, TICK, -1 - 1.5j)
-        yield Wanted(names.positions[0], complex(self.length), NUMBER, TICK, -1 - 1.5j)
+            yield Wanted(name, complex(foot), small, TICK, -1 - 1.5j)
+        yield Wanted(names.positions[0], complex(self.length), small, TICK, -1 - 1.5j)
 
 
 Ends = Iterator[tuple[Complexes, Complexes]]

@@ -257,6 +257,7 @@ def table(
     *,
     size: float = 3.5,
     head_size: float | None = None,
+    title_size: float = 5.0,
     align: Sequence[str] | None = None,
 ) -> Drawing:
     r"""Return a ruled table, its lower left corner at 0, its title above it.
@@ -264,8 +265,8 @@ def table(
     ``columns`` (with "\n" for several lines) and the cells of ``rows`` are mark-up, as is
     ``title``. ``align`` gives each column "left", "centre" or "number" (a common decimal place);
     left out, a column of numerals is "number" and any other "centre". Lettering is ``size`` mm
-    high, the head ``head_size``, the title one size larger than the cells. Raises SheetError where
-    a row has not one cell for each column.
+    high, the head ``head_size``, the title ``title_size`` or as high as the cells. Raises SheetError
+    where a row has not one cell for each column.
     """
     head = size if head_size is None else head_size
     grid = measured(name, columns, rows, size=size, head_size=head, align=align)
@@ -283,7 +284,7 @@ def table(
         for i, (cell, (anchor, x)) in enumerate(zip(body[k], spots, strict=True)):
             labels.append(Label(cell, complex(left + x, top - step * (i + 1) + foot), size, anchor))
     if title:
-        labels.append(Label(title, complex(0, top + crown + TITLE_GAP), max(size, 5.0)))
+        labels.append(Label(title, complex(0, top + crown + TITLE_GAP), max(size, title_size)))
     labels = [label for label in labels if label.text]
     ruling = _ruling(edges, step, top, crown)
     return Drawing(name, title, ruling, tuple(labels), stand=Stand(kind="table"))

@@ -11,15 +11,16 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Stand, Within
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.paper.packing import bounds, settled
 
-CAPTION = 5.0
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SMALL = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
+BELOW = 0.7
+"""Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
+COLUMN = 12.0
+"""A title wider than its view is broken, but never into lines shorter than this, of its height."""
 STACK = 5.0
 """Clear height between two diagrams of a stack, mm."""
 
@@ -51,34 +52,52 @@ def paired(views: Sequence[Drawing]) -> list[Drawing]:
     return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
 
 
-def captioned(view: Drawing, *lines: str) -> Drawing:
+def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    Below what leads a sheet the first of them is larger.
-
-    Where a sheet is too narrow for it, its lines are broken, and the view comes apart if it can.
+    The first of them is the title, broken where it is much wider than its view; a table has its own above it.
+    Where a sheet is too narrow, all lines are broken, and the view comes apart if it can.
     """
+    left, _, right, _ = bounds(view)
+    if view.name.startswith("table"):
+        told = [(text, heights.number) for text in lines]
+    else:
+        widest = max(right - left, COLUMN * heights.title)
+        told = [(part, heights.title) for part in _broken(lines[:1], heights.title, widest)]
+        told += [(text, heights.point) for text in lines[1:]]
 
     def apart(within: Within) -> list[Drawing]:
         *first, last = settled(view, within)
-        broken = [part for text in lines for part in wrapped(text, SMALL, within.width)]
-        return [*first, captioned(last, *broken)._replace(apart=None)]
+        return [
+            *first,
+            _above([(p, s) for t, s in told for p in _broken([t], s, within.width)], last),
+        ]
 
+    return _above(told, view)._replace(apart=apart)
+
+
+def _broken(lines: Sequence[str], size: float, width: float) -> list[str]:
+    return [part for text in lines for part in wrapped(text, size, width)]
+
+
+def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
+    """Return a view with lines below it, each in its height; it does not come apart."""
     left, low, right, top = bounds(view)
-    middle, labels = (left + right) / 2, list(view.labels)
-    for k, text in enumerate(lines):
-        size = CAPTION if k == 0 and view.stand.kind == "lead" else SMALL
-        low -= letter(text, size=size).ascent + 2.5
-        at, anchor = (left, "start") if view.name.startswith("table") else (middle, "middle")
+    tabular, middle = view.name.startswith("table"), (left + right) / 2
+    at, anchor = (left, "start") if tabular else (middle, "middle")
+    labels, widest = list(view.labels), 0.0
+    for text, size in lines:
+        made = letter(text, size=size)
+        low -= made.ascent + BELOW * size
         labels.append(Label(text, complex(at, low), size, anchor))
-        low -= letter(text, size=size).descent
-    widths = [letter(label.text, size=label.size).width for label in labels[len(view.labels) :]]
-    if view.name.startswith("table"):
-        cell = (left, low, max(right, left + max(widths)), top)
-    else:
-        reach = max([right - left, *widths]) / 2
-        cell = (middle - reach, low, middle + reach, top)
-    return view._replace(labels=tuple(labels), cell=cell, apart=apart)
+        low -= made.descent
+        widest = max(widest, made.width)
+    foot = view.foot + bounds(view)[1] - low
+    reach = max(right - left, widest) / 2
+    cell = (middle - reach, low, middle + reach, top)
+    if tabular:
+        cell = (left, low, max(right, left + widest), top)
+    return view._replace(labels=tuple(labels), cell=cell, apart=None, foot=foot)
 
 
 def wrapped(text: str, size: float, width: float) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 from graphic_tmm.captions import captions
 from graphic_tmm.language.numbers import fixed
@@ -11,6 +12,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
@@ -35,11 +37,12 @@ def result_table(
     language: str,
     *,
     upright: bool = False,
+    heights: Heights = HEIGHTS["A4"],
 ) -> Drawing:
     """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions.
 
     ``upright``: a row for each position instead. A table that no sheet holds whole is broken into blocks, or
-    turned the other way, whichever gives fewer.
+    turned the other way, whichever gives fewer. ``heights``: those of its place.
     """
     words = captions(language)
     shown = known_at(columns)
@@ -56,17 +59,18 @@ def result_table(
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
     name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
+    ruled = partial(
+        breakable, name, title, again=again, size=heights.number, title_size=heights.title
+    )
 
     def lying() -> Drawing:
         align = ["left", "left", *["centre"] * len(shown)]
-        return breakable(name, title, heads, rows, again=again, lead=2, size=SIZE, align=align)
+        return ruled(heads, rows, lead=2, align=align)
 
     def standing() -> Drawing:
         first, *others = (list(column) for column in zip(heads, *rows, strict=True))
         align = ["centre"] * len(first)
-        return breakable(
-            name, title, first, others, again=again, lead=1, over=1, size=SIZE, align=align
-        )
+        return ruled(first, others, lead=1, over=1, align=align)
 
     usual, other = (standing, lying) if upright else (lying, standing)
     made = usual()

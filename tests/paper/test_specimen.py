@@ -15,7 +15,7 @@ from graphic_tmm.paper.lettering.letters import (
     plain,
 )
 
-VIEWS = {view.name: view for view in specimen("ru")}
+VIEWS = {view.name: view for view in specimen("ru", 7.0)}
 
 
 @pytest.mark.parametrize(("name", "inclined"), [("upright", False), ("inclined", True)])
@@ -58,5 +58,5 @@ def test_letters_on_the_grid_stand_inside_it(name: str) -> None:
 
 
 def test_the_specimen_speaks_english_too() -> None:
-    titles = [view.title for view in specimen("en")]
+    titles = [view.title for view in specimen("en", 7.0)]
     assert titles[0].startswith("Letters on their grid")

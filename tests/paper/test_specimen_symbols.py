@@ -9,9 +9,10 @@ import pytest
 from graphic_tmm.chapters.lettering.specimen_symbols import CELL, specimen_symbols
 from graphic_tmm.paper.drawing import Bezier
 from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.pens import pens
 
-LINES, SYMBOLS = specimen_symbols("ru")
+LINES, SYMBOLS = specimen_symbols("ru", HEIGHTS["A1"])
 
 
 def test_every_pen_that_draws_lines_is_shown() -> None:
@@ -24,7 +25,7 @@ def test_every_pen_that_draws_lines_is_shown() -> None:
 
 @pytest.mark.parametrize("language", ["ru", "en"])
 def test_names_stand_clear_of_each_other_and_of_the_ink(language: str) -> None:
-    for view in specimen_symbols(language):
+    for view in specimen_symbols(language, HEIGHTS["A1"]):
         boxes = [box(label) for label in view.labels]
         assert all(a.disjoint(b) for a, b in combinations(boxes, 2))
         assert all(frame.disjoint(shape(s)) for frame in boxes for s in view.strokes)

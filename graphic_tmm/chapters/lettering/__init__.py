@@ -19,13 +19,25 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.lettering.specimen import specimen
 from graphic_tmm.chapters.lettering.specimen_symbols import specimen_symbols
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.scene.records import Scene
+
+
+def _characters(scene: Scene) -> list[Drawing]:
+    return specimen(scene.language, heights(scene, "lettering").title)
+
+
+def _symbols(scene: Scene) -> list[Drawing]:
+    return specimen_symbols(scene.language, heights(scene, "symbols"))
+
 
 CHAPTER = Chapter(
     name="lettering",
     number=11,
     board="",
     places=(
-        Place("lettering", 0, plain=lambda scene: specimen(scene.language)),
-        Place("symbols", 0, plain=lambda scene: specimen_symbols(scene.language)),
+        Place("lettering", 0, plain=_characters),
+        Place("symbols", 0, plain=_symbols),
     ),
 )

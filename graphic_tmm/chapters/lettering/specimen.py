@@ -19,6 +19,8 @@ from graphic_tmm.paper.lettering.notation import SLANT
 
 SHOWN = 10.0
 """Height of the capitals in the rows of characters, mm."""
+TOLD = 7.0
+"""Height of the capitals of the notation, mm."""
 LARGE = 28.0
 """Height of the capitals on the grid, mm."""
 WIDEST = 385.0
@@ -46,22 +48,28 @@ NOTATION = (
 )
 
 
-def specimen(language: str) -> list[Drawing]:
-    """Return the views of the specimen sheet."""
+def specimen(language: str, title_size: float) -> list[Drawing]:
+    """Return the views of the specimen sheet; ``title_size``: how high their titles are, mm."""
     words = WORDS[language]
-    return [
+    sample = escape(words["sample"])
+    views = [
         _on_grid("grid", words["grid"], words["large"], False),
         _on_grid("grid-inclined", words["grid"], words["large"], True),
         *(_characters(words[key], key, key == "inclined") for key in ("upright", "inclined")),
-        _lines("sizes", words["sizes"], [(escape(f"{words['sample']}"), s) for s in SIZES]),
-        _lines("notation", words["notation"], [(text, 7.0) for text in NOTATION]),
+        _lines("sizes", words["sizes"], [(sample, size) for size in SIZES]),
+        _lines("notation", words["notation"], [(text, TOLD) for text in NOTATION]),
+    ]
+    titles = (Label(view.title, 0j, title_size) for view in views)
+    return [
+        view._replace(labels=(title, *view.labels))
+        for view, title in zip(views, titles, strict=True)
     ]
 
 
 def _on_grid(name: str, title: str, text: str, inclined: bool) -> Drawing:
     """Return large letters on the grid whose pitch is the width of the pen."""
     pitch, lean = LARGE / 10, SLANT if inclined else 0.0
-    labels, strokes, x, base = [Label(title, 0j, 7.0)], [], 6.0, -LARGE * 1.6
+    labels, strokes, x, base = list[Label](), [], 6.0, -LARGE * 1.6
     low, high = base - 4 * pitch, base + LARGE + 2 * pitch
     for character in text:
         made = letter(escape(character), size=LARGE, inclined=inclined)
@@ -108,7 +116,7 @@ def _kind(character: str) -> str:
 
 
 def _characters(title: str, name: str, inclined: bool) -> Drawing:
-    labels, strokes, base = [Label(title, 0j, 7.0)], [], -8.0
+    labels, strokes, base = list[Label](), [], -8.0
     for text in kinds().values():
         x = WIDEST
         for character in text:
@@ -125,7 +133,7 @@ def _characters(title: str, name: str, inclined: bool) -> Drawing:
 
 
 def _lines(name: str, title: str, rows: Iterable[tuple[str, float]]) -> Drawing:
-    labels, base = [Label(title, 0j, 7.0)], -4.0
+    labels, base = list[Label](), -4.0
     for text, size in rows:
         made = letter(text, size=size)
         base -= made.ascent + 3.0

@@ -7,6 +7,7 @@ import cmath
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.symbols.gears import cam, gear, gear_side, wavy
 from graphic_tmm.paper.symbols.kinematic import (
     fixed_pivot,
@@ -35,31 +36,31 @@ CELL, COLUMNS, TALL = 72.0, 5, 52.0
 """Width of a symbol's cell, how many stand in a row, height of a row, mm."""
 
 
-def specimen_symbols(language: str) -> list[Drawing]:
+def specimen_symbols(language: str, high: Heights) -> list[Drawing]:
     """Return the view of the lines and that of the symbols."""
     _ = speaking(language)
-    return [_lines(_("Lines"), _), _symbols(_("Symbols of kinematic schemes"), _)]
+    return [_lines(_("Lines"), _, high), _symbols(_("Symbols of kinematic schemes"), _, high)]
 
 
-def _lines(title: str, speech: Speech) -> Drawing:
-    labels, strokes = [Label(title, 0j, 7.0)], list[Stroke | Bezier]()
+def _lines(title: str, speech: Speech, high: Heights) -> Drawing:
+    labels, strokes = [Label(title, 0j, high.title)], list[Stroke | Bezier]()
     for k, (pen, name) in enumerate(LINES):
         start = -1j * PITCH * (k + 1.5)
         strokes.append(
             wavy(start, start + WIDTH) if pen == "wavy" else line(pen, start, start + WIDTH)
         )
-        labels.append(Label(speech(name), start + WIDTH + 5.0 - 1.7j, 5.0))
+        labels.append(Label(speech(name), start + WIDTH + 5.0 - 1.7j, high.point))
     return Drawing("lines", title, tuple(strokes), tuple(labels))
 
 
-def _symbols(title: str, speech: Speech) -> Drawing:
-    labels, strokes = [Label(title, 0j, 7.0)], list[Stroke | Bezier]()
+def _symbols(title: str, speech: Speech, high: Heights) -> Drawing:
+    labels, strokes = [Label(title, 0j, high.title)], list[Stroke | Bezier]()
     for k, (name, made) in enumerate(_gallery()):
         row, column = divmod(k, COLUMNS)
         at = complex(CELL * (column + 0.5), -TALL * row - 34.0)
         moved = Drawing("", "", made).moved(at)
         strokes += moved.strokes
-        labels.append(Label(speech(name), at - 24j, 3.5, "middle"))
+        labels.append(Label(speech(name), at - 24j, high.number, "middle"))
     return Drawing("symbols", title, tuple(strokes), tuple(labels))
 
 

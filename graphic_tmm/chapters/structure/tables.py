@@ -11,11 +11,11 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights, heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.views import captioned
-from graphic_tmm.readers.result_table import SIZE
 
 WORDS = Tongues(
     {
@@ -40,7 +40,7 @@ WORDS = Tongues(
 )
 
 
-def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
+def link_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
     """Return the table of links."""
     words = WORDS[language]
     frame = mechanism.frame
@@ -56,11 +56,18 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
     align = ["centre", "left", "left"]
     again = captions(language)["continued"]
     return breakable(
-        "table-links", words["links"], heads, rows, again=again, size=SIZE, align=align
+        "table-links",
+        words["links"],
+        heads,
+        rows,
+        again=again,
+        size=high.number,
+        title_size=high.title,
+        align=align,
     )
 
 
-def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Drawing:
+def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
     """Return the table of kinematic pairs."""
     words = WORDS[language]
     rows = []
@@ -71,7 +78,15 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str) -> Dra
         rows.append([escape(name), joined, words[f"kind {pair.kind}"], index])
     heads = [words["letter"], words["joined"], words["kind"], words["index"]]
     again = captions(language)["continued"]
-    return breakable("table-pairs", words["pairs"], heads, rows, again=again, size=SIZE)
+    return breakable(
+        "table-pairs",
+        words["pairs"],
+        heads,
+        rows,
+        again=again,
+        size=high.number,
+        title_size=high.title,
+    )
 
 
 def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
@@ -88,8 +103,9 @@ def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     mechanism, language = drawn.scene.mechanism, drawn.scene.language
     assert mechanism is not None
     structure = dissect(mechanism)
-    pairs = pair_table(mechanism, structure, language)
+    high = heights(drawn.scene, "structure")
+    pairs = pair_table(mechanism, structure, language, high)
     return [
-        link_table(mechanism, structure, language),
-        captioned(pairs, *structure_lines(structure, language)),
+        link_table(mechanism, structure, language, high),
+        captioned(pairs, *structure_lines(structure, language), heights=high),
     ]

@@ -173,11 +173,12 @@ def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, compl
     if format.endswith("portrait"):
         upright = COLUMN_26_UPRIGHT
         again = (upright, complex(inner.right - upright.width, inner.top - upright.height))
+    columns = (MARGIN_19_23, MARGIN_24_25) if first else (MARGIN_19_23,)
     return (
         (block, corner - block.width),
         again,
-        (MARGIN_19_23, margin),
-        *(((MARGIN_24_25, margin),) if first else ()),
+        # a lying A4 is not high enough for columns 24 and 25, which stand above the others
+        *((one, margin) for one in columns if inner.bottom + one.height <= inner.top),
     )
 
 

@@ -1,0 +1,47 @@
+"""How high letters are: by the format of the sheet, that is by how far from it its reader stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
+
+from graphic_tmm.paper.formats import USUAL
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.records import Scene
+
+
+class Heights(NamedTuple):
+    """Heights of capitals, mm (a row of ГОСТ 2.304).
+
+    ``point``: letters at points and of vectors, equations, the lines of a caption below its title.
+    ``title``: of views and tables. ``number``: numbers of positions and divisions, dimensions, cells of tables.
+    """
+
+    point: float
+    title: float
+    number: float
+
+
+_WALL, _DESK = Heights(5.0, 7.0, 3.5), Heights(3.5, 5.0, 3.5)
+"""On a wall, where a board of examiners reads it from 1.5 m; in the hand."""
+HEIGHTS: Mapping[str, Heights] = MappingProxyType(
+    {"A4": _DESK, "A3": _DESK, "A2": _WALL, "A1": _WALL}
+)
+"""By the first word of a format, the narrowest first."""
+
+
+def heights_on(formats: Iterable[str]) -> Heights:
+    """Return the heights on the narrowest of some formats; on the usual one if none of them is known."""
+    there = {format.split()[0] for format in formats}
+    return next((found for name, found in HEIGHTS.items() if name in there), HEIGHTS[USUAL])
+
+
+def heights(scene: Scene, place: str = "") -> Heights:
+    """Return how high the letters of a place of a scene's sheets are, the same on all that show it.
+
+    A place that no sheet shows, and "", is lettered as the narrowest of all sheets.
+    """
+    shown = [sheet.format for sheet in scene.sheets if place in sheet.place]
+    return heights_on(shown or (sheet.format for sheet in scene.sheets))

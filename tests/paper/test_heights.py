@@ -1,0 +1,76 @@
+"""How high letters are, by the format of a sheet."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+import shapely
+from support.gallery import SHEETS
+
+from graphic_tmm.paper.drawing import Drawing, line
+from graphic_tmm.paper.formats import FORMATS
+from graphic_tmm.paper.labels import box
+from graphic_tmm.paper.lettering.heights import HEIGHTS, heights, heights_on
+from graphic_tmm.paper.lettering.letters import SIZES
+from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.views import captioned
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import SheetOrder
+from graphic_tmm.studio import sheets
+
+
+@pytest.mark.parametrize("format", [*FORMATS, "A2", "A2 portrait"])
+def test_a_large_sheet_is_read_from_a_metre_and_a_half(format: str) -> None:
+    found = heights_on([format])
+    if format.startswith(("A1", "A2")):
+        assert found == (5.0, 7.0, 3.5)
+    else:
+        assert found == (3.5, 5.0, 3.5)
+
+
+def test_all_heights_stand_in_the_row_of_the_standard_and_none_is_too_low() -> None:
+    assert all(height in SIZES and height >= 3.5 for found in HEIGHTS.values() for height in found)
+
+
+def test_a_place_is_lettered_for_the_narrowest_sheet_that_shows_it() -> None:
+    orders = (
+        SheetOrder("A1", ("positions", "velocities")),
+        SheetOrder("A4", ("positions", "structure")),
+    )
+    scene = replace(read(SHEETS / "engine"), sheets=orders)
+    assert heights(scene, "velocities") == HEIGHTS["A1"]
+    assert heights(scene, "positions") == heights(scene, "structure") == HEIGHTS["A4"]
+    assert heights(scene, "equations") == heights(scene) == HEIGHTS["A4"]
+
+
+def test_a_format_that_is_not_yet_chosen_is_lettered_as_the_usual_one() -> None:
+    assert heights_on(["auto"]) == heights_on([]) == HEIGHTS["A1"]
+
+
+@pytest.mark.parametrize("format", ["A1", "A4"])
+def test_titles_of_tables_and_what_stands_in_them(format: str) -> None:
+    scene = replace(read(SHEETS / "engine"), sheets=(SheetOrder(format, ("structure",)),))
+    due = HEIGHTS[format]
+    (sheet,) = sheets(scene)[1]
+    for view in sheet.drawings[1:]:
+        title, others = view.title, [k.size for k in view.labels if k.text != view.title]
+        assert [k.size for k in view.labels if k.text == title] == [due.title]
+        assert set(others) == {due.number}
+
+
+def test_the_title_of_a_caption_is_larger_and_broken_over_a_narrow_view() -> None:
+    view = Drawing("plan", "", (line("main", 0j, 40 + 30j),))
+    told = captioned(
+        view, "План скоростей, положение 3", "μ_v = 0,1 (м/с)/мм", heights=HEIGHTS["A1"]
+    )
+    assert [(k.text, k.size) for k in told.labels] == [
+        ("План скоростей,", 7.0),
+        ("положение 3", 7.0),
+        ("μ_v = 0,1 (м/с)/мм", 5.0),
+    ]
+    boxes = [box(label) for label in told.labels]
+    assert all(a.disjoint(b) for a, b in pairwise(boxes))
+    left, low, right, top = bounds(told)
+    assert shapely.box(left, low, right, top).buffer(1e-9).covers(shapely.union_all(boxes))
