@@ -87,7 +87,7 @@ def _corners(room: Room, gap: float) -> tuple[Size, Size, float]:
             foot = (wide, high)
         elif box[2] >= right - 1e-6:
             aside = max(aside, wide)
-    # a corner box as wide as the sheet would leave no step of the grid to spare: nothing stands beside it anyway
+    # what is as wide as the sheet would leave no step of the grid to spare: nothing stands beside it anyway
     width = right - left - aside - 2 * gap - 2 * GRID
     if foot[0]:
         foot = (max(min(foot[0] - aside - gap, width), 0.0), max(foot[1] - gap, 0.0))
