@@ -29,8 +29,8 @@ STEP, TRIALS = 0.93, 40
 GROWTH, MOST = 1.1, 24
 """By how much a size grows at a time, and how often at most, until something comes of it: two standard scales
 of the same series are a factor of two apart."""
-PLAIN = 1.25
-"""By how much a size grows at a time that is seen in no scale factor."""
+SHARE = 1.25
+"""The same of a size that is a share: several scales follow from it, and not all of them each time."""
 OVER = 1.03
 """What may be lifted takes no more than so many times its share of a sheet."""
 
@@ -133,7 +133,7 @@ class Search:
         """Return sizes of which one is the next larger of which something else comes; None if there is none."""
         board, size = self.own[name]
         before, larger = board.known(name, sizes), sizes
-        by = GROWTH if size.seen else PLAIN
+        by = GROWTH if size.in_mm else SHARE
         for _ in range(MOST):
             larger = {**larger, name: larger[name] * by}
             if board.known(name, larger) != before:

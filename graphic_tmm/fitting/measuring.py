@@ -59,6 +59,7 @@ class Rooms:
         self._cells: dict[Key, Cells] = {}
         self._depends: dict[str, tuple[str, ...]] = {}
         self._counts: dict[Key, float] = {}
+        self._last: dict[str, tuple[Key | None, list[Drawing]]] = {}
 
     def count(self, sizes: Sizes) -> float:
         """Return how many sheets the scene takes; without end if one of its views fits none."""
@@ -136,10 +137,18 @@ class Rooms:
     def _room(self, place: str, within: Within, sizes: Sizes) -> Cells:
         key = (within, *self._key(place, sizes))
         if key not in self._cells:
-            board = self.boards.get(places()[place][0].board)
-            drawn = [board.draw(sizes)] if board is not None else []
-            self._cells[key] = cells(place, self.scene, drawn, within, self.lettered)
+            whole = self._views(place, sizes)
+            self._cells[key] = [part for view in whole for part in _parts(view, within)]
         return self._cells[key]
+
+    def _views(self, place: str, sizes: Sizes) -> list[Drawing]:
+        """Return the views of a place as they are drawn, before any of them comes apart."""
+        board = self.boards.get(places()[place][0].board)
+        drawn = [board.draw(sizes)] if board is not None else []
+        key = (place, *(tuple(sizes[name] for name in board.sizes) if board is not None else ()))
+        if self._last.get(place, (None, []))[0] != key:
+            self._last[place] = (key, views_of(place, self.scene, drawn, self.lettered))
+        return self._last[place][1]
 
     def _key(self, place: str, sizes: Sizes) -> Key:
         """Return what the room of a place's views depends on."""
@@ -148,7 +157,7 @@ class Rooms:
         if board is None:
             return (place,)
         if place not in self._depends:
-            views = views_of(place, self.scene, [board.draw(sizes)], False)
+            views = self._views(place, sizes)
             found = [*shown.follows]
             found += [name for view in views for name in shown.sizes(self.scene, view.name)]
             self._depends[place] = tuple(n for n in dict.fromkeys(found) if n in board.sizes)
@@ -181,10 +190,13 @@ def cells(
     if several := places()[place][1].together:
         return [view for one in several for view in cells(one, scene, boards, within, lettered)]
     whole = views_of(place, scene, boards, lettered)
+    return [part for view in whole for part in _parts(view, within)]
+
+
+def _parts(view: Drawing, within: Within) -> Cells:
     return [
-        Drawing(view.name, view.title, cell=bounds(view), stand=view.stand, foot=view.foot)
-        for one in whole
-        for view in settled(one, within)
+        Drawing(part.name, part.title, cell=bounds(part), stand=part.stand, foot=part.foot)
+        for part in settled(view, within)
     ]
 
 

@@ -61,6 +61,7 @@ class Mechanism:
         self.rescaling = Rescaling(self.project, self.doubts)
         self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
         self._drawn: dict[object, Drawn] = {}
+        self._scales: dict[object, dict[str, Scale]] = {}
 
     def freed(self, scene: Scene) -> Mechanism:
         """Return the board for a scene that fixes other scale factors, or orders other sheets."""
@@ -70,7 +71,7 @@ class Mechanism:
         other.whole = (
             other.project if self.whole is self.project else replace(self.whole, scene=scene)
         )
-        other._drawn = {}
+        other._drawn, other._scales = {}, {}
         return other
 
     def chosen(self, sizes: Sizes) -> tuple[tuple[object, float], ...]:
@@ -94,7 +95,10 @@ class Mechanism:
         return found / scales[size].value if size in scales and found > 0.0 else math.inf
 
     def _plans(self, sizes: Sizes) -> dict[str, Scale]:
-        return Fitting(self.project, sizes, self.reach).plan_scales()
+        key = tuple(sizes[name] for name, size in self.sizes.items() if size.in_mm)
+        if key not in self._scales:
+            self._scales[key] = Fitting(self.project, sizes, self.reach).plan_scales()
+        return self._scales[key]
 
     def draw(self, sizes: Sizes) -> Drawn:
         """Return the mechanism with these sizes."""
