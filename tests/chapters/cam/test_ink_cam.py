@@ -197,6 +197,25 @@ def test_a_semicircle_is_divided_at_its_points(name: str) -> None:
                     assert whole.distance(shapely.Point(z.real, z.imag)) < 1.0
 
 
+@pytest.mark.parametrize("name", [n for n in ORDERS if n != "no dwells"])
+def test_the_phases_on_the_profile_are_those_of_the_task(name: str) -> None:
+    """Arcs about the centre, end to end, each as long as its phase; they bear the letters of the diagrams."""
+    of, order = drawn(name), ORDERS[name]
+    ink = profile(of)
+    bows = [
+        s for s in ink.strokes
+        if isinstance(s, Stroke) and s.part == "dimension" and s.path[0][2] and not s.closed
+    ]  # fmt: skip
+    turns = [sum(math.degrees(4 * math.atan(bulge)) for *_, bulge in s.path) for s in bows]
+    due = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    assert [abs(turn) for turn in turns] == pytest.approx(due)
+    assert all((turn < 0) == (order.turns == "counterclockwise") for turn in turns)
+    radii = {round(abs(complex(*vertex[:2])), 6) for s in bows for vertex in s.path}
+    assert len(radii) == 1
+    texts = {label.text for label in ink.labels}
+    assert {"φ_{1}", "φ_{2}", "φ_{3}", "φ_{4}"} <= texts
+
+
 @pytest.mark.slow
 def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     """No centre, no profile; the diagrams stand, and no coordinate is missing on the sheet."""
