@@ -86,7 +86,13 @@ def draw_profile_ink(
     wanted += phase_letters(ink)
     strokes += [*_radii(ink, points), *draw_phases(ink)]
     return Drawing(
-        VIEW, title, tuple(strokes), rubbed=traces.rubbed, shows=(VIEW,), wanted=tuple(wanted)
+        VIEW,
+        title,
+        tuple(strokes),
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=tuple(wanted),
+        numbers=tuple(enumerate(names.positions)),
     )
 
 

@@ -78,10 +78,13 @@ def centre(of: Made, lettered: bool = True) -> Drawing:
     return finished(draw(*on, names, "X", WALL), lettered)
 
 
-def profile(of: Made, lettered: bool = True) -> Drawing:
+def bare_profile(of: Made) -> Drawing:
     names = ProfileNames(positions(of), "r_{0}", "r", "theoretical", "working")
-    made = draw_profile_ink(of.log, of.reading, of.cam, names, "X", WALL)
-    return finished(made, lettered)
+    return draw_profile_ink(of.log, of.reading, of.cam, names, "X", WALL)
+
+
+def profile(of: Made, lettered: bool = True) -> Drawing:
+    return finished(bare_profile(of), lettered)
 
 
 def graphs(of: Made) -> list[str]:
@@ -216,7 +219,7 @@ def test_a_semicircle_is_divided_at_its_points(name: str) -> None:
 def test_the_phases_on_the_profile_are_those_of_the_task(name: str) -> None:
     """Arcs about the centre, end to end, each as long as its phase; they bear the letters of the diagrams."""
     of, order = drawn(name), ORDERS[name]
-    ink = profile(of)
+    ink = bare_profile(of)
     bows = [
         s for s in ink.strokes
         if isinstance(s, Stroke) and s.part == "dimension" and s.path[0][2] and not s.closed
@@ -227,7 +230,7 @@ def test_the_phases_on_the_profile_are_those_of_the_task(name: str) -> None:
     assert all((turn < 0) == (order.turns == "counterclockwise") for turn in turns)
     radii = {round(abs(complex(*vertex[:2])), 6) for s in bows for vertex in s.path}
     assert len(radii) == 1
-    texts = {label.text for label in ink.labels}
+    texts = {one.text for one in ink.wanted}
     assert {"φ_{1}", "φ_{2}", "φ_{3}", "φ_{4}"} <= texts
 
 
