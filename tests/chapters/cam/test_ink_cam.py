@@ -25,12 +25,15 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
+from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, Span, draw_graph
 from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
 
 WALL = HEIGHTS["A1"]
 ROCKING = {**C6, "stroke": 0.35, "pressure": 40.0}
@@ -245,3 +248,14 @@ def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     assert len([s for s in graph(of, "cam S").strokes if isinstance(s, Bezier)]) == 2
     undercut = made(CamTask(**C6, r0=0.0521, roller=0.045))
     assert "nan" not in sheet(views(undercut))
+
+
+def test_what_a_flat_cam_shows_is_lettered_as_what_it_is() -> None:
+    """Its region is S over d²S/dφ², its diagram of curvature that of the radius."""
+    scene = Scene("", "T", "en").asking(cam=ORDERS["flat"])
+    (work,) = make(scene, exact=True).boards
+    shown = [label.text for view in cam_views(work, True) for label in view.labels]
+    assert "d^2S/dφ^2, m" in shown
+    assert "ρ, m" in shown
+    assert "Radius of curvature of the profile" in shown
+    assert not any(text.startswith(("κ", "dS/dφ,")) for text in shown)
