@@ -59,7 +59,13 @@ def test_the_paper_shows_the_sheet_at_its_size(document, sheet) -> None:
 
 def test_layers_by_view_position_and_line_kind(document) -> None:
     layers = {layer.dxf.name: layer for layer in document.layers}
-    due = {"positions_rod", "velocities_main", "velocities-1_medium", "velocities-5_medium"}
+    due = {
+        "positions-2_rod",
+        "positions-5_thin",
+        "velocities_main",
+        "velocities-1_medium",
+        "velocities-5_medium",
+    }
     assert {*due, "accelerations-5_medium", "frame_main"} <= set(layers)
     assert layers["velocities_main"].dxf.lineweight == 80
     assert layers["velocities-1_medium"].dxf.lineweight == 40

@@ -1,8 +1,9 @@
 """Lettering as TEXT of a CAD program: a style by ГОСТ 2.304, each run as long as our own letters are.
 
 A run of letters is one TEXT, fitted between the two points between which it stands here (alignment FIT), so
-that it keeps its place and its length in whatever font a program has; an index is a TEXT of its own size. What
-belongs to one label is a group. What such fonts do not hold for certain, and bars, are drawn.
+that it keeps its place and its length in whatever font a program has; a single letter is not stretched, it
+stands in the middle of its place. An index is a TEXT of its own size. What belongs to one label is a group.
+What such fonts do not hold for certain, and bars, are drawn.
 """
 
 from __future__ import annotations
@@ -83,6 +84,11 @@ class Letterer:
                 "oblique": OBLIQUE if label.inclined else 0.0,
             },
         )
+        if len(run.text) == 1:
+            middle = spot(begin + run.width / 2 * turn)
+            text.set_placement(middle, align=TextEntityAlignment.CENTER)
+            text.dxf.insert = spot(begin)
+            return text
         ends = (spot(begin), spot(begin + run.width * turn))
         return text.set_placement(*ends, align=TextEntityAlignment.FIT)
 
