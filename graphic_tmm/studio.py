@@ -10,7 +10,7 @@ from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting.fit import fitted, fitted_part
+from graphic_tmm.fitting.fit import fitted_boards
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
@@ -36,13 +36,11 @@ def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -
     SheetError
         If a scale factor that it fixes draws a plan too small to measure.
     """
-    found = (fitted_part(scene, board, exact=exact, wanted=wanted) for board in own_boards(scene))
-    parts = tuple(part for part in found if part is not None)
-    if not draws_mechanism(scene, parts):
-        return DrawnScene(scene, parts)
-    drawn = fitted(scene, others=parts, exact=exact, wanted=wanted)
-    refuse_tiny(scene, drawn)
-    return DrawnScene(scene, (drawn, *parts))
+    mechanism = draws_mechanism(scene, own_boards(scene))
+    boards = fitted_boards(scene, exact=exact, wanted=wanted, mechanism=mechanism)
+    if mechanism:
+        refuse_tiny(scene, boards[0])
+    return DrawnScene(scene, boards)
 
 
 def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:

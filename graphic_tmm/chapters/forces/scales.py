@@ -35,9 +35,9 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = (
-    Size("forces", least=0.1, fixed=_fixed),
+    Size("forces", least=0.1, cap=0.42, fixed=_fixed),
     Size("groups", least=0.25),
-    Size("lever", least=0.05),
+    Size("lever", least=0.05, cap=0.45),
 )
 """Of polygons, of the arrows on detached groups, of the lever: shares of the usual room."""
 
@@ -51,9 +51,9 @@ def polygon_scales(project: Project) -> list[Mark]:
 
 
 class Reaches(NamedTuple):
-    """How far the polygons reach, by their μ (N), and the velocity plan that the lever is (m/s)."""
+    """How far the polygons reach, by view (N), and the velocity plan that the lever is (m/s)."""
 
-    polygons: Mapping[Mark, float]
+    polygons: Mapping[str, float]
     lever: float
 
 
@@ -68,7 +68,7 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
     found = {}
     for mu in scales:
         spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
-        found[mu] = extent([np.concatenate([[0j], *spots])])
+        found[mu.view] = extent([np.concatenate([[0j], *spots])])
     far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
     return Reaches(found, far)
 
@@ -82,7 +82,8 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     project, made = fitting.project, FORCES.on(fitting)
     known: Reaches = fitting.reach[FORCES.chapter]
     found: dict[Mark, object] = {}
-    for mu, far in known.polygons.items():
+    for mu in polygon_scales(project):
+        far = known.polygons[mu.view]
         if made.order.mu or far > 0.0:
             found[mu] = made.order.mu or standard(far, POLYGON * fitting.sizes["forces"])
     plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
