@@ -93,6 +93,8 @@ def test_inclined_letters_lean_by_15_degrees_and_raised_ones_stand_farther_right
     a, n = document.modelspace()
     style = document.styles.get(a.dxf.style)
     assert (a.dxf.oblique, style.dxf.oblique, style.dxf.height) == (15.0, 15.0, 0.0)
+    assert document.header["$TEXTSTYLE"] == a.dxf.style
+    assert (style.dxf.font, style.get_extended_font_data()[0]) == ("isocpeur.ttf", "ISOCPEUR")
     upright = opened(sheet_of(labels=(Label("a^n", 50 + 50j, 10, inclined=False),)))
     rise = n.dxf.insert.y - 50
     shifted = n.dxf.insert.x - list(upright.modelspace())[1].dxf.insert.x

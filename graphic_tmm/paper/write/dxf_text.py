@@ -22,6 +22,8 @@ from graphic_tmm.paper.write.svg import shift
 
 FONT = "isocpeur.ttf"
 """Drawn after ISO 3098, nearest to ГОСТ 2.304 among the fonts that come with the CAD programs themselves."""
+FAMILY = "ISOCPEUR"
+"""What the font calls itself, by which Windows finds it."""
 OBLIQUE = 15.0
 """Lean of the letters, degrees from upright (ГОСТ 2.304: about 75° to the base line)."""
 STYLES = {True: "GOST_2.304_INCLINED", False: "GOST_2.304_UPRIGHT"}
@@ -35,9 +37,12 @@ MARKS = "^\\"
 
 
 def add_styles(document: Any) -> None:
-    """Define the two text styles; their height is free, for each TEXT has its own."""
+    """Define the two text styles, the inclined one current; their height is free: each TEXT has its own."""
     for inclined, name in STYLES.items():
-        document.styles.add(name, font=FONT).dxf.oblique = OBLIQUE if inclined else 0.0
+        style = document.styles.add(name, font=FONT)
+        style.dxf.oblique = OBLIQUE if inclined else 0.0
+        style.set_extended_font_data(FAMILY)
+    document.header["$TEXTSTYLE"] = STYLES[True]
 
 
 def writable(character: str) -> bool:
