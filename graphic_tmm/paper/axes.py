@@ -29,8 +29,11 @@ EVERY = (1, 2, 5, 10, 20, 50, 100)
 _HEAVY, _LABEL, _FOOT, _FAR = 20.0, 500.0, 3.0, 0.3
 """What it costs to stand on a main line, on the number before, past another position; a mm from its own. A thin
 line costs 1."""
-_OTHER_SIDE = 10.0
-"""What it costs that the numbers stand above the axis, or one of them on the other side of it than the rest."""
+_OTHER_SIDE, _LOWER = 10.0, 6.0
+"""What it costs that the numbers stand above the axis, or one of them on the other side of it than the rest;
+that all stand on the next level below."""
+DEEPER = (4.5, 9.0)
+"""How far below the first level there are others, mm."""
 
 
 def largest(values: Reals) -> float:
@@ -53,18 +56,26 @@ class _Row(NamedTuple):
 def position_numbers(
     row: Sequence[Named], others: Sequence[Named], strokes: Iterable[Ink], size: float
 ) -> tuple[Label, ...]:
-    """Return the numbers of positions on one level along the base: below it, or above it.
+    """Return the numbers of positions on one level along the base, below it if curves leave room there.
 
     ``row``: the positions that divide the base, with their feet; ``others``: the end of the base, positions
-    beside the row. A number stands beside the perpendicular of its position, where no curve goes. Above the
-    axis they all stand only where curves are in the way below, and one alone only where a curve is in the way
-    of it in all its places. Where they have no room every second, or fifth … position of the row is numbered.
+    beside the row. A number stands beside the perpendicular of its position, where no curve goes. They stand
+    lower, or above the axis, only where curves are in the way, and one alone on the other side only where a
+    curve is in the way of it in all its places. Where they have no room every second, or fifth … position of
+    the row is numbered.
     """
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
     ink = _Inked(strokes)
     low, high = -TICK - CLEAR - size, TICK + CLEAR
-    below, above = _level(there, (low, high), size, ink), _level(there, (high, low), size, ink)
-    return below.labels if below.cost <= above.cost + _OTHER_SIDE else above.labels
+    rows = [
+        _level(there, (low, high), size, ink),
+        _level(there, (high, low), size, ink, _OTHER_SIDE),
+    ]
+    if rows[0].cost > _OTHER_SIDE:
+        rows += [
+            _level(there, (low - by, high), size, ink, k * _LOWER) for k, by in enumerate(DEEPER, 1)
+        ]
+    return min(rows, key=lambda one: one.cost).labels
 
 
 def _thinned(row: Sequence[Named], size: float) -> list[Named]:
@@ -92,10 +103,19 @@ class _Inked:
         return _HEAVY * bold.size + float(self.light.query(near, "intersects").size)
 
 
-def _level(named: Sequence[Named], bases: tuple[float, float], size: float, ink: _Inked) -> _Row:
-    """Return numbers on a level; ``bases``: its height, and the one for what finds no place there, mm."""
+def _level(
+    named: Sequence[Named],
+    bases: tuple[float, float],
+    size: float,
+    ink: _Inked,
+    cost: float = 0.0,
+) -> _Row:
+    """Return numbers on a level; ``bases``: its height, and the one for what finds no place there, mm.
+
+    ``cost``: of the level.
+    """
     labels: list[Label] = []
-    cost, end = 0.0, -math.inf
+    end = -math.inf
     ordered = sorted(named, key=lambda one: one.at.real)
     feet = np.array([one.at.real for one in ordered])
     for one in ordered:
