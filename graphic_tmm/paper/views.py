@@ -100,13 +100,13 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
     left, low, right, top = bounds(view)
     tabular, middle = view.name.startswith("table"), (left + right) / 2
     at, anchor = (left, "start") if tabular else (middle, "middle")
-    labels, widest = list(view.labels), 0.0
+    labels, widest = list(view.labels), 0.0  # leaning tops reach out at the right
     for text, size in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
-        widest = max(widest, made.width)
+        widest = max(widest, made.right if tabular else 2 * made.right - made.width)
     foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)

@@ -15,6 +15,7 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
@@ -22,7 +23,6 @@ from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import fitted
 
 POINTS = {"windrower": "D", "engine": "B"}
 CASES = [

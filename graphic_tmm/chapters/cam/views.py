@@ -27,7 +27,6 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, pole_figures, stacked
 from graphic_tmm.readers.result_table import (
-    SIZE,
     result_table,
 )
 
@@ -125,22 +124,33 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
     language = drawn.scene.language
     words = captions(language)
     limits = [made.order.pressure, made.order.pressure_return or made.order.pressure]
+    high, metre = heights(drawn.scene, PLAN), unit("m", language)
+    flat = isinstance(made.centre, Convexity)
     told = CentreNames(
         names,
-        "S",
-        "dS/dφ",
+        f"S, {metre}",
+        f"d^2S/dφ^2, {metre}" if flat else f"dS/dφ, {metre}",
         f"r_{{0min}} = {_mm(drawn, made.least)}",
         f"r_{{0}} = {_mm(drawn, made.r0)}",
         (f"{number(limits[0], language)}°", f"{number(limits[1], language)}°"),
+        _offset(drawn, made),
     )
-    title = words["cam centre"]
-    if isinstance(made.centre, Convexity):
-        view = draw_convexity_ink(drawn.reading, made, told, title, lettered=lettered)
+    title, on = words["cam centre"], (drawn.construction, drawn.reading, made)
+    if flat:
+        view = draw_convexity_ink(*on, told, title, high)
     else:
         draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
-        view = draw(drawn.reading, made, told, title, lettered=lettered)
+        view = draw(*on, told, title, high)
     lines = [f"r_{{0min}} = {_mm(drawn, made.least)}, r_{{0}} = {_mm(drawn, made.r0)}"]
-    return captioned(view, title, _lengths(drawn, made), *lines)
+    view = finished(view, lettered)
+    return captioned(view, title, _lengths(drawn, made), *lines, heights=high)
+
+
+def _offset(drawn: Drawn, made: Cam) -> str:
+    """Return the offset of the guide with its value."""
+    offset = getattr(made.order.follower, "offset", 0.0)
+    language = drawn.scene.language
+    return f"e = {fixed(1000.0 * abs(offset), 1, language)} {unit('mm', language)}"
 
 
 def _lengths(drawn: Drawn, made: Cam) -> str:
@@ -154,10 +164,14 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
     roller = "r"
     if made.roller is not None:
         roller = f"r = {_mm(drawn, made.roller.radius)}"
-    told = ProfileNames(names, "r_{0}", roller, _("theoretical"), _("working"))
+    r0, high = f"r_{{0}} = {_mm(drawn, made.r0)}", heights(drawn.scene, PLAN)
+    told = ProfileNames(
+        names, r0, roller, _("theoretical"), _("working"), offset=_offset(drawn, made)
+    )
     title = words["cam profile"]
-    view = draw_profile_ink(drawn.reading, made, told, title, lettered=lettered)
-    return captioned(view, title, _lengths(drawn, made))
+    on = (drawn.construction, drawn.reading, made)
+    view = finished(draw_profile_ink(*on, told, title, high), lettered)
+    return captioned(view, title, _lengths(drawn, made), heights=high)
 
 
 def _results(drawn: Drawn) -> Drawing:
@@ -169,4 +183,13 @@ def _results(drawn: Drawn) -> Drawing:
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
     heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
-    return table("table-cam-results", words["cam"], heads, rows, size=SIZE, align=align)
+    high = heights(drawn.scene, PLAN)
+    return table(
+        "table-cam-results",
+        words["cam"],
+        heads,
+        rows,
+        size=high.number,
+        title_size=high.title,
+        align=align,
+    )
