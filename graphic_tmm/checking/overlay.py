@@ -10,13 +10,14 @@ from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.compose.sheets import pack
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.frame.frame import drawing_area, frame
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.packing import Room, pack
+from graphic_tmm.paper.packing import Room
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned
 

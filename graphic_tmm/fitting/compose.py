@@ -7,10 +7,11 @@ from collections.abc import Callable, Sequence
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import number
+from graphic_tmm.paper.compose.sheets import pack
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.frame.frame import drawing_area, frame
-from graphic_tmm.paper.packing import Room, pack, settled
+from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 LENGTHS = "μ_l"

@@ -81,7 +81,10 @@ def _measure(scene: Scene, drawn: Trial | None, others: Sequence[Drawn], cells: 
         key = (place, within, *_depends(place, drawn))
         if key not in cells:
             views = _settled(place, scene, drawn, others, within)
-            cells[key] = [Drawing(view.name, view.title, cell=bounds(view)) for view in views]
+            cells[key] = [
+                Drawing(view.name, view.title, cell=bounds(view), stand=view.stand, foot=view.foot)
+                for view in views
+            ]
         return cells[key]
 
     return room

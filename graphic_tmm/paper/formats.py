@@ -27,12 +27,27 @@ FORMATS: Mapping[str, Format] = MappingProxyType(
     {
         "A1": Format(841.0, 594.0, 0.8, 230.0, 120.0, ("А1",)),
         "A1 portrait": Format(594.0, 841.0, 0.8, 230.0, 120.0),
+        "A2": Format(594.0, 420.0, 0.8, 190.0, 80.0, ("А2",)),
+        "A2 portrait": Format(420.0, 594.0, 0.8, 190.0, 120.0),
+        "A3": Format(420.0, 297.0, 0.6, 160.0, 50.0, ("А3",)),
+        "A3 portrait": Format(297.0, 420.0, 0.6, 160.0, 80.0),
         "A4": Format(210.0, 297.0, 0.6, 140.0, 45.0, ("А4",)),
+        "A4 landscape": Format(297.0, 210.0, 0.6, 100.0, 30.0),
     }
 )
-"""By name: A1 lies unless it is asked to stand, A4 stands (ГОСТ 2.301; lines by ГОСТ 2.303)."""
+"""By name: all of them lie unless they are asked to stand, but A4, which stands (ГОСТ 2.301; lines by ГОСТ
+2.303)."""
 USUAL = "A1"
 """The format of a sheet that does not say."""
+AUTO = "auto"
+"""What a scene writes for the smallest format that holds a sheet's views; until it is found, they are drawn as
+large as on `SENSIBLE`."""
+SENSIBLE = "A2"
+
+
+def growing() -> tuple[str, ...]:
+    """Return the names of formats, the smallest first; of two of one size the usual way first."""
+    return tuple(sorted(FORMATS, key=lambda name: FORMATS[name].width * FORMATS[name].height))
 
 
 def size_of(name: str) -> tuple[float, float]:
@@ -42,7 +57,8 @@ def size_of(name: str) -> tuple[float, float]:
 
 def narrowest(names: Iterable[str]) -> Format:
     """Return the format with the least room of some; the usual one of none."""
-    return min((FORMATS[name] for name in names), key=lambda one: one.room, default=FORMATS[USUAL])
+    there = (FORMATS[SENSIBLE if name == AUTO else name] for name in names)
+    return min(there, key=lambda one: one.room, default=FORMATS[USUAL])
 
 
 def others() -> dict[str, str]:

@@ -10,7 +10,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
+from graphic_tmm.paper.drawing import Drawing, Label, Stand, Stroke, line
 from graphic_tmm.paper.lettering import letters
 
 PITCH = 1.7
@@ -286,7 +286,8 @@ def table(
     if title:
         labels.append(Label(title, complex(0, top + crown + TITLE_GAP), max(size, title_size)))
     labels = [label for label in labels if label.text]
-    return Drawing(name, title, _ruling(edges, step, top, crown), tuple(labels))
+    ruling = _ruling(edges, step, top, crown)
+    return Drawing(name, title, ruling, tuple(labels), stand=Stand(kind="table"))
 
 
 def _row(cells: Sequence[str], size: float) -> tuple[float, float]:

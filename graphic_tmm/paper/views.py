@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.drawing import Drawing, Label, Within
+from graphic_tmm.paper.drawing import Drawing, Label, Stand, Within
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
@@ -44,16 +44,14 @@ def pole_texts(log: Construction, reading: Reading, view: str, language: str) ->
     return found
 
 
-def in_cells(views: Sequence[Drawing]) -> list[Drawing]:
-    """Return views that each take a cell of one size, with their ink in the middle, so that rows align."""
-    boxes = [bounds(view) for view in views]
-    width = max((right - left for left, _, right, _ in boxes), default=0.0)
-    height = max((top - low for _, low, _, top in boxes), default=0.0)
-    made = []
-    for view, (left, low, right, top) in zip(views, boxes, strict=True):
-        x, y = (left + right - width) / 2, (low + top - height) / 2
-        made.append(view._replace(cell=(x, y, x + width, y + height)))
-    return made
+def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawing]:
+    """Return views that stand in rows, in order, each with its own box; ``below``: under another block."""
+    return [view._replace(stand=Stand(block, "row", below)) for view in views]
+
+
+def paired(views: Sequence[Drawing]) -> list[Drawing]:
+    """Return views that stand beside each other: a figure and what belongs to it."""
+    return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
 
 
 def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> Drawing:
@@ -106,11 +104,12 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
         widest = max(widest, made.right if tabular else 2 * made.right - made.width)
+    foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)
     if tabular:
         cell = (left, low, max(right, left + widest), top)
-    return view._replace(labels=tuple(labels), cell=cell, apart=None)
+    return view._replace(labels=tuple(labels), cell=cell, apart=None, foot=foot)
 
 
 def wrapped(text: str, size: float, width: float) -> list[str]:
@@ -152,5 +151,11 @@ def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
     strokes = tuple(stroke for view in moved for stroke in view.strokes)
     labels = tuple(label for view in moved for label in view.labels)
     return Drawing(
-        name, "; ".join(view.title for view in views), strokes, labels, cell, lambda _: views
+        name,
+        "; ".join(view.title for view in views),
+        strokes,
+        labels,
+        cell,
+        lambda _: views,
+        views[0].stand,
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from graphic_tmm.bounds import Bound
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.formats import FORMATS, USUAL, others
+from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, others
 from graphic_tmm.scene import places
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
@@ -101,7 +101,12 @@ _PLACES = Kind(
 class SheetOrder:
     """A sheet, and what is placed on it, in order."""
 
-    format: str = key(v.choice(*FORMATS, **others()), "the format of the sheet", USUAL, USUAL)
+    format: str = key(
+        v.choice(*FORMATS, AUTO, **others()),
+        "the format of the sheet; auto: the smallest that holds it",
+        USUAL,
+        USUAL,
+    )
     place: tuple[str, ...] = made(
         lambda said: said.place or (),
         ("positions", "velocities", "accelerations"),

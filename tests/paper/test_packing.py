@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError, ViewError
-from graphic_tmm.paper.drawing import Drawing, line
-from graphic_tmm.paper.packing import GAP, Room, bounds, pack, settled
+from graphic_tmm.paper.compose.sheets import pack
+from graphic_tmm.paper.drawing import Drawing, Stand, line
+from graphic_tmm.paper.packing import GAP, Room, bounds, settled
 
 ROOM = Room((20.0, 5.0, 836.0, 589.0), ((651.0, 5.0, 836.0, 60.0), (20.0, 575.0, 90.0, 589.0)))
 kinds = st.sampled_from(["velocities-1", "table-links", "accelerations-2"])
@@ -43,16 +44,17 @@ def test_views_never_overlap_or_leave_their_room(rows: list, first: bool) -> Non
 
 
 def test_plans_stand_in_rows_beside_the_plan_of_positions() -> None:
-    views = [view("positions", 200, 300)._replace(leads=True)] + [
-        view(f"velocities-{k}", 100, 90) for k in range(8)
+    views = [view("positions", 200, 300)._replace(stand=Stand(kind="lead"))] + [
+        view(f"velocities-{k}", 100, 90)._replace(stand=Stand("velocities", "row"))
+        for k in range(8)
     ]
     (sheet,) = pack(views, (ROOM, ROOM), "A1")
     first, *rest = map(bounds, sheet)
-    assert first[0] == 20 + GAP
+    assert first[0] == min(box[0] for box in (first, *rest))
     assert all(box[0] >= first[2] + GAP - 1e-6 for box in rest)
-    tops = [box[3] for box in rest]
-    assert tops == sorted(tops, reverse=True)
-    assert len(set(tops)) == 2
+    rows = [round(box[1], 3) for box in rest]
+    assert rows == sorted(rows, reverse=True)
+    assert len(set(rows)) == 2
 
 
 def test_a_view_that_fits_no_sheet_says_its_name_and_size() -> None:

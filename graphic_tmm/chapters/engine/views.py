@@ -19,7 +19,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.paper.views import captioned, in_cells, mu_text, stacked
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked
 from graphic_tmm.readers.result_table import (
     SIZE,
     result_table,
@@ -82,10 +82,10 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     ]
     titles = [view.title for view in views]
     told = f"{mu_text(scale, language)}; {SUMS}"
-    return [
-        captioned(view, escape(title), told)
-        for view, title in zip(in_cells(views), titles, strict=True)
+    shown = [
+        captioned(view, escape(title), told) for view, title in zip(views, titles, strict=True)
     ]
+    return in_rows(shown, VIEW)
 
 
 def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:

@@ -29,7 +29,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.paper.views import captioned, mu_text, paired
 from graphic_tmm.readers.result_table import (
     result_table,
 )
@@ -104,10 +104,13 @@ def _pair(
         language,
         lettered=lettered,
     )
-    return [
-        captioned(figure, title, scales),
-        captioned(plan, caption, mu_text(scale, language), _equation(polygon, language)),
-    ]
+    equation = _equation(polygon, language)
+    return paired(
+        [
+            captioned(figure, title, scales),
+            captioned(plan, caption, mu_text(scale, language), equation),
+        ]
+    )
 
 
 def _equation(polygon: Polygon, language: str) -> str:
