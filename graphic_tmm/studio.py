@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
+from functools import partial
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting.fit import fitted, fitted_part
+from graphic_tmm.fitting.fit import fitted_boards
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
@@ -35,13 +36,11 @@ def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -
     SheetError
         If a scale factor that it fixes draws a plan too small to measure.
     """
-    found = (fitted_part(scene, board, exact=exact, wanted=wanted) for board in own_boards(scene))
-    parts = tuple(part for part in found if part is not None)
-    if not draws_mechanism(scene, parts):
-        return DrawnScene(scene, parts)
-    drawn = fitted(scene, others=parts, exact=exact, wanted=wanted)
-    refuse_tiny(scene, drawn)
-    return DrawnScene(scene, (drawn, *parts))
+    mechanism = draws_mechanism(scene, own_boards(scene))
+    boards = fitted_boards(scene, exact=exact, wanted=wanted, mechanism=mechanism)
+    if mechanism:
+        refuse_tiny(scene, boards[0])
+    return DrawnScene(scene, boards)
 
 
 def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:
@@ -76,14 +75,18 @@ def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:
 
 
 def sheet_files(
-    scene: Scene, formats: Sequence[str] = ("svg",)
+    scene: Scene, formats: Sequence[str] = ("svg",), *, strokes: bool = False
 ) -> tuple[DrawnScene, dict[str, str | bytes]]:
-    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
+    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them.
+
+    ``strokes``: the letters of a DXF as strokes, not as text.
+    """
     from graphic_tmm.paper.write.dxf import dxf
     from graphic_tmm.paper.write.export import pdf, png
     from graphic_tmm.paper.write.svg import svg
 
-    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": dxf}
+    lettered = partial(dxf, stroked=strokes)
+    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": lettered}
     made, drawn = sheets(scene)
     stem = scene_name(scene.source)
     names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]

@@ -36,7 +36,7 @@ BESIDE = 2.2
 """A label farther than this from the ink of its point, mm, gets a leader line."""
 SHORTEST, FLAT = 6.0, 20.0
 """A leader is no shorter, mm, and rises by more degrees than this, or it would be read as a minus."""
-_SOFT, _HEAVY = (
+_SOFT, HEAVY = (
     ("thin", "centre", "dashed", "phantom"),
     ("main", "medium", "joint", "body", "rod", "over"),
 )
@@ -108,7 +108,7 @@ def _inks(strokes: Sequence[Ink]) -> list[_Lines]:
     kinds: dict[str, list[list[complex]]] = {}
     for stroke in strokes:
         if stroke.pen != "paper":
-            kind = "heavy" if stroke.pen in _HEAVY else "soft" if gives_way(stroke) else "firm"
+            kind = "heavy" if stroke.pen in HEAVY else "soft" if gives_way(stroke) else "firm"
             kinds.setdefault(kind, []).append(outline(stroke))
     spots = np.array([z for lines in kinds.values() for points in lines for z in points])
     if not spots.size:
