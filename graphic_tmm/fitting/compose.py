@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.compose.sheets import pack
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
@@ -28,14 +29,15 @@ def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
     placed_views = laid(scene, views)
     count = len(placed_views)
     sheets = []
-    for index, (format, placed) in enumerate(placed_views):
+    for index, (k, format, placed) in enumerate(placed_views):
         edge = frame(
             format,
             language=scene.language,
             first=index == 0,
             number=index + 1,
             count=count,
-            fields=_fields(scene, boards),
+            fields=_fields(scene, boards, k),
+            check=scene.print_check,
         )
         name = f"sheet-{index + 1}" if count > 1 else "sheet"
         width, height = size_of(format)
@@ -56,13 +58,13 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     ]
 
 
-def laid(scene: Scene, views: Views) -> list[tuple[str, list[Drawing]]]:
-    """Return the views placed, sheet by sheet, with the formats of the sheets."""
-    found: list[tuple[str, list[Drawing]]] = []
-    for order, rooms in orders(scene):
+def laid(scene: Scene, views: Views) -> list[tuple[int, str, list[Drawing]]]:
+    """Return the views placed, sheet by sheet, with the order (index) and the format of each."""
+    found: list[tuple[int, str, list[Drawing]]] = []
+    for k, (order, rooms) in enumerate(orders(scene)):
         within = rooms[0].within
         there = [view for place in order.place for view in views(place, within)]
-        found += [(order.format, placed) for placed in pack(there, rooms, order.format)]
+        found += [(k, order.format, placed) for placed in pack(there, rooms, order.format)]
     return found
 
 
@@ -80,9 +82,12 @@ def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
     return Room(area.inner, area.occupied)
 
 
-def _fields(scene: Scene, boards: Sequence[Drawn]) -> dict[str, str]:
-    fields = dict(scene.title_block)
-    fields.setdefault("name", scene.title)
+def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:
+    """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0."""
+    fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
+    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{k + 1:02d}")
+    fields["name"] = order.name or fields.get("name") or scene.title
+    fields["designation"] = order.designation or fields.get("designation") or series
     scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]
     if scales:
         reduction = scales[0].value * 1000.0
