@@ -59,6 +59,7 @@ from graphic_tmm.chapters.kinematics.scales import (
     SCALE_KEYS,
     SIZES,
     extents,
+    outlying,
     plan_scales,
     sizes_of,
 )
@@ -133,6 +134,7 @@ CHAPTER = Chapter(
     record=record,
     reach=extents,
     plan_scales=plan_scales,
+    warnings=outlying,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     undrawn=_undrawn,
     ranges=_ranges,
