@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
+from functools import partial
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import MOST, Hand
@@ -74,14 +75,18 @@ def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:
 
 
 def sheet_files(
-    scene: Scene, formats: Sequence[str] = ("svg",)
+    scene: Scene, formats: Sequence[str] = ("svg",), *, strokes: bool = False
 ) -> tuple[DrawnScene, dict[str, str | bytes]]:
-    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
+    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them.
+
+    ``strokes``: the letters of a DXF as strokes, not as text.
+    """
     from graphic_tmm.paper.write.dxf import dxf
     from graphic_tmm.paper.write.export import pdf, png
     from graphic_tmm.paper.write.svg import svg
 
-    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": dxf}
+    lettered = partial(dxf, stroked=strokes)
+    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": lettered}
     made, drawn = sheets(scene)
     stem = scene_name(scene.source)
     names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]

@@ -28,12 +28,14 @@ from graphic_tmm.language.said import said
     show_default=True,
     help=said("svg, pdf, png, dxf; several with commas."),
 )
+@click.option("--strokes", is_flag=True, help=said("DXF: letters as strokes, not as text."))
 @hands
 @budgeted
 def draw(
     scene: str | None,
     output: str,
     forms: str,
+    strokes: bool,
     hand: str | None,
     seed: int | None,
     budget: str | None,
@@ -52,7 +54,8 @@ def draw(
         )
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
-    made, texts = sheet_files(replace(task, language=asked() or task.language), wanted)
+    spoken = replace(task, language=asked() or task.language)
+    made, texts = sheet_files(spoken, wanted, strokes=strokes)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

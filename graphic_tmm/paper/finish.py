@@ -28,8 +28,9 @@ def finished(view: Drawing, lettered: bool = True) -> Drawing:
         cell = (min(sides[0]), min(sides[1]), max(sides[2]), max(sides[3]))
         return view._replace(cell=cell, wanted=())
     labels = place(view.wanted, view.strokes, view.labels)
-    strokes = interrupt([*view.strokes, *leaders(view.wanted, labels)], labels)
-    return view._replace(strokes=strokes, labels=(*view.labels, *labels), wanted=())
+    whole = (*view.labels, *labels)
+    strokes = interrupt([*view.strokes, *leaders(view.wanted, labels)], whole)
+    return view._replace(strokes=strokes, labels=whole, wanted=())
 
 
 def _about(one: Wanted) -> tuple[float, float, float, float]:
