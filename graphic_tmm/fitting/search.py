@@ -10,6 +10,7 @@ Mechanism and parts go one road: all of them are tried together, on the sheets t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 from graphic_tmm.chapter import chapters, places
@@ -48,13 +49,18 @@ class Search:
     def sizes(self) -> Sizes:
         """Return the sizes in which everything is drawn."""
         least = self._held(self._least())
+        if math.isinf(self.rooms.count(least)):
+            # what is allowed for letters may be more than they take
+            self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
-        most = max(len(self.scene.sheets), self.rooms.count(least))
-        found = self.lettered(self.lifted(least, free, most), most)
-        if found is None:
-            most = self.written.count(least)
-            found = self.lettered(self.lifted(least, free, most), most)
-        return found or least
+        for most in (self.rooms.count(least), self.written.count(least)):
+            most = max(len(self.scene.sheets), most)
+            found = (
+                None if math.isinf(most) else self.lettered(self.lifted(least, free, most), most)
+            )
+            if found is not None:
+                return found
+        return least
 
     def with_board(self, board: Board) -> Search:
         """Return a search with another board of the same name, for its scene."""
