@@ -22,8 +22,9 @@ def finished(view: Drawing, lettered: bool = True) -> Drawing:
     if not view.wanted:
         return view
     if not lettered:
-        left, low, right, top = bounds(view._replace(wanted=()))
-        boxes = [(left, low, right, top), *(_about(one) for one in view.wanted)]
+        boxes = [_about(one) for one in view.wanted]
+        if view.strokes or view.labels or view.cell is not None:
+            boxes.append(bounds(view._replace(wanted=())))
         sides = list(zip(*boxes, strict=True))
         cell = (min(sides[0]), min(sides[1]), max(sides[2]), max(sides[3]))
         return view._replace(cell=cell, wanted=())
