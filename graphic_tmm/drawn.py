@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.board.record import Construction, Mark
@@ -25,14 +25,19 @@ MEASURED: Mapping[Any, str] = {Angle: "°", Length: "mm"}
 
 
 class Numbers(NamedTuple):
-    """What an execution gave: ``whole`` at all positions, ``own`` of the views that have rows of their own."""
+    """What an execution gave: ``whole`` at all positions, ``own`` of the views that have rows of their own.
+
+    ``drawn``: all that was executed, at all positions, what is lost among it.
+    """
 
     whole: Reading
     own: Mapping[str, Reading]
+    drawn: Reading
 
     def trial(self, k: int) -> Numbers:
         """Return the numbers of one trial."""
-        return Numbers(self.whole.trial(k), {view: one.trial(k) for view, one in self.own.items()})
+        own = {view: one.trial(k) for view, one in self.own.items()}
+        return Numbers(self.whole.trial(k), own, self.drawn.trial(k))
 
 
 @dataclass(frozen=True)
@@ -109,9 +114,9 @@ class Drawn:
 
     def findings(self) -> tuple[Finding, ...]:
         """Return what could not be drawn, or was drawn at the edge of its possibility, or is left out."""
-        log = self.construction
-        marks = [step.it for step in log.steps if not step.op.across]
-        found = examine(log, self.given, marks, hand=self.hand, doubts=self.reading.doubts)
+        log, drawn = self.construction, self.numbers.drawn
+        marks = [step.it for step in log.steps if not step.op.across and step.it in drawn]
+        found = examine(log, self.given, marks, doubts=self.reading.doubts, drawn=drawn)
         own = [one for chapter in self.project.chapters for one in chapter.findings(self)]
         return (*self._asked_for(found), *own)
 
@@ -171,7 +176,7 @@ def doubted(project: Project) -> Doubts:
 
 
 def read(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Doubts) -> Numbers:
-    """Execute the log: views with rows of their own at their positions, all else at all of them.
+    """Execute the log, once; views with rows of their own are told at their positions, all else at all of them.
 
     What is lost is not there.
     """
@@ -187,18 +192,27 @@ def read(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Dou
     nothing = {}
     for chapter in project.chapters:
         nothing |= chapter.nothing(project, doubts)
-    still = {m for m in log.given if m.view not in rows}
-    still |= {m for s in log.steps if s.it.view not in rows for m in (s.it, *s.uses)}
-    whole = execute(log, given, still, hand=hand).doubted(own)
+    idle = {view for view, places in rows.items() if not places}
+    sliced = needed(log, _marks(log, idle))
+    wanted = _marks(log, idle) | {mark for step in sliced for mark in (step.it, *step.uses)}
+    drawn = execute(log, given, wanted, hand=hand)
+    whole = drawn.only(_marks(log, rows)).doubted(own)
     whole = whole.without(doubts.lost).without(nothing)
     found = {}
     for view, places in rows.items():
         if places:
             steps = [step for step in log.steps if step.it.view == view]
             marks = {mark for step in steps for mark in (step.it, *step.uses)}
-            planned = execute(log, given, marks, hand=hand, positions=places)
+            planned = drawn.only(marks).cut(places)
             found[view] = planned.without(doubts.lost, places).doubted(own, places)
-    return Numbers(whole, found)
+    return Numbers(whole, found, drawn)
+
+
+def _marks(log: Construction, left_out: Container[str]) -> set[Mark]:
+    """Return what is given and made in views that are not left out, and what is used there."""
+    found = {mark for mark in log.given if mark.view not in left_out}
+    steps = (step for step in log.steps if step.it.view not in left_out)
+    return found | {mark for step in steps for mark in (step.it, *step.uses)}
 
 
 def view_scales(project: Project, reading: Reading) -> dict[str, Scale]:

@@ -7,11 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import DrawnScene, doubted
-from graphic_tmm.fitting.scales import executed, reach_of, usual
+from graphic_tmm.fitting.scales import chosen, reach_of, usual
 from graphic_tmm.project import Project, own_boards, record
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism
@@ -61,10 +62,9 @@ def on_board(
     project = record(scene, board, wanted)
     given = _pin(project, scales)
     if missing := [mark for mark in project.construction.given if mark not in given]:
-        doubts = doubted(project) if board == MECHANISM else None
-        reach = reach_of(project, doubts) if doubts is not None else {}
-        free = executed(project, usual(scene), reach, doubts, exact=True).given
-        given |= {mark: free[mark] for mark in missing}
+        reach = reach_of(project, doubted(project) if board == MECHANISM else Doubts((), {}))
+        free = chosen(project, usual(scene), reach)[0]
+        given |= {mark: free.get(mark, 1.0) for mark in missing}
     return replace(project, given=given)
 
 

@@ -70,6 +70,11 @@ class Doubts:
         self._known, self._to_scale, self._ruler = lost, to_scale, ruler
         self._positions = max((v.shape[1] for v in self._given.values()), default=1)
 
+    @property
+    def drawn(self) -> Mapping[int, Any]:
+        """What an exact hand draws of what is given here, by slot, at all positions; nothing of no steps."""
+        return self._found.values if self.steps else {}
+
     def bound(self, mark: Mark) -> Reals:
         """Return how far a mark may be off, in its own unit, (1, position); of a line its direction."""
         return self._found.bounds.get(mark.slot, NOTHING)

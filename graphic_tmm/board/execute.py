@@ -65,6 +65,17 @@ class Reading:
             values[slot] = blank(values[slot], at(mask, places))
         return replace(self, values=values)
 
+    def only(self, marks: Iterable[Mark]) -> Reading:
+        """Return the numbers of some marks, of those that are there."""
+        values = self.values
+        slots = sorted({mark.slot for mark in marks} & values.keys())
+        return replace(self, values={slot: values[slot] for slot in slots})
+
+    def cut(self, places: Sequence[int]) -> Reading:
+        """Return the numbers at some positions (indices)."""
+        values = {slot: cut(value, places) for slot, value in self.values.items()}
+        return replace(self, values=values, positions=len(places))
+
     def trial(self, k: int) -> Reading:
         """Return the numbers of one trial."""
         return replace(self, values=_Trial(self.values, k))
@@ -72,6 +83,15 @@ class Reading:
     def __contains__(self, mark: object) -> bool:
         """Whether the value of ``mark`` was asked for."""
         return isinstance(mark, Mark) and mark.slot in self.values
+
+
+def cut(value: Any, places: Sequence[int]) -> Any:
+    """Return a value at some positions; a curve is whole."""
+    if isinstance(value, Curve):
+        return value
+    if isinstance(value, tuple):
+        return type(value)(*(cut(array, places) for array in value))
+    return value if value.shape[1] == 1 else value[:, list(places)]
 
 
 class _Trial(Mapping[int, Any]):

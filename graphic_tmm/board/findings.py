@@ -56,17 +56,19 @@ def examine(
     hand: Hand = EXACT,
     positions: Sequence[int] | None = None,
     doubts: Doubts | None = None,
+    drawn: Reading | None = None,
 ) -> tuple[Finding, ...]:
     """Return what happened on the way to the wanted marks, in the order of the log; then what is left out.
 
     ``positions``: the indices looked at; None for all. Findings name the indices of the whole axis.
-    ``doubts``: of the steps at these positions, if they are known.
+    ``doubts``: of the steps at these positions, if they are known; ``drawn``: the drawing by the hand, if it
+    is made already.
     """
     steps = needed(construction, wanted)
     if not steps:
         return ()
     marks = {mark for step in steps for mark in (step.it, *step.uses)}
-    reading = execute(construction, given, marks, hand=hand, positions=positions)
+    reading = drawn or execute(construction, given, marks, hand=hand, positions=positions)
     if doubts is None:
         doubts = Doubts(
             steps, {mark: reading[mark] for mark in marks if mark in construction.given}

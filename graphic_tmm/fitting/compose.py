@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import number
-from graphic_tmm.paper.compose.sheets import pack
+from graphic_tmm.paper.compose.sheets import Order, composed, moved, shared
+from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.frame.frame import drawing_area, frame
@@ -58,12 +59,32 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
 
 def laid(scene: Scene, views: Views) -> list[tuple[str, list[Drawing]]]:
     """Return the views placed, sheet by sheet, with the formats of the sheets."""
-    found: list[tuple[str, list[Drawing]]] = []
+    wanted, there = _wanted(scene, views)
+    boxes = [outline for order in wanted for outline in order.outlines]
+    return [
+        (
+            wanted[sheet.order].format,
+            [moved(there[k], boxes[k], at) for k, at in sorted(places.items())],
+        )
+        for sheet, places in composed(wanted)
+    ]
+
+
+def counted(scene: Scene, views: Views) -> int:
+    """Return how many sheets views take, found fast; raises as `laid`."""
+    wanted, _ = _wanted(scene, views)
+    return len(shared(wanted))
+
+
+def _wanted(scene: Scene, views: Views) -> tuple[list[Order], list[Drawing]]:
+    """Return the orders of a scene's sheets as boxes, and the views of all of them in the same order."""
+    found, there = list[Order](), list[Drawing]()
     for order, rooms in orders(scene):
         within = rooms[0].within
-        there = [view for place in order.place for view in views(place, within)]
-        found += [(order.format, placed) for placed in pack(there, rooms, order.format)]
-    return found
+        own = [view for place in order.place for view in views(place, within)]
+        found.append(Order(tuple(Outline.of(view) for view in own), rooms, order.format))
+        there += own
+    return found, there
 
 
 def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) -> list[Drawing]:

@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import MECHANISM, Size, chapters, places
 from graphic_tmm.drawn import Drawn, doubted
@@ -22,6 +23,7 @@ from graphic_tmm.scene.records import Scene
 MEASURABLE = 40.0
 """What grows is no shorter, mm, if the choice of μ is free and a sheet holds it. Half a division of 0.5 mm is
 0.6 % of that."""
+NO_DOUBTS = Doubts((), {})
 STEP, TRIALS = 0.93, 40
 """By how much at least a size gives way at a time; how often. All of them leave a twentieth."""
 
@@ -79,15 +81,19 @@ def fitted_part(
     if wanted is not None and not own & wanted:
         return None
     sizes: Sizes = usual(scene)
-    normal = drawn = executed(project, sizes, {}, None, exact=True)
+    normal = drawn = executed(project, sizes, reach_of(project, NO_DOUBTS), None, exact=True)
     for _ in range(TRIALS):
         less = _smaller(too_large(scene, Trial.of(drawn), {}), sizes, scene)
         if less == sizes:
             break
         sizes, shares = less, {name: share for name, share in less.items() if share < 1.0}
         project = record(scene, board, sizes=shares, usual=normal)
-        drawn = executed(project, sizes, {}, None, exact=True)
-    return drawn if exact else executed(project, sizes, {}, None, exact=False)
+        drawn = executed(project, sizes, reach_of(project, NO_DOUBTS), None, exact=True)
+    return (
+        drawn
+        if exact
+        else executed(project, sizes, reach_of(project, NO_DOUBTS), None, exact=False)
+    )
 
 
 def _sizes(project: Project) -> dict[str, Size]:
@@ -111,7 +117,7 @@ class _Trials:
 
     def scales(self, sizes: Sizes) -> Mapping[str, Scale]:
         """Return μ of the plans."""
-        return Fitting(self.project, sizes, self.doubts, self.reach).plan_scales()
+        return Fitting(self.project, sizes, self.reach).plan_scales()
 
     def trial(self, sizes: Sizes) -> Trial:
         """Return a drawing that is made when something of it has to be measured."""

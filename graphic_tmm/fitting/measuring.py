@@ -8,7 +8,7 @@ from typing import NamedTuple
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.compose import Views, laid, orders, views_of
+from graphic_tmm.fitting.compose import Views, counted, orders, views_of
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.packing import bounds, holds, settled, share
@@ -53,7 +53,7 @@ def needed(scene: Scene, drawn: Trial | None, others: Sequence[Drawn], cells: Ce
     ViewError
         If a view fits no sheet.
     """
-    return len(laid(scene, _measure(scene, drawn, others, cells)))
+    return counted(scene, _measure(scene, drawn, others, cells))
 
 
 def too_large(scene: Scene, drawn: Trial, cells: Cells) -> list[TooLarge]:

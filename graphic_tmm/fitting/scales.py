@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -13,18 +12,20 @@ from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapter import chapters
-from graphic_tmm.drawn import Drawn, hand_of, read
+from graphic_tmm.drawn import Drawn, Numbers, hand_of, read
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.paper.formats import FORMATS, USUAL, narrowest
+from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
 Sizes = Mapping[str, float]
 """How large what is drawn may be, by the names that chapters give to sizes."""
+GRAPHS = "graphs"
+"""Graphs on axes, of whatever chapter."""
 
 
 def usual(scene: Scene) -> dict[str, float]:
@@ -37,12 +38,11 @@ class Fitting:
     """What chapters choose their scale factors by.
 
     ``given``: what is given so far, scale factors chosen before among it; ``reach``: by chapter, what it goes
-    by. What is lost by ``doubts`` sets no scale factor, and is not there.
+    by, see `reach_of`.
     """
 
     project: Project
     sizes: Sizes
-    doubts: Doubts
     reach: Mapping[str, Any]
     given: Mapping[Mark, object] = field(default_factory=dict)
 
@@ -55,12 +55,6 @@ class Fitting:
     def made(self) -> Mapping[str, Any]:
         """What the chapters made."""
         return self.project.made
-
-    @property
-    def ones(self) -> dict[Mark, object]:
-        """What is given, with all scales of graphs that may be chosen 1: a mm of them is what it stands for."""
-        free = {chart.mu: 1.0 for chart in self.project.charts if chart.chosen}
-        return {**self.given, **free}
 
     def plan_scales(self) -> dict[str, Scale]:
         """Return μ of the plans, by view."""
@@ -84,9 +78,38 @@ class Fitting:
         return dict[Mark, object](found)
 
 
+def unscaled(project: Project, doubts: Doubts, marks: Iterable[Mark]) -> Reading:
+    """Return marks as the exact hand draws them with every free scale factor 1: a mm is then an SI unit.
+
+    What is lost by ``doubts`` is not there. They know the drawing already; without them its slice is run.
+    """
+    log = project.construction
+    if doubts.drawn:
+        values = {mark.slot: doubts.drawn[mark.slot] for mark in marks}
+        return Reading(values, len(project.names)).without(doubts.lost)
+    return execute(log, {**dict.fromkeys(log.given, 1.0), **project.given}, marks)
+
+
 def reach_of(project: Project, doubts: Doubts) -> dict[str, Any]:
-    """Return, by chapter, what it chooses its scale factors by."""
-    return {one.name: one.reach(project, doubts) for one in project.chapters}
+    """Return, by chapter, what it chooses its scale factors by; under `GRAPHS` what the graphs go by.
+
+    All of it is read off one drawing, see `unscaled`.
+    """
+    found = {one.name: one.reach(project, doubts) for one in project.chapters}
+    return {**found, GRAPHS: _figures(project, doubts)}
+
+
+def chosen(
+    project: Project, sizes: Sizes, reach: Mapping[str, Any]
+) -> tuple[dict[Mark, object], dict[str, Scale]]:
+    """Choose the scale factors of what was recorded: all that is given then, and μ of the plans by view."""
+    fitting = Fitting(project, sizes, reach, dict(project.given))
+    scales = fitting.plan_scales()
+    plans = {project.scale(view): scale.value for view, scale in scales.items()}
+    fitting = replace(fitting, given={**fitting.given, **plans})
+    for chapter in project.chapters:
+        fitting = replace(fitting, given={**fitting.given, **chapter.scales(fitting)})
+    return {**fitting.given, **_graph_scales(fitting)}, scales
 
 
 def executed(
@@ -96,24 +119,20 @@ def executed(
     doubts: Doubts | None,
     *,
     exact: bool,
+    numbers: Callable[[Mapping[Mark, object]], Numbers] | None = None,
 ) -> Drawn:
     """Choose the scale factors of what was recorded, and execute it.
 
     ``reach``: see `reach_of`; ``doubts``: what rounding does to it, if that is known before its scale factors
-    are: else it is found with these. ``exact`` switches the rounding of the ruler off.
+    are: else it is found with these. ``exact`` switches the rounding of the ruler off. ``numbers``: what is
+    given -> its numbers, if they are known without executing it.
 
     Raises
     ------
     StructureError
         If none of the positions can be drawn.
     """
-    fitting = Fitting(project, sizes, doubts or Doubts((), {}), reach, dict(project.given))
-    scales = fitting.plan_scales()
-    chosen = {project.scale(view): scale.value for view, scale in scales.items()}
-    fitting = replace(fitting, given={**fitting.given, **chosen})
-    for chapter in project.chapters:
-        fitting = replace(fitting, given={**fitting.given, **chapter.scales(fitting)})
-    given = {**fitting.given, **_graph_scales(fitting)}
+    given, scales = chosen(project, sizes, reach)
     # a scale factor that nobody has a value for is that of views in which nothing has a length
     idle = {view.scale: 1.0 for view in project.construction.views if view.scale is not None}
     idle = {mu: one for mu, one in idle.items() if mu in project.construction.given}
@@ -121,13 +140,13 @@ def executed(
     scene = project.scene
     hand = EXACT if exact else hand_of(scene)
     doubts = doubts or Doubts(project.construction.steps, given)
-    numbers = read(project, given, hand, doubts)
+    found = numbers(given) if numbers is not None else read(project, given, hand, doubts)
     named: dict[str, Scale] = {}
     for chapter in project.chapters:
-        named |= chapter.named(project, numbers.whole, told)
-    graphs = _told(project, numbers.whole)
+        named |= chapter.named(project, found.whole, told)
+    graphs = _told(project, found.whole)
     scales |= {view: scale for view, scale in graphs.items() if view not in named} | named
-    missing = {k for one in project.chapters for k in one.undrawn(project, numbers.whole)}
+    missing = {k for one in project.chapters for k in one.undrawn(project, found.whole)}
     if missing and len(missing) == len(project.names):
         over = joined("", (one.ranges(project) for one in project.chapters))
         raise StructureError(
@@ -136,58 +155,51 @@ def executed(
             )
         )
     undrawn = tuple(sorted(missing))
-    return Drawn(project, given, scales, numbers, hand, doubts, undrawn, sizes, reach)
+    return Drawn(project, given, scales, found, hand, doubts, undrawn, sizes, reach)
+
+
+def _figures(project: Project, doubts: Doubts) -> dict[str, float]:
+    """Return what the size of every graph stands for (SI), by view.
+
+    With every scale that may be chosen at 1, an ordinate times its μ is what it stands for.
+    """
+    charts = [chart for chart in project.charts if chart.chosen]
+    wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.figure, chart.mu)]
+    reading = unscaled(project, doubts, wanted)
+    return {chart.view: _figure(chart, reading) for chart in charts}
+
+
+def _figure(chart: Chart, reading: Reading) -> float:
+    rows = [reading[m].imag for m in chart.figure] or [reading[m] for m in chart.ordinates]
+    heights = np.concatenate(list(map(np.ravel, rows))) * float(reading[chart.mu][0, 0])
+    there = np.isfinite(heights)
+    if chart.room is not None:
+        return float(np.max(np.abs(heights), initial=0.0, where=there))
+    reach = [float(np.max(sign * heights, initial=0.0, where=there)) for sign in (1.0, -1.0)]
+    return sum(reach)
 
 
 def _graph_scales(fitting: Fitting) -> dict[Mark, float]:
-    """Return the values of the scale marks of the graphs, all other scale factors being given."""
-    project, share = fitting.project, fitting.sizes.get("graphs", 1.0)
+    """Return the values of the scale marks of graphs that may be chosen, all other scale factors being given.
+
+    Graphs that share a scale are all of them held to their room.
+    """
+    project, share = fitting.project, fitting.sizes.get(GRAPHS, 1.0)
     heights: dict[str, float] = {}
     for one in project.chapters:
         height = _graphs_on(fitting.scene, {place.name for place in one.places})
         heights |= {chart.view: height * share for chart in one.charts(project.made[one.name])}
-    charts = [chart.shrunk(share) for chart in project.charts]
-    return free_scales(charts, project.construction, fitting.given, heights, fitting.doubts.lost)
+    found: dict[Mark, float] = {}
+    for chart in (chart.shrunk(share) for chart in project.charts if chart.chosen):
+        room = heights[chart.view] if chart.room is None else chart.room
+        mu = chart.wanted or standard(fitting.reach[GRAPHS][chart.view], room)
+        found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
+    return found
 
 
 def _graphs_on(scene: Scene, places: set[str]) -> float:
     """Return how high a graph of some places may be on the sheets that show them, mm."""
     return narrowest(sheet.format for sheet in scene.sheets if places & set(sheet.place)).graph
-
-
-def free_scales(
-    charts: Sequence[Chart],
-    construction: Construction,
-    given: Mapping[Mark, object],
-    heights: Mapping[str, float] = MappingProxyType({}),
-    lost: Mapping[int, np.ndarray] = MappingProxyType({}),
-) -> dict[Mark, float]:
-    """Return the values of the scale marks of graphs that may be chosen, all else ``given``.
-
-    With every scale that may be chosen at 1, an ordinate times its μ is what it stands for. Graphs that share a
-    scale are all of them held to their room. ``heights``: how high a whole figure may be, by view, mm.
-    """
-    free = {chart.mu: 1.0 for chart in charts if chart.chosen}
-    wanted = [mark for chart in charts for mark in (*chart.ordinates, *chart.figure, chart.mu)]
-    reading = execute(construction, {**given, **free}, wanted).without(lost)
-    found: dict[Mark, float] = {}
-    for chart in charts:
-        if chart.chosen:
-            height = heights.get(chart.view, FORMATS[USUAL].graph)
-            mu = chart.wanted or standard(*_figure(chart, reading, height))
-            found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
-    return found
-
-
-def _figure(chart: Chart, reading: Reading, height: float) -> tuple[float, float]:
-    """Return what the size of a graph stands for (SI), and the room for it, mm."""
-    rows = [reading[m].imag for m in chart.figure] or [reading[m] for m in chart.ordinates]
-    heights = np.concatenate(list(map(np.ravel, rows))) * float(reading[chart.mu][0, 0])
-    there = np.isfinite(heights)
-    if chart.room is not None:
-        return float(np.max(np.abs(heights), initial=0.0, where=there)), chart.room
-    reach = [float(np.max(sign * heights, initial=0.0, where=there)) for sign in (1.0, -1.0)]
-    return sum(reach), height
 
 
 def _told(project: Project, reading: Reading) -> dict[str, Scale]:

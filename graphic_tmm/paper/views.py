@@ -21,6 +21,8 @@ BELOW = 0.7
 """Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
 COLUMN = 12.0
 """A title wider than its view is broken, but never into lines shorter than this, of its height."""
+NUMERALS = "0123456789*°.,"
+"""What the number of a position consists of."""
 STACK = 5.0
 """Clear height between two diagrams of a stack, mm."""
 
@@ -62,8 +64,8 @@ def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> D
     if view.name.startswith("table"):
         told = [(text, heights.number) for text in lines]
     else:
-        widest = max(right - left, COLUMN * heights.title)
-        told = [(part, heights.title) for part in _broken(lines[:1], heights.title, widest)]
+        titles = [_titled(text, heights.title, right - left) for text in lines[:1]]
+        told = [(part, heights.title) for parts in titles for part in parts]
         told += [(text, heights.point) for text in lines[1:]]
 
     def apart(within: Within) -> list[Drawing]:
@@ -74,6 +76,16 @@ def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> D
         ]
 
     return _above(told, view)._replace(apart=apart)
+
+
+def _titled(text: str, size: float, width: float) -> list[str]:
+    """Return a title in lines, broken where it is wider than its view.
+
+    Of a series only the numbers at the end differ: either all titles of it are broken, or none is.
+    """
+    stem = letter(text.rstrip(NUMERALS), size=size).width
+    most = max(width, COLUMN * size)
+    return [text] if stem + 2 * size <= most else wrapped(text, size, min(stem, most))
 
 
 def _broken(lines: Sequence[str], size: float, width: float) -> list[str]:

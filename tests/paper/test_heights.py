@@ -74,3 +74,14 @@ def test_the_title_of_a_caption_is_larger_and_broken_over_a_narrow_view() -> Non
     assert all(a.disjoint(b) for a, b in pairwise(boxes))
     left, low, right, top = bounds(told)
     assert shapely.box(left, low, right, top).buffer(1e-9).covers(shapely.union_all(boxes))
+
+
+@pytest.mark.parametrize("title", ["План скоростей, положение", "План сил, поз.", "Группа 4-5"])
+@pytest.mark.parametrize("width", range(20, 160, 4))
+def test_the_titles_of_a_series_are_all_broken_or_none(width: int, title: str) -> None:
+    view = Drawing("plan", "", (line("main", 0j, width + 30j),))
+    counts = set()
+    for name in ("0", "7*", "11", "105°"):
+        told = captioned(view, f"{title} {name}", heights=HEIGHTS["A1"])
+        counts.add(len(told.labels))
+    assert len(counts) == 1

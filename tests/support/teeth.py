@@ -48,7 +48,7 @@ class Pair(NamedTuple):
             self.project,
             self.given,
             {},
-            Numbers(self.reading, {}),
+            Numbers(self.reading, {}, self.reading),
             EXACT,
             Doubts((), {}),
             (),
@@ -80,7 +80,7 @@ class Pair(NamedTuple):
 
 def pair(order: GearTask, **options: Any) -> Pair:
     project = record(Scene("", "T", "en").asking(gears=order), GEARS.chapter)
-    fitting = Fitting(project, {}, Doubts((), {}), {}, dict(project.given))
+    fitting = Fitting(project, {}, {}, dict(project.given))
     given = {**project.given, **gear_scales(fitting)}
     return Pair(project, given, execute(project.construction, given, **options))
 

@@ -32,7 +32,7 @@ from graphic_tmm.chapters.engine.accuracy import ACCURACY
 from graphic_tmm.chapters.engine.captions import CAPTIONS
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
-from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named
+from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
 from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views
@@ -86,6 +86,7 @@ CHAPTER = Chapter(
     sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,
+    reach=reach,
     scales=engine_scales,
     named=named,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),

@@ -7,12 +7,13 @@ from collections.abc import Container
 import numpy as np
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW
-from graphic_tmm.fitting.scales import Fitting
+from graphic_tmm.fitting.scales import Fitting, unscaled
 from graphic_tmm.project import Project
 
 TRIANGLE, VECTOR = 60.0, 70.0
@@ -23,22 +24,24 @@ SCALE_KEYS = {VIEW: "mu_F_engine", HARMONICS: "mu_F_harmonics"} | {
 """What the scale factors are called where machines read them."""
 
 
-def engine_scales(fitting: Fitting) -> dict[Mark, object]:
-    """Return μ of an engine's force triangles and of its rotating vectors: standard ones."""
-    made = ENGINE.on(fitting)
-    given = {**fitting.given, **fitting.shorter("graphs", [("engine.base", VIEW, roles.BASE)])}
-    ones = {**given, **fitting.ones, made.mu: 1.0, made.harmonics.mu: 1.0}
-    ends = list(made.harmonics.ends)
-    wanted = [made.values["P′"], *ends]
-    reading = execute(fitting.project.construction, ones, wanted).without(fitting.doubts.lost)
-    largest = {
-        made.mu: np.abs(reading[made.values["P′"]]),
-        made.harmonics.mu: np.abs(reading[ends[0]]),
+def reach(project: Project, doubts: Doubts) -> dict[Mark, float]:
+    """Return the largest force of the triangles and of the rotating vectors (N), by their μ."""
+    made = ENGINE.on(project)
+    force, vector = made.values["P′"], made.harmonics.ends[0]
+    reading = unscaled(project, doubts, [force, vector])
+    largest = {made.mu: np.abs(reading[force]), made.harmonics.mu: np.abs(reading[vector])}
+    return {
+        mu: float(np.max(size, initial=0.0, where=np.isfinite(size)))
+        for mu, size in largest.items()
     }
-    share = fitting.sizes["engine"]
+
+
+def engine_scales(fitting: Fitting) -> dict[Mark, object]:
+    """Return μ_F of an engine's force triangles and of its rotating vectors: standard ones."""
+    share, known = fitting.sizes["engine"], fitting.reach[ENGINE.chapter]
     found: dict[Mark, object] = {
-        mu: standard(float(np.max(size, initial=0.0, where=np.isfinite(size))), room * share)
-        for (mu, size), room in zip(largest.items(), (TRIANGLE, VECTOR), strict=True)
+        mu: standard(largest, room * share)
+        for (mu, largest), room in zip(known.items(), (TRIANGLE, VECTOR), strict=True)
     }
     return fitting.shorter("graphs", [("engine.base", VIEW, roles.BASE)]) | found
 

@@ -42,7 +42,7 @@ from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.captions import CAPTIONS, called
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.plan import FORCES, record
-from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, scale_key
+from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
 from graphic_tmm.chapters.forces.sections import SECTIONS
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED
@@ -110,6 +110,7 @@ CHAPTER = Chapter(
     needs=_needs,
     sections=SECTIONS,
     record=record,
+    reach=reach,
     scales=force_scales,
     named=named,
     scale_key=scale_key,

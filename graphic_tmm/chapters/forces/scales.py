@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
+from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapter import Size
 from graphic_tmm.chapters.forces.plan import FORCES, VIEW
 from graphic_tmm.chapters.forces.task import ASKED
-from graphic_tmm.fitting.scales import Fitting, extent
+from graphic_tmm.chapters.kinematics.plan import VELOCITIES
+from graphic_tmm.fitting.scales import Fitting, extent, unscaled
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -48,43 +50,50 @@ def polygon_scales(project: Project) -> list[Mark]:
     ]
 
 
+class Reaches(NamedTuple):
+    """How far the polygons reach, by their μ (N), and the velocity plan that the lever is (m/s)."""
+
+    polygons: Mapping[Mark, float]
+    lever: float
+
+
+def reach(project: Project, doubts: Doubts) -> Reaches:
+    """Return what the scales of forces go by: positions whose forces are asked for, with all scales 1."""
+    made, scales = FORCES.on(project), polygon_scales(project)
+    views = {mu.view for mu in scales}
+    log, lever = project.construction, made.lever
+    marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
+    images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
+    reading = unscaled(project, doubts, [*marks, *images])
+    found = {}
+    for mu in scales:
+        spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
+        found[mu] = extent([np.concatenate([[0j], *spots])])
+    far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
+    return Reaches(found, far)
+
+
 def force_scales(fitting: Fitting) -> dict[Mark, object]:
-    """Return μ of every polygon of forces: what the scene fixes, else a standard one.
+    """Return μ of every polygon of forces: what the scene fixes, else a standard one; how large the lever is.
 
     The largest side of a polygon in any position whose forces are asked for takes its share of `POLYGON` mm at
     most. A polygon whose forces are all nothing has no μ but the scene's.
     """
-    project, doubts, made = fitting.project, fitting.doubts, FORCES.on(fitting)
-    log, scales = project.construction, polygon_scales(project)
-    ones = {**fitting.ones, **dict.fromkeys(scales, 1.0)}
-    views = {mu.view for mu in scales}
-    marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
-    reading = execute(log, ones, marks).without(doubts.lost)
+    project, made = fitting.project, FORCES.on(fitting)
+    known: Reaches = fitting.reach[FORCES.chapter]
     found: dict[Mark, object] = {}
-    for mu in scales:
-        spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
-        reach = extent([np.concatenate([[0j], *spots])])
-        if made.order.mu or reach > 0.0:
-            found[mu] = made.order.mu or standard(reach, POLYGON * fitting.sizes["forces"])
-    room = LEVER * fitting.sizes["lever"]
-    return found | {made.lever.times: _enlarged(fitting, {**ones, **found}, room)}
+    for mu, far in known.polygons.items():
+        if made.order.mu or far > 0.0:
+            found[mu] = made.order.mu or standard(far, POLYGON * fitting.sizes["forces"])
+    plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
+    room = LEVER * fitting.sizes["lever"] * float(plan)
+    times = next((k for k in ENLARGED if k * known.lever <= room), ENLARGED[-1])
+    return found | {made.lever.times: times}
 
 
 def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
     """Return where a point is, with all scales 1; what is nothing but rounding is at the beginning."""
     return np.asarray(doubts.figure(mark, reading[mark]))
-
-
-def _enlarged(fitting: Fitting, given: Mapping[Mark, object], room: float) -> float:
-    """Return how many times the lever is larger than the velocity plan, so that arms can be measured."""
-    made = FORCES.on(fitting)
-    lever = made.lever
-    images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
-    wanted = [*images, lever.pole]
-    reading = execute(fitting.project.construction, {**given, lever.times: 1.0}, wanted)
-    reading = reading.without(fitting.doubts.lost)
-    reach = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
-    return next((k for k in ENLARGED if k * reach <= room), ENLARGED[-1])
 
 
 def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:

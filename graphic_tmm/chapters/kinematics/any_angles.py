@@ -93,7 +93,7 @@ def motion(
     project = recorded(plain)
     # read exactly, the same comes out to any scale: then nobody asks what sets it
     doubts = Doubts((), {}) if exact else doubted(project)
-    fitting = Fitting(project, SIZES, doubts, reach_of(project, doubts))
+    fitting = Fitting(project, SIZES, reach_of(project, doubts))
     mu = [fitting.plan_scales()[plan].value for plan in PLANS]
     row = np.atleast_1d(np.asarray(angles, dtype=np.float64))
     drawn = _drawn(scene, row, mu)

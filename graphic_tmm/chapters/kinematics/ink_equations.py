@@ -6,36 +6,36 @@ from collections.abc import Sequence
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.paper.drawing import Drawing, Label
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.readers.equations import Equation
 
-HEAD = 5.0
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SIZE = 5.0
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SMALL = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-LEAD = 2.2
-"""Clear height between two lines of lettering, mm."""
+LEAD = 0.45
+"""Clear height between two lines of lettering, of the height of their capitals."""
 
 
 def draw_equations(
-    construction: Construction, plan: str, title: str, found: Sequence[Equation]
+    construction: Construction,
+    plan: str,
+    title: str,
+    found: Sequence[Equation],
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the equations of a plan under their title, each group's with its directions below it.
 
     What the log says of the crank stands first.
     """
-    rows = [(title, HEAD), *((text, SIZE) for text in _crank(construction, plan))]
+    large, small = heights.point, heights.number
+    rows = [(title, heights.title), *((text, large) for text in _crank(construction, plan))]
     for equation in found:
-        rows.append((f"{equation.group}:  {equation.markup}", SIZE))
-        rows.append((f"({equation.directions})", SMALL))
+        rows.append((f"{equation.group}:  {equation.markup}", large))
+        rows.append((f"({equation.directions})", small))
     labels, base = list[Label](), 0.0
     for text, size in rows:
         made = letter(text, size=size)
-        base -= made.ascent + (0.0 if not labels else LEAD)
+        base -= made.ascent + (0.0 if not labels else LEAD * size)
         labels.append(Label(text, complex(0.0, base), size))
         base -= made.descent
     return Drawing(f"equations-{plan}", title, labels=tuple(labels))

@@ -2,7 +2,7 @@
 
 The points of a link make its rigid figure, a rod or a plate. A guide of its own is a line rigidly joined to it,
 as long as the stone's whole path over the turn; the stone stands on it, turned with it. A main line of a link
-is as long in one position as in any other.
+is as long in one position as in any other. All of it is ink of bodies: it stands on the marks of its link.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.chapters.kinematics.figures import rigid
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
-from graphic_tmm.paper.drawing import Stroke, circle, line
+from graphic_tmm.paper.drawing import Ink, Stroke, circle, line
+from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.finish import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
     SLIDER_WIDTH,
@@ -107,8 +108,16 @@ class LinksInk:
         through = _place(self.reading[path].at, index)
         return through + ((spot - through) / way).real * way
 
-    def lines(self, name: str, index: int, pens: tuple[str, str]) -> list[Stroke]:
+    def marks(self, name: str) -> list[Mark]:
+        """Return the marks that a link stands on: its points, its guides, where it slides on others."""
+        told = self.of(name, "guide", "stone", "slider")
+        return [*rigid(self.figures, name), *(mark for one in told for mark in one.marks)]
+
+    def lines(self, name: str, index: int, pens: tuple[str, str]) -> list[Ink]:
         """Return the main lines of a link; ``pens``: of its rods, and of its guides."""
+        return [*body(self._lines(name, index, pens), "link", self.marks(name), index)]
+
+    def _lines(self, name: str, index: int, pens: tuple[str, str]) -> list[Stroke]:
         bars, spots = self.bars(name, index), self.spots(name, index)
         made = [line(pens[1], *bar.ends) for bar in bars]
         made += [
@@ -123,35 +132,38 @@ class LinksInk:
         held = any(all(_on(spot, bar) for spot in spots) for bar in bars)
         return made if held else made + _outline(spots, pens[0])
 
-    def notches(self, name: str, index: int) -> list[Stroke]:
+    def notches(self, name: str, index: int) -> list[Ink]:
         """Return a notch across the guide wherever a slider or a stone stands in a thin position."""
-        made = []
+        made = list[Ink]()
         for figure in self.of(name, "stone", "slider"):
             half = (SLIDER_WIDTH if figure.kind == "slider" else STONE_WIDTH) / 2
             foot, way = self.foot(figure, index), self.along(figure, index)
-            made.append(line("thin", foot - 1j * half * way, foot + 1j * half * way))
+            notch = line("thin", foot - 1j * half * way, foot + 1j * half * way)
+            made += body([notch], figure.kind, figure.marks, index)
         return made
 
-    def symbols(self, names: Sequence[str], index: int) -> list[Stroke]:
+    def symbols(self, names: Sequence[str], index: int) -> list[Ink]:
         """Return the sliders, stones, rigid corners, pairs, points and mass centres of links."""
-        made = []
+        made = list[Ink]()
         for name in names:
-            made += self.corners(name, index)
+            made += body(self.corners(name, index), "link", self.marks(name), index)
             for figure in self.of(name, "stone", "slider"):
                 angle = float(np.degrees(np.angle(self.along(figure, index))))
                 draw = slider if figure.kind == "slider" else stone
-                made += draw(self.foot(figure, index), angle, pin=False)
+                box = draw(self.foot(figure, index), angle, pin=False)
+                made += body(box, figure.kind, figure.marks, index)
             made += self.centre(name, index)
         marks = dict.fromkeys(m for name in names for f in self.of(name, "link") for m in f.marks)
         for mark in marks:
-            made += self.point(mark, self.at(mark, index))
+            made += self.point(mark, index)
         return made
 
-    def point(self, mark: Mark, at: complex) -> tuple[Stroke, ...]:
-        """Return the sign of a point: a turning pair, or an ordinary point of its link."""
+    def point(self, mark: Mark, index: int | None) -> list[Ink]:
+        """Return the sign of a point: a turning pair, or an ordinary point of its link; None: of the frame."""
+        at = self.at(mark, index or 0)
         if mark in self.joined:
-            return turning_pair(at)
-        return (circle("main", at, POINT_RADIUS, filled=True),)
+            return [*body(turning_pair(at), "pair", [mark], index)]
+        return [*body([circle("main", at, POINT_RADIUS, filled=True)], "point", [mark], index)]
 
     def corners(self, name: str, index: int) -> list[Stroke]:
         """Return the filled corners where a guide and the rest of its link are one."""
@@ -164,9 +176,9 @@ class LinksInk:
                 made += rigid_joint(bar.foot, along, other - bar.foot)
         return made
 
-    def centre(self, name: str, index: int) -> list[Stroke]:
+    def centre(self, name: str, index: int) -> list[Ink]:
         """Return the mass centre of a link, tied to it by thin lines where it lies off its ink."""
-        made = list[Stroke]()
+        made = list[Ink]()
         for figure in self.of(name, "centre"):
             spot = self.at(figure.marks[0], index)
             spots = self.spots(name, index)
@@ -175,20 +187,22 @@ class LinksInk:
                 [shapely.MultiPoint([(z.real, z.imag) for z in part]).convex_hull for part in inked]
             )
             if ink.distance(shapely.Point(spot.real, spot.imag)) > 2 * CENTRE_RADIUS:
-                made += [line("thin", end, spot) for end in spots[:2]]
-            made.append(circle("joint", spot, CENTRE_RADIUS))
+                ties = [line("thin", end, spot) for end in spots[:2]]
+                made += body(ties, "centre", [*self.marks(name), *figure.marks], index)
+            made += body([circle("joint", spot, CENTRE_RADIUS)], "centre", figure.marks, index)
         return made
 
-    def guides(self) -> list[Stroke]:
+    def guides(self) -> list[Ink]:
         """Return the guides of the frame, over the travel of their sliders, hatched on the far side."""
-        made: list[Stroke] = []
+        made = list[Ink]()
         for figure in self.of(self.frame.name, "guide"):
             reach = self.reaches[figure]
             _, path, *_ = figure.marks
             way, through = self.along(figure, 0), _place(self.reading[path].at, 0)
             anchor = self.spots(self.frame.name, 0)[reach.anchor]
             foot = through + ((anchor - through) / way).real * way
-            made += guide(foot + (reach.low - OVERRUN) * way, foot + (reach.high + OVERRUN) * way)
+            ends = foot + (reach.low - OVERRUN) * way, foot + (reach.high + OVERRUN) * way
+            made += body(guide(*ends), "guide", [path])
         return made
 
 

@@ -19,6 +19,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.finish import TOGETHER, Named, lettered, shared
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
@@ -29,10 +30,6 @@ from graphic_tmm.paper.symbols.kinematic import pole
 
 SHORTEST = 0.01
 """A vector below this share of the longest of its plan is a point, and so is one below half a millimetre."""
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SMALL = 2.5
-"""Letters of a plan, and of one whose positions share a pole, mm."""
 
 
 class Vector(NamedTuple):
@@ -91,6 +88,7 @@ def draw_plan(
     unit: str,
     *,
     upon: Sequence[Stroke] = (),
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return a plan in one position, or in several from a common pole: vectors with arrows, lines, letters.
 
@@ -108,7 +106,7 @@ def draw_plan(
     traces = figure(seen, manner)
     spot = seen.point(view.pole, places[0].at)
     strokes = (*traces.staying, *body(pole(spot), "pole", [view.pole]), *upon)
-    wanted = _letters(seen, places, view.pole)
+    wanted = _letters(seen, places, view.pole, heights)
     return Drawing(name, title, strokes, rubbed=traces.rubbed, shows=(plan,), wanted=tuple(wanted))
 
 
@@ -144,7 +142,9 @@ def _vector(
     return told_arrow(a, b, pen, vector.segment, mu, unit)
 
 
-def _letters(seen: Seen, places: Sequence[Place], pole_mark: Mark) -> list[Wanted]:
+def _letters(
+    seen: Seen, places: Sequence[Place], pole_mark: Mark, heights: Heights
+) -> list[Wanted]:
     """The letters of a plan; from a common pole images without velocity lie in it, and are not lettered."""
     at_pole = seen.point(pole_mark, places[0].at)
     marks = [step.it for step in seen.steps if step.it.kind is Point]
@@ -159,4 +159,4 @@ def _letters(seen: Seen, places: Sequence[Place], pole_mark: Mark) -> list[Wante
         named = [one for one in named if abs(one.at - at_pole) >= TOGETHER]
     named = [Named(at_pole, markup(pole_mark.name), (pole_mark.slot,)), *named]
     middle = at_pole if common else complex(np.mean([one.at for one in named]))
-    return lettered(shared(named), SMALL if common else SIZE, away_from=middle)
+    return lettered(shared(named), heights.number if common else heights.point, away_from=middle)

@@ -1,34 +1,40 @@
-"""The plan of positions in ink: one position in heavy lines, the others thin; trajectories, numbers."""
+"""The plan of positions in ink: one position in heavy lines, the others thin; trajectories, numbers.
+
+The steps of the plan, and of the extreme positions before it, are drawn with compass and square and rubbed out
+again; what stays is the paths of points and the bodies that the plan tells.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import bezier
-from graphic_tmm.board.record import Construction, Figure, Mark
+from graphic_tmm.board.operations.curve import bezier, french_curve
+from graphic_tmm.board.operations.locus import REFINE
+from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
+from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
-from graphic_tmm.paper.finish import TOGETHER
-from graphic_tmm.paper.labels import interrupt, leaders, place
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle
+from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
+from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
-PLAN = "positions"
-SIZE = 5.0
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-NUMBER_SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
+TRACELESS = frozenset({REFINE})
+"""Operations of these plans that leave no trace: angles that are tried out, each on a board of its own."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
-MARGIN = 7.0
-"""Room that letters take about a plan before they have their places, mm."""
+PAIR, PIN = 2.2, 1.2
+"""How far the signs of a pair and of a pin of a thin position reach, with some room, mm."""
 HEAVY, THIN = ("rod", "main"), ("thin", "thin")
 """Pens of rods and of guides: in the main position a rod runs over what slides, a guide under it."""
 
@@ -44,7 +50,7 @@ def draw_positions_ink(
     crank: tuple[Mark, Mark],
     sense: int,
     title: str,
-    lettered: bool = True,
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the plan of positions.
 
@@ -53,25 +59,25 @@ def draw_positions_ink(
     """
     places = [i for i in range(len(names)) if i not in skipped]
     ink = PositionsInk(construction, reading, reaches, places)
-    strokes: list[Stroke | Bezier] = []
-    strokes += ink.guides()
-    strokes += ink.crank_circle(crank)
-    strokes += ink.trajectories()
+    traces = figure(ink.seen, Manner({french_curve.name: _path}, lambda _, step: _stays(step)))
+    strokes: list[Ink] = [*ink.guides(), *ink.crank_circle(crank), *traces.staying]
     for index in ink.places:
         if index != main:
             strokes += ink.thin(index)
     strokes += ink.heavy(main)
-    pivot, pin = (ink.at(mark, main) for mark in crank)
-    reach = min(10.0, 0.6 * abs(pin - pivot))
-    bearing = float(np.degrees(np.angle(pin - pivot)))
-    strokes += round_arrow(pivot, reach, clear_start(reach, bearing, sense), sense * SWEEP)
-    wanted = [*ink.letters((ink.frame.name, *ink.names), main), *ink.numbers(crank, names, main)]
-    if not lettered:
-        taken = [spot for one in wanted for spot in (one.at - MARGIN, one.at + MARGIN)]
-        taken += [one.at + MARGIN * 1j * way for one in wanted for way in (-1, 1)]
-        return Drawing(PLAN, title, (*strokes, line("thin", *taken)))
-    labels = place(wanted, strokes)
-    return Drawing(PLAN, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    strokes += ink.turning(crank, sense, main)
+    wanted = [
+        *ink.letters((ink.frame.name, *ink.names), main, heights.point),
+        *ink.numbers(crank, names, heights.number),
+    ]
+    return Drawing(
+        PLAN,
+        title,
+        tuple(strokes),
+        rubbed=traces.rubbed,
+        shows=ink.seen.views,
+        wanted=tuple(wanted),
+    )
 
 
 def draw_position_ink(
@@ -82,16 +88,28 @@ def draw_position_ink(
     name: str,
     title: str,
     upon: Sequence[Stroke] = (),
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the plan of one position by itself.
 
     ``upon``: what is drawn over the plan; letters stay clear of it.
     """
     ink = PositionsInk(construction, reading, reaches, [index])
-    strokes: list[Stroke | Bezier] = [*ink.guides(), *ink.heavy(index), *upon]
-    wanted = ink.letters((ink.frame.name, *ink.names), index)
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    traces = figure(ink.seen, Manner(stays=lambda _, step: False))
+    strokes = (*ink.guides(), *ink.heavy(index), *upon)
+    wanted = tuple(ink.letters((ink.frame.name, *ink.names), index, heights.point))
+    return Drawing(name, title, strokes, rubbed=traces.rubbed, shows=ink.seen.views, wanted=wanted)
+
+
+def _path(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The path of a point, drawn with the French curve."""
+    for controls in bezier(seen.reading[step.it]):
+        yield Bezier("thin", tuple(complex(z) for z in controls), step.it.name)
+
+
+def _stays(step: Step) -> bool:
+    """Whether what a step leaves is there at the end: only the paths of points are."""
+    return step.it.kind is Curve
 
 
 def clear_start(reach: float, bearing: float, sense: int) -> float:
@@ -119,14 +137,14 @@ class PositionsInk(LinksInk):
     ) -> None:
         super().__init__(construction, reading, reaches)
         self.places = places
+        self.seen = Seen(construction, reading, (EXTREMES, PLAN), places)
 
-    def heavy(self, index: int) -> list[Stroke]:
+    def heavy(self, index: int) -> list[Ink]:
         """The whole mechanism in one position: links, what slides, pivots."""
         strokes = [s for name in self.names for s in self.lines(name, index, HEAVY)]
-        strokes += self.symbols(self.names, index)
-        return strokes + self.pivots()
+        return [*strokes, *self.symbols(self.names, index), *self.pivots()]
 
-    def thin(self, index: int) -> list[Stroke]:
+    def thin(self, index: int) -> list[Ink]:
         """The whole mechanism in another position, in thin lines."""
         return [
             stroke
@@ -134,45 +152,43 @@ class PositionsInk(LinksInk):
             for stroke in (*self.lines(name, index, THIN), *self.notches(name, index))
         ]
 
-    def pivots(self) -> list[Stroke]:
+    def pivots(self) -> list[Ink]:
         """The points of the frame: the fixed pivots, and others as what they are."""
-        made: list[Stroke] = []
+        made = list[Ink]()
         for mark in self.frame.marks:
-            at = self.at(mark, 0)
-            made += fixed_pivot(at) if mark in self.joined else self.point(mark, at)
+            if mark in self.joined:
+                made += body(fixed_pivot(self.at(mark, 0)), "pivot", [mark])
+            else:
+                made += self.point(mark, None)
         return made
 
-    def crank_circle(self, crank: tuple[Mark, Mark]) -> list[Stroke]:
+    def crank_circle(self, crank: tuple[Mark, Mark]) -> list[Ink]:
         """The circle on which the crank pin moves."""
         pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
-        return [circle("thin", pivot, abs(pin - pivot))]
+        return [*body([circle("thin", pivot, abs(pin - pivot))], "circle", crank)]
 
-    def trajectories(self) -> list[Bezier]:
-        """The curves drawn with the French curve."""
-        found = []
-        for step in self.construction.steps:
-            if step.it.view == PLAN and step.it.kind is Curve:
-                for controls in bezier(self.reading[step.it]):
-                    found.append(Bezier("thin", tuple(complex(z) for z in controls), step.it.name))
-        return found
+    def turning(self, crank: tuple[Mark, Mark], sense: int, main: int) -> list[Ink]:
+        """The arrow that tells which way the crank turns."""
+        pivot, pin = (self.at(mark, main) for mark in crank)
+        reach = min(10.0, 0.6 * abs(pin - pivot))
+        bearing = float(np.degrees(np.angle(pin - pivot)))
+        bow = round_arrow(pivot, reach, clear_start(reach, bearing, sense), sense * SWEEP)
+        return [*body(bow, "turning", crank, main)]
 
-    def letters(self, names: Sequence[str], main: int) -> list[Wanted]:
+    def letters(self, names: Sequence[str], main: int, size: float = 5.0) -> list[Wanted]:
         """The letters of links in the main position; points at one place share a label."""
         told = [f for name in names for f in self.of(name, "frame", "link", "centre")]
-        spots: list[tuple[complex, list[str]]] = []
-        for mark in dict.fromkeys(m for f in told for m in f.marks):
-            spot = self.at(mark, main)
-            near = next((names for z, names in spots if abs(z - spot) < TOGETHER), None)
-            if near is None:
-                spots.append((spot, [mark.name]))
-            else:
-                near.append(mark.name)
-        return [Wanted(", ".join(map(markup, names)), z, SIZE, 2.2) for z, names in spots]
+        marks = dict.fromkeys(mark for one in told for mark in one.marks)
+        spots = (Named(self.at(m, main), markup(m.name), (m.slot,), main) for m in marks)
+        return lettered(shared(spots), size, PAIR)
 
-    def numbers(self, crank: tuple[Mark, Mark], names: Sequence[str], main: int) -> list[Wanted]:
+    def numbers(
+        self, crank: tuple[Mark, Mark], names: Sequence[str], size: float = 3.5
+    ) -> list[Wanted]:
         """The numbers of the positions, outside the circle of the crank pin."""
         wanted = []
         for index in self.places:
             pivot, pin = (self.at(mark, index) for mark in crank)
-            wanted.append(Wanted(names[index], pin, NUMBER_SIZE, 1.2, pin - pivot))
+            of = (crank[1].slot,)
+            wanted.append(Wanted(names[index], pin, size, PIN, pin - pivot, of, index))
         return wanted

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import execute
-from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.board.record import Figure
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.chapter import Size
@@ -25,7 +24,7 @@ from graphic_tmm.chapters.kinematics.plan import (
 )
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.scales import Fitting, extent
+from graphic_tmm.fitting.scales import Fitting, extent, unscaled
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
@@ -55,13 +54,9 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     crank pin, the paths of points. What is lost by ``doubts`` has no part in it.
     """
     made = KINEMATICS.on(project)
-    log, given = project.construction, dict(project.given)
-    for plan in PLANS:
-        if log.view(plan) is not None:
-            given[project.scale(plan)] = 1.0
     marks = [m for m in project.marks(POSITIONS) if m.kind in (Point, Curve)]
     pivot, _ = made.crank
-    reading = execute(log, given, [*marks, pivot]).without(doubts.lost)
+    reading = unscaled(project, doubts, [*marks, pivot])
     arm = crank_sizes(made)[0]
     spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j])]
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
@@ -69,8 +64,8 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     places = made.accelerated or tuple(sorted(told)) or _shown(project)
     return Extents(
         extent(spots),
-        _longest(project, given, VELOCITIES, None, doubts) if made.velocities else 0.0,
-        _longest(project, given, ACCELERATIONS, places, doubts) if made.accelerations else 0.0,
+        _longest(project, VELOCITIES, None, doubts) if made.velocities else 0.0,
+        _longest(project, ACCELERATIONS, places, doubts) if made.accelerations else 0.0,
     )
 
 
@@ -116,15 +111,10 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     return scales
 
 
-def _longest(
-    project: Project,
-    given: Mapping[Mark, object],
-    plan: str,
-    at: tuple[int, ...] | None,
-    doubts: Doubts,
-) -> float:
+def _longest(project: Project, plan: str, at: tuple[int, ...] | None, doubts: Doubts) -> float:
     points = [m for m in project.marks(plan) if m.kind is Point]
-    reading = execute(project.construction, given, points, positions=at).without(doubts.lost, at)
+    reading = unscaled(project, doubts, points)
+    reading = reading if at is None else reading.cut(at)
     lengths = [np.abs(reading[m]) for m in points]
     return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
 

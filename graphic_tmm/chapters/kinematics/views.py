@@ -24,6 +24,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
 from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
@@ -54,10 +55,12 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         crank=made.crank,
         sense=made.sense,
         title=words["positions"],
-        lettered=lettered,
+        heights=heights(drawn.scene, POSITIONS),
     )
-    mu = mu_text(drawn.scales[POSITIONS], drawn.scene.language)
-    return [captioned(view._replace(stand=Stand(kind="lead")), words["positions"], mu)]
+    mu, done = mu_text(drawn.scales[POSITIONS], drawn.scene.language), finished(view, lettered)
+    size = heights(drawn.scene, POSITIONS)
+    leading = done._replace(stand=Stand(kind="lead"))
+    return [captioned(leading, words["positions"], mu, heights=size)]
 
 
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -78,7 +81,7 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     reading = drawn.of(plan)
     if reading is None or plan not in drawn.scales:
         return []
-    scale = drawn.scales[plan]
+    scale, size = drawn.scales[plan], heights(drawn.scene, plan)
     places = enumerate(drawn.row(plan))
     shown = [(k, drawn.names[p]) for k, p in places if p not in drawn.undrawn]
     if plan == VELOCITIES and drawn.scene.common_pole and len(shown) > 1:
@@ -99,6 +102,7 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
                 title,
                 scale.value,
                 UNITS[plan],
+                heights=size,
             ),
             lettered,
         )
@@ -106,7 +110,10 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     ]
     mu = mu_text(scale, drawn.scene.language)
     titles = [view.title for view in views]
-    told = [captioned(view, escape(title), mu) for view, title in zip(views, titles, strict=True)]
+    told = [
+        captioned(view, escape(title), mu, heights=size)
+        for view, title in zip(views, titles, strict=True)
+    ]
     return in_rows(told, plan, "" if plan == VELOCITIES else VELOCITIES)
 
 
@@ -117,6 +124,8 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         title = speaking(drawn.scene.language)(EQUATIONS[plan])
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
+            size = heights(drawn.scene, "equations")
+            found.append(draw_equations(log, plan, title, told, size))
             found += in_rows([draw_equations(log, plan, title, told)], plan)
     return found
 
@@ -150,7 +159,9 @@ def plan_at(
     log, reading = drawn.construction, drawn.of(plan)
     assert reading is not None
     if plan == POSITIONS:
-        return draw_position_ink(log, reading, reaches(drawn), place, name, title, upon=upon)
+        return finished(
+            draw_position_ink(log, reading, reaches(drawn), place, name, title, upon=upon)
+        )
     at = [Place(drawn.row(plan).index(place))]
     mu = drawn.scales[plan].value
     return finished(draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon))

@@ -105,8 +105,9 @@ def _row(part: Need, x: float, y: float, width: float, height: float, gap: float
 
 
 def _single(part: Need) -> bool:
-    """Whether a part is one row of boxes that may stand at any height of its cell."""
-    return part.cut is None and part.down == 1 and bool(part.unit.members)
+    """Whether a part is one row of boxes that may stand at any height of its cell; what leads stands above."""
+    leads = part.unit.stand.kind == "lead"
+    return part.cut is None and part.down == 1 and bool(part.unit.members) and not leads
 
 
 def _line(part: Need, height: float) -> tuple[float, float]:

@@ -48,7 +48,7 @@ _INDEX = 0.7
 """Size of an index, of the letter before it: about one step of ГОСТ 2.304 down."""
 # In tenths of the height of a capital: gaps before a letter and an index, base lines of indices,
 # clear way to a line over or under a group, pitch of two lines under it, ends kept off by a bar.
-_GAP, _INDEX_GAP = 2.0, 1.5
+GAP, _INDEX_GAP = 2.0, 1.5
 _RAISED, _LOWERED = 6.0, -3.0
 _LINE_GAP, _LINE_PITCH, _BAR_INSET = 1.2, 2.0, 0.4
 
@@ -161,7 +161,7 @@ def compose(text: str, *, size: float = 5.0, inclined: bool = True) -> Lettering
     if not (size > 0.0 and math.isfinite(size)):
         raise SheetError(f"the size of letters must be a positive number of mm, not {size!r}")
     size = float(size)
-    setter = _Setter(inclined)
+    setter = Setter(inclined)
     width = setter.put(parse_markup(text), 0.0, 0.0, 0.0, size)
     parts = tuple(setter.parts)
     return Lettering(parts, width, size / 10.0, size, _ink(parts))
@@ -207,7 +207,7 @@ def svg_path(
     return "".join(words).replace("-0.000", "0")
 
 
-class _Setter:
+class Setter:
     """Sets parsed text letter by letter; knows the places of the letters put so far."""
 
     def __init__(self, inclined: bool) -> None:
@@ -225,12 +225,12 @@ class _Setter:
                 x = self._scripts(node, x, min(lead, _INDEX_GAP * unit), y, size)
             else:
                 x = self._lined(node.kind, node.inside, x + lead, y, size)
-            lead = _GAP * unit
+            lead = GAP * unit
         return x
 
     def _text(self, text: str, x: float, y: float, size: float) -> float:
         forms, parts = _forms(size, self.inclined), self.parts
-        pen, gap = size / 10.0, _GAP * size / 10.0
+        pen, gap = size / 10.0, GAP * size / 10.0
         start = pen / 2.0 + self.slant * y
         for character in text:
             form = forms[character]

@@ -14,7 +14,6 @@ from support.gallery import NAMES, drawn
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_positions import (
-    MARGIN,
     SWEEP,
     clear_start,
     draw_positions_ink,
@@ -22,9 +21,13 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
+
+ROOM = 14.0
+"""A letter stands at most so far from where its place was guessed, mm."""
 
 
 def crank(name: str) -> tuple[Mark, Mark]:
@@ -36,7 +39,7 @@ def plan(
     name: str, main: int = 1, skipped: tuple[int, ...] = (), sense: int = 1, lettered: bool = True
 ) -> Drawing:
     work = drawn(name, exact=True)
-    return draw_positions_ink(
+    view = draw_positions_ink(
         work.project.construction,
         work.reading,
         reaches(work),
@@ -46,8 +49,8 @@ def plan(
         crank=crank(name),
         sense=sense,
         title="Plan",
-        lettered=lettered,
     )
+    return finished(view, lettered)
 
 
 def at(name: str, mark: Mark, index: int) -> complex:
@@ -193,7 +196,7 @@ def test_a_mass_centre_is_a_small_circle() -> None:
 def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) -> None:
     full, bare = bounds(plan(name)), bounds(plan(name, lettered=False))
     assert not plan(name, lettered=False).labels
-    assert all(abs(x - y) < 2 * MARGIN for x, y in zip(full, bare, strict=True))
+    assert all(abs(x - y) < ROOM for x, y in zip(full, bare, strict=True))
 
 
 @each("sense", [1, -1])

@@ -1,0 +1,128 @@
+"""Lettering as TEXT of a CAD program: a style by ГОСТ 2.304, each run as long as our own letters are.
+
+A run of letters is one TEXT, fitted between the two points between which it stands here (alignment FIT), so
+that it keeps its place and its length in whatever font a program has; an index is a TEXT of its own size. What
+belongs to one label is a group. What such fonts do not hold for certain, and bars, are drawn.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from graphic_tmm.paper.drawing import Label
+from graphic_tmm.paper.lettering import letters
+from graphic_tmm.paper.lettering.letters import Form
+from graphic_tmm.paper.lettering.runs import Run, set_in_runs
+from graphic_tmm.paper.write.svg import shift
+
+FONT = "isocpeur.ttf"
+"""Drawn after ISO 3098, nearest to ГОСТ 2.304 among the fonts that come with the CAD programs themselves."""
+OBLIQUE = 15.0
+"""Lean of the letters, degrees from upright (ГОСТ 2.304: about 75° to the base line)."""
+STYLES = {True: "GOST_2.304_INCLINED", False: "GOST_2.304_UPRIGHT"}
+"""Names of the text styles: inclined or not."""
+SIGNS = "−∂∆∑√∞∫≈≠≡≤≥←↑→↓′″"
+"""Signs beside letters that fonts of Windows for Europe hold (its list WGL4)."""
+CODES = ("cp1251", "cp1252", "cp1253")
+"""Cyrillic, Latin and Greek code pages of Windows, whose characters such fonts hold too."""
+MARKS = "^\\"
+"""Characters that a TEXT takes for marks of its own: they are drawn."""
+DIGITS = 6
+"""Decimals of a coordinate, mm: the same bytes whatever the last bits."""
+
+
+def add_styles(document: Any) -> None:
+    """Define the two text styles; their height is free, for each TEXT has its own."""
+    for inclined, name in STYLES.items():
+        document.styles.add(name, font=FONT).dxf.oblique = OBLIQUE if inclined else 0.0
+
+
+def writable(character: str) -> bool:
+    """Tell whether a CAD program's font holds a character for certain."""
+    if character in MARKS:
+        return False
+    return character in SIGNS or any(_held(character, code) for code in CODES)
+
+
+def spot(z: complex) -> tuple[float, float]:
+    """Return a place as DXF has it."""
+    return round(z.real, DIGITS), round(z.imag, DIGITS)
+
+
+class Letterer:
+    """Writes labels into one space of a document; ``stroked``: their letters as strokes."""
+
+    def __init__(self, document: Any, space: Any, *, stroked: bool = False) -> None:
+        self.document, self.space, self.stroked = document, space, stroked
+
+    def label(self, label: Label, layer: str) -> None:
+        """Write a label on a layer."""
+        turn = cmath.rect(1.0, math.radians(label.turn))
+        if self.stroked:
+            whole = letters.letter(label.text, size=label.size, inclined=label.inclined)
+            start = label.at - shift(label, whole.width)
+            list(self.drawn(whole.parts, start, turn, layer))
+            return
+        found = set_in_runs(label.text, size=label.size, inclined=label.inclined, writable=writable)
+        start = label.at - shift(label, found.width)
+        made = [self.run(run, label, start, turn, layer) for run in found.runs]
+        made += self.drawn(found.drawn, start, turn, layer)
+        if len(made) > 1:
+            group = self.document.groups.new(description=letters.plain(label.text)[:255])
+            group.extend(made)
+
+    def run(self, run: Run, label: Label, start: complex, turn: complex, layer: str) -> Any:
+        """Write a run of letters; return its TEXT."""
+        from ezdxf.enums import TextEntityAlignment
+
+        begin = start + complex(run.x, run.y) * turn
+        text = self.space.add_text(
+            run.text.replace("%%", "%%%%%%"),  # "%%" begins a mark, "%%%" is the sign
+            height=run.size,
+            rotation=label.turn,
+            dxfattribs={
+                "layer": layer,
+                "style": STYLES[label.inclined],
+                "oblique": OBLIQUE if label.inclined else 0.0,
+            },
+        )
+        ends = (spot(begin), spot(begin + run.width * turn))
+        return text.set_placement(*ends, align=TextEntityAlignment.FIT)
+
+    def drawn(
+        self,
+        parts: Iterable[tuple[float, float, Form]],
+        start: complex,
+        turn: complex,
+        layer: str,
+    ) -> Iterable[Any]:
+        """Write letters and bars as strokes; yield the polylines."""
+        for x, y, form in parts:
+            style = {"layer": layer, "lineweight": weight(form.pen)}
+            for stroke in form.strokes:
+                places = [(start + complex(x + dx, y + dy) * turn, b) for dx, dy, b in stroke]
+                points = [(*spot(z), round(bulge, 9)) for z, bulge in places]
+                yield self.space.add_lwpolyline(points, format="xyb", dxfattribs=style)
+
+
+def _held(character: str, code: str) -> bool:
+    try:
+        character.encode(code)
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+WEIGHTS = (
+    *(13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70),
+    *(80, 90, 100, 106, 120, 140, 158, 200, 211),
+)
+"""Line weights that DXF knows, 1/100 mm."""
+
+
+def weight(width: float) -> int:
+    """Return the line weight of DXF nearest to a width in mm."""
+    return min(WEIGHTS, key=lambda known: abs(known - 100 * width))
