@@ -23,6 +23,9 @@ COMMON: dict[str, str] = {
     "segment": said("Segment"),
     "value": said("Quantity"),
     "unit": said("Unit"),
+    "given": said("Given data"),
+    "letter": said("Symbol"),
+    "figure": said("Value"),
     "undrawn": said("cannot be drawn"),
     "synthesis": said("Synthesis"),
 }

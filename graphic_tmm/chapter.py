@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, TypeVar
 
 from graphic_tmm.varied import NOTHING, Accuracy
 
@@ -107,6 +107,14 @@ class Size:
     remedy: Callable[[Drawn, str], str] = lambda drawn, key: ""
 
 
+class Given(NamedTuple):
+    """What a scene gives, as the sheet of a task lists it: its symbol as marks bear it, its value and unit."""
+
+    symbol: str
+    value: float | str
+    unit: str = ""
+
+
 @dataclass(frozen=True)
 class Place:
     """What a sheet can show, by the name that scenes write.
@@ -127,6 +135,7 @@ class Place:
     beside: tuple[str, ...] = ()
     follows: tuple[str, ...] = ()
     together: tuple[str, ...] = ()
+    attends: str = ""
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
 
 
@@ -146,7 +155,8 @@ class Chapter:
 
     **What is asked.** ``sections``: what scenes may write for it; ``asked``: whether a scene calls for it;
     ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by
-    name: a chapter, or what another chapter understands.
+    name: a chapter, or what another chapter understands. ``given``: what a scene gives for it, as the sheet
+    of a task lists it.
 
     **What it records and draws.** ``record``: what it leaves on its board. ``charts``: of what it made, the
     graphs on axes. ``places``: what sheets can show of it, ``sizes``: how large.
@@ -184,6 +194,7 @@ class Chapter:
     asked: Callable[[Scene], bool] = lambda scene: False
     always: bool = False
     needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
+    given: Callable[[Scene], Iterable[Given]] = lambda scene: ()
     record: Callable[[Bench], Any] = lambda bench: None
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
     reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None

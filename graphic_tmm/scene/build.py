@@ -38,6 +38,8 @@ def scene(parts: Parts, source: str) -> Scene:
     usual = places.usual(asked, mechanism=drive is not None)
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
+    formats = [sheet.format for sheet in sheets]
+    shown = places.attended([sheet.place or usual for sheet in sheets], formats)
     return Scene(
         source=source,
         title=head.title,
@@ -53,7 +55,7 @@ def scene(parts: Parts, source: str) -> Scene:
         ruler=_division(hand),
         hand=hand.name,
         seed=hand.seed,
-        sheets=tuple(replace(sheet, place=sheet.place or usual) for sheet in sheets),
+        sheets=tuple(replace(one, place=own) for one, own in zip(sheets, shown, strict=True)),
         title_block={key: text for key, text in vars(block).items() if text},
         task=parts.record("task"),
     )

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 
 from graphic_tmm.chapter import MECHANISM, Chapter, chapters, places
 from graphic_tmm.scene.declare import Section
+
+SMALLEST = "A4"
+"""The format on which nothing stands that no sheet asks for."""
 
 
 def known() -> tuple[str, ...]:
@@ -27,6 +30,24 @@ def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
 
     there = places()
     return tuple(name for name in known() if there[name][1].rank and called(there[name][0]))
+
+
+def attended(
+    orders: Sequence[tuple[str, ...]], formats: Sequence[str]
+) -> tuple[tuple[str, ...], ...]:
+    """Return what stands on sheets together with what attends it, where none of them names that.
+
+    The smallest sheets hold nothing but what they are asked for.
+    """
+    found = list(orders)
+    large = [not format.startswith(SMALLEST) for format in formats]
+    for name, (_, place) in places().items():
+        there = (k for k, order in enumerate(found) if large[k] and place.attends in order)
+        first = next(there, None)
+        if first is not None and not any(name in order for order in found):
+            at = found[first].index(place.attends) + 1
+            found[first] = (*found[first][:at], name, *found[first][at:])
+    return tuple(found)
 
 
 def asking(one: Chapter) -> Section | None:

@@ -71,7 +71,7 @@ def test_engine():
     assert engine.row.accelerations == ("2", "5")
     assert engine.scales == Scales(mu_l=0.005, pa=60.0)
     assert engine.sheets == (SheetOrder("A1", (
-        "positions", "velocities", "flywheel", "accelerations", "equations", "structure",
+        "positions", "given", "velocities", "flywheel", "accelerations", "equations", "structure",
         "velocity table")),)  # fmt: skip
 
 
@@ -144,7 +144,7 @@ def test_defaults(scene):
     assert plain.row.accelerations == plain.row.extra == plain.trajectories == ()
     assert plain.scales == Scales()
     assert plain.sheets[0].place == (
-        *("positions", "velocities", "accelerations", "equations", "structure", "results"),
+        *("positions", "given", "velocities", "accelerations", "equations", "structure", "results"),
     )
     assert (plain.common_pole, plain.main) == (False, None)
     assert plain.title_block == {}

@@ -28,9 +28,9 @@ Extreme positions are found before the plans: crank and rod in one line, or cran
 elsewhere by refining (`extremes`). Whether the mechanism assembles over the turn is told by the gaps of all
 steps with two roots (`assembly`).
 
-Draws: places ``positions``, ``velocities``, ``accelerations``, ``equations``, ``velocity table``,
-``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is the kernel's
-(`graphic_tmm.mechanism.structure`).
+Draws: places ``given`` (the table of what the scene gives, of all chapters), ``positions``, ``velocities``,
+``accelerations``, ``equations``, ``velocity table``, ``acceleration table``, ``results`` (both tables). Builds
+on no chapter; the dissection is the kernel's (`graphic_tmm.mechanism.structure`).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кинематический анализ: планы положений, скоростей,
 ускорений); Попов С. А., Тимофеев Г. А., Курсовое проектирование по теории механизмов и механике машин.
@@ -47,6 +47,7 @@ from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
 from graphic_tmm.chapters.kinematics.captions import CAPTIONS
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
+from graphic_tmm.chapters.kinematics.given import given
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
     KINEMATICS,
@@ -89,7 +90,8 @@ CHAPTER = Chapter(
     number=2,
     captions=CAPTIONS,
     places=(
-        Place(POSITIONS, 20, views.position_views, follows=(POSITIONS,), sizes=sizes_of),
+        Place(views.GIVEN, 20, views.given_views, attends=POSITIONS),
+        Place(POSITIONS, 19, views.position_views, follows=(POSITIONS,), sizes=sizes_of),
         Place(
             VELOCITIES,
             21,
@@ -130,6 +132,7 @@ CHAPTER = Chapter(
     sizes=SIZES,
     asked=lambda scene: scene.mechanism is not None,
     always=True,
+    given=given,
     record=record,
     reach=extents,
     plan_scales=plan_scales,

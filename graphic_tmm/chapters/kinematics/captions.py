@@ -11,4 +11,5 @@ CAPTIONS: dict[str, str] = {
     "accelerations": said("Acceleration plan"),
     "table velocities": said("Velocities from the plans"),
     "table accelerations": said("Accelerations from the plans"),
+    "positions in a turn": said("Positions"),
 }

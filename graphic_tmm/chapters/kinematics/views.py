@@ -30,8 +30,11 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.views import captioned, in_rows, mu_text
 from graphic_tmm.readers.equations import equations
+from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
 
+GIVEN = "given"
+"""The place of the table of what is given."""
 EQUATIONS = {
     VELOCITIES: said("Equations of velocities"),
     ACCELERATIONS: said("Equations of accelerations"),
@@ -61,6 +64,11 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     size = heights(drawn.scene, POSITIONS)
     leading = done._replace(stand=Stand(kind="lead"))
     return [captioned(leading, words["positions"], mu, heights=size)]
+
+
+def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the table of what the scene gives."""
+    return [given_table(drawn.scene, heights(drawn.scene, GIVEN))]
 
 
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

@@ -1,0 +1,123 @@
+"""What a scene gives of its mechanism: the task, lengths, guides, how the crank turns, masses, positions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from graphic_tmm.board.draft import ROUNDING
+from graphic_tmm.chapter import Given
+from graphic_tmm.mechanism.guides import turn
+from graphic_tmm.mechanism.records import Guide, Link, Mechanism
+from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.scene.records import Scene
+
+MM = 1000.0
+ROUND = 1e-9
+"""A share of a speed: nearer than this to a whole tenth of a turn a minute it was given so."""
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its mechanism, lengths in mm."""
+    mechanism = scene.mechanism
+    if mechanism is None:
+        return
+    if scene.task is not None:
+        yield Given("K_v", scene.task.K_v)
+        yield Given("S", scene.task.stroke * MM, "mm")
+    rows = [*_lengths(mechanism), *_frame(mechanism)]
+    yield from dict.fromkeys(Given(name, size * MM, "mm") for name, size in rows)
+    yield from _directions(mechanism)
+    yield from _drive(mechanism)
+    yield from _masses(mechanism)
+    yield Given("positions in a turn", scene.row.count)
+
+
+def _lengths(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
+    """The lengths of the moving links, m: from the first point, and from the second where not in line."""
+    for link in mechanism.links:
+        letters = list(link.points)
+        for k, other in enumerate(letters[1:], start=1):
+            yield from _between(link, letters[0], other)
+            if k > 1 and _aside(link, letters[0], letters[1], other):
+                yield from _between(link, letters[1], other)
+        yield from _guides(link, link.points[letters[0]] if letters else 0j)
+        for slide in link.slides:
+            if abs(slide.offset) > ROUNDING:
+                yield f"h_{{{link.number}}}", abs(slide.offset)
+
+
+def _between(link: Link, first: str, second: str) -> Iterator[tuple[str, float]]:
+    length = abs(link.points[second] - link.points[first])
+    if length > ROUNDING:
+        yield f"l_{{{first}{second}}}", length
+
+
+def _aside(link: Link, first: str, second: str, other: str) -> bool:
+    """Whether a point lies off the line of two others."""
+    base, way = (link.points[k] - link.points[first] for k in (second, other))
+    return abs((base.conjugate() * way).imag) > 1e-9 * abs(base) * abs(way)
+
+
+def _guides(link: Link, origin: complex) -> Iterator[tuple[str, float]]:
+    for guide in link.guides:
+        off = ((origin - guide.through) * turn(-guide.angle)).imag
+        if abs(off) > ROUNDING:
+            yield f"e_{{{guide.name}}}", abs(off)
+
+
+def _frame(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
+    """Where the fixed pivots and guides stand, m, seen from the pivot of the crank."""
+    frame, pivot = mechanism.frame, dissect(mechanism).pivot
+    for letter, at in frame.points.items():
+        away = at - frame.points[pivot]
+        if min(abs(away.real), abs(away.imag)) > ROUNDING:
+            yield f"x_{{{letter}}}", away.real
+            yield f"y_{{{letter}}}", away.imag
+        elif letter != pivot:
+            yield f"l_{{{pivot}{letter}}}", abs(away)
+    yield from _guides(frame, frame.points[pivot])
+
+
+def _directions(mechanism: Mechanism) -> Iterator[Given]:
+    """The directions of guides that are neither level nor upright, or stand obliquely in their link."""
+    for guide in mechanism.frame.guides:
+        if guide.angle % 90.0:
+            yield _direction(guide, 0.0)
+    for link in mechanism.links:
+        spots: Sequence[complex] = [z for z in link.points.values()]
+        base = math.degrees(math.atan2(*_sides(spots))) if len(spots) > 1 else 0.0
+        for guide in link.guides:
+            if abs(math.remainder(guide.angle - base, 90.0)) > 1e-9:
+                yield _direction(guide, base)
+
+
+def _sides(spots: Sequence[complex]) -> tuple[float, float]:
+    away = spots[1] - spots[0]
+    return away.imag, away.real
+
+
+def _direction(guide: Guide, base: float) -> Given:
+    return Given(f"α_{{{guide.name}}}", math.remainder(guide.angle - base, 180.0), "°")
+
+
+def _drive(mechanism: Mechanism) -> Iterator[Given]:
+    """The speed of the crank, in turns a minute where it was given so, and its acceleration."""
+    drive = mechanism.drive
+    turns = abs(drive.speed) * 30.0 / math.pi
+    if abs(turns * 10.0 - round(turns * 10.0)) <= ROUND * turns * 10.0:
+        yield Given(f"n_{drive.link}", round(turns, 1), "rpm")
+    else:
+        yield Given(f"ω_{drive.link}", abs(drive.speed), "1/s")
+    if drive.acceleration:
+        yield Given(f"ε_{drive.link}", drive.acceleration, "1/s²")
+
+
+def _masses(mechanism: Mechanism) -> Iterator[Given]:
+    for link in mechanism.links:
+        if link.mass is not None:
+            yield Given(f"m_{link.number}", link.mass, "kg")
+    for link in mechanism.links:
+        if link.inertia is not None:
+            about = f"{{{link.centre}}}" if link.centre else f"{link.number}"
+            yield Given(f"J_{about}", link.inertia, "kg·m²")

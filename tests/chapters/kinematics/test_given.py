@@ -1,0 +1,96 @@
+"""What a scene gives stands on its first sheet, letter by letter, as the sheet of the task has it."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from pathlib import Path
+
+import pytest
+from support.gallery import NAMES, SHEETS, paper, scene
+from support.mechanisms import sample
+from support.rewritten import relettered, text_of
+
+from graphic_tmm.chapter import Given
+from graphic_tmm.readers.given import given_rows, given_table
+from graphic_tmm.scene.read import read
+
+TAIL = '[[sheet]]\nformat = "A1"\nplace = ["positions"]\n'
+LARGE = [name for name in NAMES if scene(name).sheets[0].format.startswith("A1")]
+
+
+def rows(name: str) -> dict[str, tuple[object, str]]:
+    return {row.symbol: (row.value, row.unit) for row in given_rows(scene(name))}
+
+
+def test_a_task_sheet_is_told_as_its_author_wrote_it() -> None:
+    told = rows("windrower-published")
+    assert told["l_{OA}"] == (pytest.approx(117.6), "mm")
+    assert told["l_{OB}"] == (480.0, "mm")
+    assert told["e_{y}"] == (pytest.approx(722.25), "mm")
+    assert told["n_1"] == (380.0, "rpm")
+    assert told["J_{S3}"] == (0.323, "kg·m²")
+    assert rows("windrower")["K_v"] == (1.45, "")
+    assert rows("windrower")["S"] == (pytest.approx(95.0), "mm")
+    assert rows("scotch-yoke")["ω_1"] == (20.0, "1/s")
+    assert rows("accelerating-crank")["ε_1"] == (30.0, "1/s²")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_mass_and_moment_of_the_file_is_there(name: str) -> None:
+    text = tomllib.loads((SHEETS / name / "scene.toml").read_text(encoding="utf-8"))
+    told = [row.unit for row in given_rows(scene(name))]
+    assert told.count("kg") == sum("mass" in link for link in text["link"])
+    assert told.count("kg·m²") == sum("J" in link for link in text["link"])
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_it_stands_on_the_first_sheet_that_shows_the_positions(name: str) -> None:
+    _, papers = paper(name)
+    seen = [{view.name for view in sheet.drawings} for sheet in papers]
+    first = next(there for there in seen if "positions" in there)
+    assert "table-given" in first
+    assert sum("table-given" in there for there in seen) == 1
+
+
+def test_a_sheet_that_names_it_has_it_and_a_small_one_only_then(tmp_path: Path) -> None:
+    text = (SHEETS / "scotch-yoke" / "scene.toml").read_text(encoding="utf-8")
+    head = text.partition("[[sheet]]")[0]
+    path = tmp_path / "scene.toml"
+
+    def places(*orders: str) -> list[tuple[str, ...]]:
+        path.write_text(head + "\n".join(f"[[sheet]]\n{one}" for one in orders), "utf-8")
+        return [sheet.place for sheet in read(path).sheets]
+
+    large, small = 'place = ["positions"]', 'format = "A4"\nplace = ["positions"]'
+    assert places(large) == [("positions", "given")]
+    assert places(small, large) == [("positions",), ("positions", "given")]
+    assert places(small) == [("positions",)]
+    assert places(large, 'place = ["given"]') == [("positions",), ("given",)]
+    assert places('place = ["velocities"]') == [("velocities",)]
+
+
+@pytest.mark.parametrize("k", range(12))
+def test_the_lengths_of_random_mechanisms_fix_their_links(k: int, tmp_path: Path) -> None:
+    """Each point of a link is told by its distances from the first two, or from one of them in line."""
+    (one,) = sample(1, seed=400 + k)
+    mechanism = relettered(one.mechanism, k)
+    path = tmp_path / "scene.toml"
+    path.write_text(text_of(mechanism, one.phi, 4, TAIL), encoding="utf-8")
+    told = {row.symbol: row.value for row in given_rows(read(path))}
+    for link in mechanism.links:
+        for letter, at in list(link.points.items())[1:]:
+            first = next(iter(link.points))
+            due = abs(at - link.points[first]) * 1000.0
+            if due > 1e-6:
+                assert told[f"l_{{{first}{letter}}}"] == pytest.approx(due, rel=1e-9)
+    assert all(math.isfinite(value) for value in told.values() if not isinstance(value, str))
+
+
+def test_a_long_list_stands_side_by_side_and_derived_lengths_have_a_figure_less() -> None:
+    made = given_table(scene("windrower"))
+    texts = [label.text for label in made.labels]
+    assert texts[-1] == "Исходные данные"
+    assert texts.count("Обозначение") == 2
+    assert {"136,57", "1,45", "380", "об/мин", "0,323", "кг·м²"} <= set(texts)
+    assert given_rows(scene("windrower"))[0] == Given("K_v", 1.45)
