@@ -8,7 +8,8 @@ from typing import NamedTuple
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.compose import Views, counted, orders, views_of
+from graphic_tmm.fitting.compose import Views, counted, orders
+from graphic_tmm.fitting.formats import views_of
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.packing import bounds, holds, settled, share

@@ -65,8 +65,13 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
         places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
         if sheet.alone or places is None:
             places = {0: _alone(some[0], sheet.room, orders[sheet.order].format)}
-        found.append((sheet, {sheet.boxes[k]: at for k, at in places.items()}))
+        found.append((sheet, {sheet.boxes[k]: _told(at) for k, at in places.items()}))
     return found
+
+
+def _told(at: complex) -> complex:
+    """Return a place as people are told it: a composition that is written down is the one that was drawn."""
+    return complex(round(at.real, 2), round(at.imag, 2))
 
 
 def shared(orders: Sequence[Order], tries: int = QUICK) -> list[Shared]:
@@ -178,7 +183,9 @@ def _moved(
         ):
             sheet = others[place]
             more = (*sheet.boxes, *unit.members)
-            if not sheet.alone and fits([boxes[k] for k in more], sheet.room, tries) is not None:
+            if sheet.alone or (sheet.order != one.order and unit.stand.kind not in search.LOOSE):
+                continue
+            if fits([boxes[k] for k in more], sheet.room, tries) is not None:
                 others = [*others[:place], sheet._replace(boxes=more), *others[place + 1 :]]
                 break
         else:

@@ -122,13 +122,13 @@ def _line(part: Need, height: float) -> tuple[float, float]:
 
 
 def _column(part: Need, x: float, y: float, width: float, height: float, gap: float) -> Spots:
-    high = grown(part.height, part.down, height, gap)
+    high, end = grown(part.height, part.down, height, gap), y + height
     sizes = [one.height + (one.down - 1) * (high - gap) for one in part.parts]
     left = height - sum(sizes) - high * (len(sizes) - 1)
-    y += left / 2
+    y += 0.0 if part.parts[0].unit.stand.kind == "lead" else left / 2
     for one, size in zip(part.parts, sizes, strict=True):
         if one.last:
-            y += left / 2
+            y = end - size
         yield from spread(one, x, y, width, size, gap)
         y += size + high
 
