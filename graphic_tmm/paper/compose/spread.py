@@ -138,6 +138,7 @@ def _unit(part: Need, x: float, y: float, width: float, height: float, gap: floa
     if not unit.members:
         return
     most = PAIRED if unit.stand.kind == "pair" else WIDEST
+    gap = min(gap, most)
     x, y = x + shape.free[0], y + shape.free[1]
     width, height = width - shape.free[0], height - shape.free[1]
     lines = split(unit.sizes, shape.rows)
