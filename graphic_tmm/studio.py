@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import MOST, Hand
@@ -11,7 +12,7 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
 from graphic_tmm.fitting.composition import Composition, beside, text
-from graphic_tmm.fitting.fit import fitted, fitted_part
+from graphic_tmm.fitting.fit import fitted_boards
 from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
@@ -47,16 +48,14 @@ def make(
         If a scale factor that it fixes draws a plan too small to measure.
     """
     scene = formatted(scene, given)
-    found = (fitted_part(scene, board, exact=exact, wanted=wanted) for board in own_boards(scene))
-    parts = tuple(part for part in found if part is not None)
-    if not draws_mechanism(scene, parts):
-        return DrawnScene(scene, parts)
+    mechanism = draws_mechanism(scene, own_boards(scene))
     if given is not None and given.sizes:
-        drawn = drawn_as(scene, given.sizes, exact=exact, wanted=wanted)
+        boards = drawn_as(scene, given.sizes, exact=exact, wanted=wanted, mechanism=mechanism)
     else:
-        drawn = fitted(scene, others=parts, exact=exact, wanted=wanted)
-    refuse_tiny(scene, drawn)
-    return DrawnScene(scene, (drawn, *parts))
+        boards = fitted_boards(scene, exact=exact, wanted=wanted, mechanism=mechanism)
+    if mechanism:
+        refuse_tiny(scene, boards[0])
+    return DrawnScene(scene, boards)
 
 
 def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:
@@ -108,18 +107,21 @@ def sheet_files(
     scene: Scene,
     formats: Sequence[str] = ("svg",),
     *,
+    strokes: bool = False,
     given: Composition | None = None,
     composition: bool = False,
 ) -> tuple[DrawnScene, dict[str, str | bytes]]:
     """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them.
 
-    ``given``: a composition to draw it by; ``composition``: its own is a file, too.
+    ``strokes``: the letters of a DXF as strokes, not as text. ``given``: a composition to draw it by;
+    ``composition``: its own is a file, too.
     """
     from graphic_tmm.paper.write.dxf import dxf
     from graphic_tmm.paper.write.export import pdf, png
     from graphic_tmm.paper.write.svg import svg
 
-    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": dxf}
+    lettered = partial(dxf, stroked=strokes)
+    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": lettered}
     made, found = composed_sheets(scene, given)
     drawn = found.sheets
     stem = scene_name(scene.source)

@@ -16,13 +16,13 @@ from support.gallery import NAMES, SHEETS, drawn
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.findings import finding
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
 
 
 @pytest.mark.parametrize(

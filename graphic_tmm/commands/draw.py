@@ -35,6 +35,7 @@ from graphic_tmm.language.said import said
         "Write down where the views stand, too: composition.toml, used where it stands beside SCENE."
     ),
 )
+@click.option("--strokes", is_flag=True, help=said("DXF: letters as strokes, not as text."))
 @hands
 @budgeted
 def draw(
@@ -42,6 +43,7 @@ def draw(
     output: str,
     forms: str,
     composition: bool,
+    strokes: bool,
     hand: str | None,
     seed: int | None,
     budget: str | None,
@@ -62,8 +64,8 @@ def draw(
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(beside(task.source))
-    task = replace(task, language=asked() or task.language)
-    made, texts = sheet_files(task, wanted, given=given, composition=composition)
+    spoken = replace(task, language=asked() or task.language)
+    made, texts = sheet_files(spoken, wanted, strokes=strokes, given=given, composition=composition)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

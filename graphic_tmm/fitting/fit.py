@@ -1,206 +1,187 @@
 """How large things are drawn: as large as the sheets ordered hold, or on as few more as they need.
 
-What is drawn has its usual size. Where a view fits no sheet of its format, what its size depends on is made
-smaller until it does; then what can grow grows as far as the sheets have room.
+Everything begins in its usual size; where a view fits no sheet of its format, what its size depends on is made
+smaller until it does. Then what is smallest, as a share of what it may take of its sheet, is lifted by one step
+of the standard scales, and so on: a plan alone does not eat the sheet that others stand on too. What makes the
+sheets more is put back, and not tried again.
+
+Mechanism and parts go one road: all of them are tried together, on the sheets that they share.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
-from dataclasses import replace
+from collections.abc import Iterable, Set
 
-from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import MECHANISM, Size, chapters, places
-from graphic_tmm.drawn import Drawn, doubted
-from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting.measuring import Cells, TooLarge, Trial, in_mm, needed, shares, too_large
-from graphic_tmm.fitting.scales import Fitting, Sizes, executed, reach_of, usual
-from graphic_tmm.project import Project, record
+from graphic_tmm.chapter import MECHANISM, chapters, places
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.measuring import Rooms, TooLarge, cells
+from graphic_tmm.fitting.scales import Sizes, usual
+from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.paper.packing import holds, share
+from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
 MEASURABLE = 40.0
-"""What grows is no shorter, mm, if the choice of μ is free and a sheet holds it. Half a division of 0.5 mm is
-0.6 % of that."""
-NO_DOUBTS = Doubts((), {})
+"""What begins small is no shorter, mm, if the choice of μ is free and a sheet holds it. Half a division of
+0.5 mm is 0.6 % of that."""
 STEP, TRIALS = 0.93, 40
 """By how much at least a size gives way at a time; how often. All of them leave a twentieth."""
+GROWTH, MOST = 1.1, 24
+"""By how much a size grows at a time, and how often at most, until something comes of it: two standard scales
+of the same series are a factor of two apart."""
+SHARE = 1.25
+"""The same of a size that is a share: several scales follow from it, and not all of them each time."""
+OVER = 1.03
+"""What may be lifted takes no more than so many times its share of a sheet."""
 
 
-def fitted(
-    scene: Scene,
-    *,
-    others: Sequence[Drawn] = (),
-    exact: bool = False,
-    wanted: Set[str] | None = None,
-) -> Drawn:
+def fitted(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Drawn:
     """Draw a mechanism with its plans as large as fit on the sheets ordered, or on as few more as they need.
 
-    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``others``: boards
-    that stand on the sheets too; ``wanted``: places of sheets, if not all is drawn that the scene calls for.
+    Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``wanted``: places
+    of sheets, if not all is drawn that the scene calls for.
+
+    Raises
+    ------
+    SceneError
+        If the scene has none.
     """
-    whole = record(scene)
-    project = whole if scene.called == scene.shown else record(scene, wanted=scene.shown)
-    trials = _Trials(scene, project, others)
-    least = trials.held(trials.least())
-    most = max(len(scene.sheets), trials.count(least))
-    growing = [size for size in _sizes(project).values() if size.rooms]
-    rooms = (
-        {**least, **{size.name: max(room, least[size.name]) for size in growing}}
-        for room in (growing[0].rooms if growing else ())
-    )
-    sizes: Sizes = next((found for found in rooms if trials.count(found) <= most), least)
-    for size in reversed(growing):
-        for room in reversed([r for r in size.rooms if r > sizes[size.name]]):
-            larger = {**sizes, size.name: room}
-            sizes = larger if trials.count(larger) <= most else sizes
-    sizes, drawn = trials.by_hand(sizes)
-    final = whole
-    if wanted is not None:
-        final = project if wanted == scene.shown else record(scene, wanted=wanted)
-    if final is not project:
-        return trials.final(final, sizes, exact)
-    return trials.draw(sizes) if exact else drawn
+    drawn = fitted_boards(scene, exact=exact, wanted=wanted, mechanism=True)
+    return next(one for one in drawn if one.board == MECHANISM)
 
 
-def fitted_part(
-    scene: Scene, board: str, *, exact: bool = False, wanted: Set[str] | None = None
-) -> Drawn | None:
-    """Draw a part on a board of its own in the usual size, or as much smaller as its sheets need.
-
-    None if it is not ``wanted`` (places of sheets); whether it can be made is found out nevertheless.
+def fitted_boards(
+    scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None, mechanism: bool
+) -> tuple[Drawn, ...]:
+    """Draw the boards of a scene, that of its ``mechanism`` first if it has one; see `fitted`.
 
     Raises
     ------
     StructureError
-        If it cannot be made.
+        If one of them cannot be made, even if nobody wants it.
     """
-    project = record(scene, board)
-    own = {place.name for one in chapters(board) for place in one.places}
-    if wanted is not None and not own & wanted:
+    parts: list[Board] = [Part(scene, board, wanted) for board in own_boards(scene)]
+    own = Mechanism(scene, wanted) if mechanism else None
+    boards = [*([own] if own is not None else []), *parts]
+    search = Search(scene, boards)
+    sizes = search.sizes()
+    found = [board.final(sizes, exact=exact) for board in parts]
+    if own is not None:
+        sizes, by_hand = search.by_hand(own, sizes)
+        whole = own.final(sizes, exact=exact) if exact or by_hand is None else by_hand
+        found = [whole, *found]
+    return tuple(one for one in found if one is not None)
+
+
+class Search:
+    """The search for sizes: boards tried together on the sheets of a scene."""
+
+    def __init__(self, scene: Scene, boards: Iterable[Board]) -> None:
+        self.scene = scene
+        self.boards = {board.name: board for board in boards}
+        self.rooms = Rooms(scene, list(self.boards.values()))
+        self.written = Rooms(scene, list(self.boards.values()), lettered=True)
+        self.own = {
+            name: (board, size)
+            for board in self.boards.values()
+            for name, size in board.sizes.items()
+        }
+
+    def sizes(self) -> Sizes:
+        """Return the sizes in which everything is drawn."""
+        least = self._held(self._least())
+        free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
+        most = max(len(self.scene.sheets), self.rooms.count(least))
+        found = self._lettered(self.lifted(least, free, most), most)
+        if found is None:
+            most = self.written.count(least)
+            found = self._lettered(self.lifted(least, free, most), most)
+        return found or least
+
+    def _lettered(self, steps: list[Sizes], most: float) -> Sizes | None:
+        """Return the largest of sizes, in order, that take no more sheets with their letters; None: all do."""
+        for sizes in reversed(steps):
+            if self.written.count(sizes) <= most:
+                return sizes
         return None
-    sizes: Sizes = usual(scene)
-    normal = drawn = executed(project, sizes, reach_of(project, NO_DOUBTS), None, exact=True)
-    for _ in range(TRIALS):
-        less = _smaller(too_large(scene, Trial.of(drawn), {}), sizes, scene)
-        if less == sizes:
-            break
-        sizes, shares = less, {name: share for name, share in less.items() if share < 1.0}
-        project = record(scene, board, sizes=shares, usual=normal)
-        drawn = executed(project, sizes, reach_of(project, NO_DOUBTS), None, exact=True)
-    return (
-        drawn
-        if exact
-        else executed(project, sizes, reach_of(project, NO_DOUBTS), None, exact=False)
-    )
 
+    def lifted(self, sizes: Sizes, names: Iterable[str], most: float) -> list[Sizes]:
+        """Return sizes step by step, one lifted each time, the relatively smallest first, on no more sheets."""
+        free = [name for name in names if self.own[name][1].cap > 0.0]
+        steps = [sizes]
+        while free:
+            name = min(free, key=lambda one: self._share(one, steps[-1]))
+            larger = self._larger(name, steps[-1])
+            if larger is None or not self._may(name, steps[-1], larger, most):
+                free.remove(name)
+            else:
+                steps.append(larger)
+        return steps
 
-def _sizes(project: Project) -> dict[str, Size]:
-    return {size.name: size for one in project.chapters for size in one.sizes}
+    def _share(self, name: str, sizes: Sizes) -> float:
+        """Return what a size takes of what it may take of its sheets."""
+        return self.rooms.large(name, sizes) / self.own[name][1].cap
 
+    def _may(self, name: str, sizes: Sizes, larger: Sizes, most: float) -> bool:
+        """Whether a size may be so much larger: no view comes apart, none takes too much, nor more sheets."""
+        if self.rooms.views(name, larger) > self.rooms.views(name, sizes):
+            return False
+        taken = self._share(name, larger)
+        return 0.0 < taken <= OVER and self.rooms.count(larger) <= most
 
-class _Trials:
-    """The sizes that are tried of one mechanism, with the exact hand; each μ is drawn and measured once."""
+    def _larger(self, name: str, sizes: Sizes) -> Sizes | None:
+        """Return sizes of which one is the next larger of which something else comes; None if there is none."""
+        board, size = self.own[name]
+        before, larger = board.known(name, sizes), sizes
+        by = GROWTH if size.in_mm else SHARE
+        for _ in range(MOST):
+            larger = {**larger, name: larger[name] * by}
+            if board.known(name, larger) != before:
+                return larger
+        return None
 
-    def __init__(self, scene: Scene, project: Project, others: Sequence[Drawn]) -> None:
-        self.scene, self.project, self.others = scene, project, others
-        self.doubts = doubted(project)
-        self.reach = reach_of(project, self.doubts)
-        self.cells: Cells = {}
-        self.drawn: dict[tuple[float, ...], Drawn] = {}
-        self.counts: dict[tuple[float, ...], float] = {}
-
-    def factors(self, sizes: Sizes) -> tuple[float, ...]:
-        """What a drawing depends on: μ of the plans, the sizes of all else."""
-        return (*(scale.value for scale in self.scales(sizes).values()), *shares(sizes))
-
-    def scales(self, sizes: Sizes) -> Mapping[str, Scale]:
-        """Return μ of the plans."""
-        return Fitting(self.project, sizes, self.reach).plan_scales()
-
-    def trial(self, sizes: Sizes) -> Trial:
-        """Return a drawing that is made when something of it has to be measured."""
-        return Trial(MECHANISM, self.scales(sizes), sizes, lambda: self.draw(sizes))
-
-    def draw(self, sizes: Sizes) -> Drawn:
-        """Return the drawing with these sizes."""
-        key = self.factors(sizes)
-        if key not in self.drawn:
-            self.drawn[key] = executed(self.project, sizes, self.reach, self.doubts, exact=True)
-        return self.drawn[key]
-
-    def final(self, project: Project, sizes: Sizes, exact: bool) -> Drawn:
-        """Return what is drawn in the end, with the sizes found; of more than the sheets show, too."""
-        doubts, reach = self.doubts, self.reach
-        if project is not self.project:
-            doubts = doubted(project)
-            own = reach_of(project, doubts)
-            reach = {name: _joined(self.reach.get(name), more) for name, more in own.items()}
-        return executed(project, sizes, reach, doubts, exact=exact)
-
-    def count(self, sizes: Sizes) -> float:
-        """Return how many sheets the plans take; without end if one of them fits none."""
-        key = self.factors(sizes)
-        if key not in self.counts:
-            try:
-                self.counts[key] = needed(self.scene, self.trial(sizes), self.others, self.cells)
-            except ViewError:
-                self.counts[key] = math.inf
-        return self.counts[key]
-
-    def least(self) -> Sizes:
-        """Return the usual sizes, with the least room for what grows at which it can be measured."""
-        found = usual(self.scene)
-        for size in _sizes(self.project).values():
-            if size.rooms:
-                rooms = [{**found, size.name: room} for room in reversed(size.rooms)]
-                enough = (sizes for sizes in rooms if self._longest(size, sizes) >= MEASURABLE)
-                found = next(enough, found)
+    def _least(self) -> Sizes:
+        """Return the usual sizes; of what begins small the least at which it can be measured."""
+        found: Sizes = usual(self.scene)
+        for name, (board, size) in self.own.items():
+            if size.small:
+                found = {**found, name: size.small}
+                while found[name] < size.usual(self.scene) and board.mm(name, found) < MEASURABLE:
+                    found = {**found, name: min(found[name] * GROWTH, size.usual(self.scene))}
         return found
 
-    def _longest(self, size: Size, sizes: Sizes) -> float:
-        scales = self.scales(sizes)
-        found = size.extent(self.reach)
-        known = size.name in scales and found > 0.0
-        return found / scales[size.name].value if known else math.inf
-
-    def held(self, sizes: Sizes) -> Sizes:
+    def _held(self, sizes: Sizes) -> Sizes:
         """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""
         for _ in range(TRIALS):
-            found = too_large(self.scene, self.trial(sizes), self.cells)
-            less = _smaller(found, sizes, self.scene)
+            rooms = self.written if self.rooms.near(sizes) else self.rooms
+            less = _smaller(rooms.too_large(sizes), sizes, self.scene)
             if less == sizes:
                 break
             sizes = less
         return sizes
 
-    def by_hand(self, sizes: Sizes) -> tuple[Sizes, Drawn]:
-        """Return the drawing by the scene's own hand, and its sizes.
+    def by_hand(self, own: Mechanism, sizes: Sizes) -> tuple[Sizes, Drawn | None]:
+        """Return the sizes, and what is drawn with them by the scene's own hand if all of it is wanted.
 
         Near a singular position a rounded reading may make a plan much larger than it is: it gives way too.
         """
-        plans = in_mm()
-        orders = (
-            replace(order, place=tuple(place for place in order.place if place in plans))
-            for order in self.scene.sheets
-        )
-        scene = replace(self.scene, sheets=tuple(orders))
+        plans = {name for name, size in own.sizes.items() if size.in_mm}
+        drawn = None
         for _ in range(TRIALS):
-            drawn = self.final(self.project, sizes, exact=False)
-            less = _smaller(too_large(scene, Trial.of(drawn), {}), sizes, self.scene)
+            drawn = own.final(sizes, exact=False)
+            found = [
+                TooLarge(place, view.name, share(view, rooms[0].within))
+                for order, rooms in self.rooms.orders
+                for place in order.place
+                if place in plans
+                for view in cells(place, self.scene, [drawn], rooms[0].within, lettered=False)
+                if not holds(rooms[0].within, view)
+            ]
+            less = _smaller(found, sizes, self.scene)
             if less == sizes:
                 break
             sizes = less
         return sizes, drawn
-
-
-def _joined(tried: object, more: object) -> object:
-    """Return the reach that was tried, where it is there, and what else there is."""
-    if not isinstance(tried, tuple) or not isinstance(more, tuple):
-        return more
-    make: Callable[..., object] = type(more)
-    return make(*(one or other for one, other in zip(tried, more, strict=True)))
 
 
 def _smaller(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> Sizes:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
-from graphic_tmm.chapter import MECHANISM, places
-from graphic_tmm.drawn import Drawn, doubted
+from graphic_tmm.chapter import places
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.fitting.scales import executed, reach_of, usual
+from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose.search import fits
 from graphic_tmm.paper.compose.sheets import Order, Shared
@@ -18,7 +21,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import Room, settled
-from graphic_tmm.project import own_boards, record
+from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
@@ -82,15 +85,14 @@ def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, lis
 
 def _boards(scene: Scene) -> Iterator[Drawn]:
     """Yield the boards of a scene drawn in their usual sizes; what cannot be drawn is refused later."""
-    mechanism = (MECHANISM,) if scene.mechanism is not None else ()
-    for board in (*mechanism, *own_boards(scene)):
-        try:
-            project = record(scene, board)
-            doubts = doubted(project)
-            reach = reach_of(project, doubts)
-            yield executed(project, usual(scene), reach, doubts, exact=True)
-        except TmmError:
-            continue
+    made: list[Callable[[], Board]] = [
+        partial(Part, scene, board, None) for board in own_boards(scene)
+    ]
+    if scene.mechanism is not None:
+        made.append(partial(Mechanism, scene, None))
+    for make in made:
+        with suppress(TmmError):
+            yield make().draw(usual(scene))
 
 
 def oversized(

@@ -4,28 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
 
-from graphic_tmm.drawn import Drawn, doubted
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import FILE, Composition
-from graphic_tmm.fitting.scales import executed, reach_of, usual
+from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose.restored import restored
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.sheets import Order, Shared
-from graphic_tmm.project import record
+from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
 Laid = Sequence[tuple[Shared, Places]]
 
 
 def drawn_as(
-    scene: Scene, sizes: Mapping[str, float], *, exact: bool, wanted: Set[str] | None
-) -> Drawn:
-    """Return the mechanism drawn with sizes that were found before: nothing is tried."""
-    project = record(scene) if wanted is None else record(scene, wanted=wanted)
-    doubts = doubted(project)
+    scene: Scene,
+    sizes: Mapping[str, float],
+    *,
+    exact: bool,
+    wanted: Set[str] | None,
+    mechanism: bool,
+) -> tuple[Drawn, ...]:
+    """Return the boards of a scene drawn in sizes that were found before: nothing is tried."""
     known = usual(scene)
-    given = {**known, **{name: size for name, size in sizes.items() if name in known}}
-    return executed(project, given, reach_of(project, doubts), doubts, exact=exact)
+    found = {**known, **{name: size for name, size in sizes.items() if name in known}}
+    boards: list[Board] = [Mechanism(scene, wanted)] if mechanism else []
+    boards += [Part(scene, board, wanted) for board in own_boards(scene)]
+    drawn = (board.final(found, exact=exact) for board in boards)
+    return tuple(one for one in drawn if one is not None)
 
 
 def restored_sheets(

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
@@ -32,16 +32,19 @@ def mu_text(scale: Scale, language: str) -> str:
     return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
 
 
-def pole_texts(log: Construction, reading: Reading, view: str, language: str) -> list[str]:
-    """Return the pole distances of a view as they are written: H_V = 20 mm."""
-    found = []
+def pole_figures(log: Construction, reading: Reading, view: str, language: str) -> dict[Mark, str]:
+    """Return the pole distances of a view (Length) as they are dimensioned: H_V = 20."""
+    found = {}
     for pole in log.roles(view, roles.POLE):
         step = log.step(pole)
         if step is not None:
-            distance = step.uses[1]
-            value = number(float(reading[distance][0, 0]), language)
-            found.append(f"{distance.name} = {value} {unit('mm', language)}")
+            found[step.uses[1]] = length_figure(reading, step.uses[1], language)
     return found
+
+
+def length_figure(reading: Reading, length: Mark, language: str) -> str:
+    """Return a length as it is dimensioned on a drawing, with its letter: H_V = 20."""
+    return f"{length.name} = {number(float(reading[length][0, 0]), language)}"
 
 
 def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawing]:
@@ -102,13 +105,13 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
     left, low, right, top = bounds(view)
     tabular, middle = view.name.startswith("table"), (left + right) / 2
     at, anchor = (left, "start") if tabular else (middle, "middle")
-    labels, widest = list(view.labels), 0.0
+    labels, widest = list(view.labels), 0.0  # leaning tops reach out at the right
     for text, size in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
-        widest = max(widest, made.width)
+        widest = max(widest, made.right if tabular else 2 * made.right - made.width)
     foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)
@@ -136,11 +139,34 @@ def _outside(head: str) -> bool:
     return head.count("{") == head.count("}")
 
 
+def _height(views: Sequence[Drawing]) -> float:
+    """Return how high views are one below the other."""
+    boxes = [bounds(view) for view in views]
+    return sum(high - low + STACK for _, low, _, high in boxes) - STACK
+
+
 def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
     """Return drawings one below the other as one, their origins above each other.
 
-    Where no sheet is so high they stand by themselves.
+    Where no sheet is so high as many as fit stand one below the other; all parts are equally wide, so that the
+    origins of those at one edge stand above each other too.
     """
+    own = [bounds(view) for view in views]
+    left, right = min(b[0] for b in own), max(b[2] for b in own)
+
+    def apart(within: Within) -> list[Drawing]:
+        room = max((h for w, h in within.sizes if w >= right - left), default=0.0)
+        parts: list[list[Drawing]] = []
+        for view, (_, low, _, high) in zip(views, own, strict=True):
+            wide = view._replace(cell=(left, low, right, high))
+            if parts and _height([*parts[-1], wide]) <= room:
+                parts[-1].append(wide)
+            else:
+                parts.append([wide])
+        if len(parts) == 1:
+            return list(views)
+        return [part[0] if len(part) == 1 else stacked(part[0].name, part) for part in parts]
+
     moved, top = [], 0.0
     for view in views:
         _, low, _, high = bounds(view)
@@ -153,14 +179,14 @@ def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
         max(b[2] for b in boxes),
         max(b[3] for b in boxes),
     )
-    strokes = tuple(stroke for view in moved for stroke in view.strokes)
-    labels = tuple(label for view in moved for label in view.labels)
     return Drawing(
         name,
         "; ".join(view.title for view in views),
-        strokes,
-        labels,
+        tuple(stroke for view in moved for stroke in view.strokes),
+        tuple(label for view in moved for label in view.labels),
         cell,
-        lambda _: views,
+        apart,
         views[0].stand,
+        rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
+        shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
     )

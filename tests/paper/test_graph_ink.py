@@ -15,12 +15,14 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
-from graphic_tmm.paper.graph import Names, axes_of, draw_graph
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import fitted
 
 POINTS = {"windrower": "D", "engine": "B"}
 CASES = [
@@ -37,10 +39,11 @@ def drawn(name: str, start: str, method: str) -> Drawn:
 
 
 def graph(work: Drawn, symbol: str, *, lettered: bool = True) -> Drawing:
+    """A diagram with its letters in their places, or with room for them."""
     names = Names(work.project.names, symbol, "t")
     log, row = work.project.construction, work.project.count
     view = f"diagram {symbol}"
-    return draw_graph(log, work.reading, view, row, names, "X", lettered=lettered)
+    return finished(draw_graph(log, work.reading, view, row, names, "X"), lettered)
 
 
 def length(work: Drawn, symbol: str) -> float:

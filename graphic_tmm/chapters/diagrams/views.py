@@ -6,12 +6,16 @@ from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, mu_text, pole_texts, stacked
+from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
 from graphic_tmm.readers.result_table import result_table
 
 
@@ -21,14 +25,17 @@ def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if kinematic is None:
         return []
     words, row, log = captions(language), drawn.project.count, drawn.construction
-    along = "t" if kinematic.order.over == "time" else "φ"
+    of_base = unit(kinematic.base.mu.unit.removesuffix("/mm"), language)
+    along = on_axis("t" if kinematic.order.over == "time" else "φ", of_base)
+    names, high = [escape(name) for name in drawn.names], heights(drawn.scene, PLAN)
     views = []
     for chart in kinematic.charts.values():
         title = words[chart.view].format(point=escape(kinematic.order.point))
-        letters = Names([escape(name) for name in drawn.names], chart.symbol, along)
-        view = draw_graph(log, drawn.reading, chart.view, row, letters, title, lettered=lettered)
+        up = on_axis(chart.symbol, unit(chart.unit, language))
+        poles = pole_figures(log, drawn.reading, chart.view, language)
+        letters = Names(names, up, along, lengths=poles)
+        view = draw_graph(log, drawn.reading, chart.view, row, letters, title, heights=high)
         scales = [mu_text(drawn.scales[key], language) for key in (chart.view, BASE_VIEW)]
-        poles = pole_texts(log, drawn.reading, chart.view, language)
-        views.append(captioned(view, title, ", ".join([*scales, *poles])))
+        views.append(captioned(finished(view, lettered), title, ", ".join(scales), heights=high))
     rows = tuple(diagram_columns(drawn))
     return [stacked("diagrams", views), result_table(PLAN, rows, drawn.names, language)]

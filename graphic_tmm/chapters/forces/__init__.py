@@ -73,7 +73,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
     if view.startswith("indicator"):
         return ("graphs",)
-    return ("groups", POSITIONS) if view.startswith("group") else ("forces",)
+    return ("groups",) if view.startswith("group") else ("forces",)
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:

@@ -92,6 +92,21 @@ class Loads:
             self.couples_on_lever.append(load)
 
 
+@dataclass
+class Acting:
+    """What acts on the links while groups are solved one after another: loads, then reactions handed on."""
+
+    forces: dict[int, list[Force]] = field(default_factory=dict)
+    couples: dict[int, list[Couple]] = field(default_factory=dict)
+
+    def add(self, load: Force | Couple) -> None:
+        """Enter a load."""
+        if isinstance(load, Force):
+            self.forces.setdefault(load.link, []).append(load)
+        else:
+            self.couples.setdefault(load.link, []).append(load)
+
+
 class Ground(NamedTuple):
     """What loads are drawn on: the board, the mechanism, its plans, how the velocity plan is turned.
 

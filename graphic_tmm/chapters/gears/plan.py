@@ -51,7 +51,7 @@ def record(bench: Bench) -> Gear | None:
     if order is None:
         return None
     share = bench.sizes.get(GEARS.chapter, 1.0)
-    if bench.usual is not None and share < 1.0:
+    if bench.usual is not None and share != 1.0:
         mu = float(bench.usual.reading[GEARS.on(bench.usual).line.mu][0, 0])
         order = replace(order, mu=standard_length(mu / share, 1.0))
     return draw_gear(bench.draft, order)

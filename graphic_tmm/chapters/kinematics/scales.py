@@ -29,9 +29,9 @@ from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
 
-VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
-"""Room for the longest vector of a plan, mm: as much as the sheets hold. Below 50 mm the ruler's half division
-of 0.25 mm is more than 0.5 %."""
+SMALL, VECTORS = 50.0, 80.0
+"""Room for the longest vector of a plan, mm, to begin with. Below 50 mm the ruler's half division of 0.25 mm is
+more than 0.5 %."""
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
@@ -144,7 +144,7 @@ def _narrow(scene: Scene) -> float:
     return narrowest(order.format for order in orders).room
 
 
-def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] = ()) -> Size:
+def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float = 0.0) -> Size:
     keys = KEYS[plan]
 
     def fixed(scene: Scene) -> str:
@@ -167,7 +167,8 @@ def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] =
         plan,
         usual,
         in_mm=True,
-        rooms=rooms,
+        small=small,
+        cap=cap,
         extent=own,
         fixed=fixed,
         freed=freed,
@@ -176,9 +177,9 @@ def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] =
 
 
 SIZES = (
-    _size(POSITIONS, _narrow),
-    _size(VELOCITIES, lambda scene: 80.0, VECTORS),
-    _size(ACCELERATIONS, lambda scene: 80.0, VECTORS),
+    _size(POSITIONS, _narrow, 0.6),
+    _size(VELOCITIES, lambda scene: VECTORS, 0.4, SMALL),
+    _size(ACCELERATIONS, lambda scene: VECTORS, 0.4, SMALL),
 )
 """Room for the plan of positions, and for the longest vectors of the others."""
 

@@ -19,8 +19,8 @@ from graphic_tmm.paper.packing import Room
 
 TRIES = 60
 """How many orders of a sheet are tried."""
-QUICK = 6
-"""How many are tried to find out whether a sheet holds some boxes."""
+QUICK, FEW = 24, 4
+"""How many are tried to find out whether a sheet holds all that is ordered, or a part of it."""
 LEAD = "\0lead"
 """The block of what leads: tables may stand below it."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.paper.compose.slicing import curve, curves, steps, tree
+from graphic_tmm.paper.compose.slicing import GRID, curve, curves, steps, tree
 from graphic_tmm.paper.compose.spread import grown, need, spread
 from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes
 from graphic_tmm.paper.packing import GAP, Room
@@ -25,6 +25,7 @@ def placed(
     right -= aside
     width, height = right - left - 2 * gap, top - bottom - 2 * gap
     area = sum((o.width + gap) * (o.height + gap) for o in outlines)
+    area += (foot[0] + gap) * (foot[1] + gap)
     if area > (width + gap) * (height + gap):
         return None
     there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
@@ -87,7 +88,8 @@ def _corners(room: Room, gap: float) -> tuple[Size, Size, float]:
             foot = (wide, high)
         elif box[2] >= right - 1e-6:
             aside = max(aside, wide)
-    width = right - left - aside - 2 * gap
+    # what is as wide as the sheet would leave no step of the grid to spare: nothing stands beside it anyway
+    width = right - left - aside - 2 * gap - 2 * GRID
     if foot[0]:
         foot = (max(min(foot[0] - aside - gap, width), 0.0), max(foot[1] - gap, 0.0))
     if head[0]:

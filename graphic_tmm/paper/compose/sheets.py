@@ -13,7 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import search
-from graphic_tmm.paper.compose.search import QUICK, TRIES, fits
+from graphic_tmm.paper.compose.search import FEW, QUICK, TRIES, fits
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
 from graphic_tmm.paper.drawing import Drawing
@@ -128,7 +128,7 @@ def _taken(
 ) -> list[int]:
     """Return what of the boxes that wait a sheet holds: as many in order as it can, and tables behind them."""
 
-    def held(chosen: Sequence[int], tried: int = QUICK) -> bool:
+    def held(chosen: Sequence[int], tried: int = FEW) -> bool:
         if most is not None and len(chosen) > 1 and _area(boxes, chosen) > most:
             return False
         return fits([boxes[k] for k in chosen], room, tried) is not None

@@ -21,6 +21,7 @@ from graphic_tmm.paper.pens import CENTRE, DASHED, KINDS, LETTERING, PHANTOM, Pe
 from graphic_tmm.paper.write.dxf_blocks import Blocks, gathered, symbol_of
 from graphic_tmm.paper.write.dxf_ink import Inker, weight
 from graphic_tmm.paper.write.dxf_text import Letterer, add_styles
+from graphic_tmm.paper.write.svg import clean
 
 LINETYPES = {"dashed": "DASHED", "centre": "CENTER", "phantom": "PHANTOM"}
 """Names of the line types, as CAD programs have them, of the pens that draw them."""
@@ -28,6 +29,8 @@ DASHES = {"DASHED": DASHED, "CENTER": CENTRE, "PHANTOM": PHANTOM}
 """Their strokes and gaps, mm."""
 UNFIT = re.compile(r"[^\w.~-]+")
 """What the name of a layer does not hold, or better not."""
+LONGEST = 255
+"""Characters that a text beside the drawing may have at the most."""
 WINDOW = "viewport"
 """The layer of the frame of the viewport: it is not printed."""
 
@@ -127,7 +130,8 @@ class _Writer:
                 name, linetype=LINETYPES.get(kind, "CONTINUOUS"), lineweight=weight(width)
             )
             called = self.speech(KINDS.get(kind, LETTERING))
-            made.description = ", ".join(filter(None, (drawing.title, number, called)))
+            told = ", ".join(filter(None, (clean(drawing.title), number, called)))
+            made.description = told[:LONGEST]
         return name
 
     def draw(self, drawing: Drawing) -> None:

@@ -14,13 +14,13 @@ from support.gallery import SHEETS
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.readers.columns import (
     Column,
 )
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import fitted
 
 ORDER = KinematicTask("B", start="displacement")
 
