@@ -133,8 +133,7 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             size = heights(drawn.scene, "equations")
-            found.append(draw_equations(log, plan, title, told, size))
-            found += noted([draw_equations(log, plan, title, told)], plan)
+            found += noted([draw_equations(log, plan, title, told, size)], plan)
     return found
 
 
