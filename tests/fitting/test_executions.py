@@ -47,7 +47,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> Iterator[Runs]:
         return found
 
     monkeypatch.setattr(Program, "run", counting)
-    yield counted
+    return counted
 
 
 def once(runs: Runs) -> None:
