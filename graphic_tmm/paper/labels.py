@@ -229,5 +229,6 @@ def interrupt(strokes: Sequence[Ink], labels: Sequence[Label]) -> tuple[Ink, ...
         hits.setdefault(soft[i], []).append(frames[j])
     made: list[Ink] = []
     for k, stroke in enumerate(strokes):
-        made += broken(stroke, hits[k], CLEAR) if k in hits else [stroke]
+        # one that would vanish stays
+        made += (broken(stroke, hits[k], CLEAR) if k in hits else []) or [stroke]
     return tuple(made)
