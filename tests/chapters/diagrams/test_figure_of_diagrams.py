@@ -13,9 +13,9 @@ from support.graphs import assert_read_off_the_log, axes_views, graphs
 
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import fitted
 
 GRAPHS = [n for n in NAMES if axes_views(drawn(n, exact=True).construction)]
 

@@ -14,10 +14,10 @@ from graphic_tmm.chapters.engine.ink import TRACELESS, draw_rotating, draw_trian
 from graphic_tmm.chapters.engine.plan import ENGINE
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
 
 ENGINES = [n for n in NAMES if ENGINE.of(drawn(n, exact=True)) is not None]
 

@@ -14,10 +14,10 @@ from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
 
 WHEELS = [n for n in NAMES if FLYWHEEL.of(drawn(n, exact=True)) is not None]
 

@@ -13,9 +13,9 @@ from support.graphs import assert_read_off_the_log
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
 
 CYLINDERS = [n for n in NAMES if INDICATOR.of(drawn(n, exact=True)) is not None]
 
