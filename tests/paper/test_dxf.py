@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import subprocess
@@ -47,7 +48,7 @@ def test_the_extents_are_those_of_the_ink(sheet) -> None:
 
 
 def test_the_paper_shows_the_sheet_at_its_size(document, sheet) -> None:
-    layout = document.layout("A1")
+    layout = document.layout(sheet.format)
     assert (layout.dxf.paper_width, layout.dxf.paper_height) == (sheet.width, sheet.height)
     assert (layout.dxf.scale_numerator, layout.dxf.scale_denominator) == (1, 1)
     (window,) = [v for v in layout.viewports() if v.dxf.id != 1]
@@ -167,6 +168,18 @@ def test_a_scene_gives_the_same_bytes_whatever_the_hash_seed(tmp_path) -> None:
         tuple(path.read_bytes() for path in sorted((tmp_path / seed).iterdir())) for seed in "12345"
     }
     assert [len(files) for files in found] == [len(paper("crank-rocker")[1])]
+
+
+def test_a_place_that_is_none_and_an_unknown_pen_are_refused() -> None:
+    for bad in (math.nan, math.inf):
+        with pytest.raises(SheetError, match="finite"):
+            dxf(sheet_of(line("main", 0j, complex(bad, 1))))
+        with pytest.raises(SheetError, match="finite"):
+            dxf(sheet_of(line("body", 0j, complex(bad, 1), 9j, closed=True)))
+        with pytest.raises(SheetError, match="finite"):
+            dxf(sheet_of(labels=(Label("a", complex(1, bad)),)))
+    with pytest.raises(SheetError, match="crayon"):
+        dxf(sheet_of(line("crayon", 0j, 1j)))
 
 
 def test_without_ezdxf_the_remedy_is_told(sheet, monkeypatch: pytest.MonkeyPatch) -> None:
