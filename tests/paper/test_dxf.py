@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 import pytest
-from support.dxf_read import opened, sheet_of
+from support.dxf_read import at, opened, sheet_of
 from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
@@ -112,13 +112,14 @@ def places(entity) -> list[tuple[float, float]]:
     return [tuple(entity.dxf.get(end))[:2] for end in ends]
 
 
-def test_the_check_line_is_100_mm(document) -> None:
-    long = [
-        abs(line.dxf.end.y - line.dxf.start.y)
-        for line in document.modelspace().query("LINE")
-        if line.dxf.start.x == line.dxf.end.x == 5.5
+def test_the_check_line_is_100_mm(document, sheet) -> None:
+    (drawn,) = [s for d in sheet.drawings for s in d.strokes if dict(s.data).get("check-line")]
+    ends = [complex(x, y) for x, y, _ in drawn.path]
+    found = [[at(made.dxf.start), at(made.dxf.end)] for made in document.modelspace().query("LINE")]
+    near = [
+        pair for pair in found if max(abs(a - b) for a, b in zip(pair, ends, strict=True)) < 1e-6
     ]
-    assert any(abs(length - 100.0) < 1e-9 for length in long)
+    assert [abs(b - a) for a, b in near] == pytest.approx([100.0], abs=1e-9)
 
 
 ALL_KINDS = """
