@@ -24,9 +24,9 @@ FAR = (0.0, 1.0, 2.0, 3.0)
 """How much farther along the axis a number is tried that a curve is in the way of, mm."""
 EVERY = (1, 2, 5, 10, 20, 50, 100)
 """Of positions that stand too close for their numbers every second, fifth … bears one."""
-_HEAVY, _LABEL, _FOOT, _FAR = 20.0, 500.0, 3.0, 0.3
-"""What it costs to stand on a main line, on the number before, past another position; a mm from its own. A thin
-line costs 1."""
+_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 1.0, 0.1
+"""What it costs to stand on a main line, on a thin one, on the number before, past another position; a mm away
+from its own."""
 _OTHER_SIDE, _LOWER = 10.0, 12.0
 """What it costs that the numbers stand above the axis, or one of them on the other side of it than the rest;
 that all stand on the next level below."""
@@ -102,7 +102,9 @@ class _Inked:
             hits = tree.query(frames, predicate="intersects")[0]
             return np.bincount(hits, minlength=frames.size).reshape(left.shape).astype(float)
 
-        return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + met(self.light, CLEAR / 2)
+        return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + _LIGHT * met(
+            self.light, CLEAR / 2
+        )
 
 
 def _level(
