@@ -52,6 +52,11 @@ def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawi
     return [view._replace(stand=Stand(block, "row", below)) for view in views]
 
 
+def noted(views: Sequence[Drawing], block: str) -> list[Drawing]:
+    """Return what is said of a block of views, its equations: behind its rows, else where there is room."""
+    return [view._replace(stand=Stand(block, "note")) for view in views]
+
+
 def paired(views: Sequence[Drawing]) -> list[Drawing]:
     """Return views that stand beside each other: a figure and what belongs to it."""
     return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
