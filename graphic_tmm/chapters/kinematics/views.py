@@ -133,8 +133,8 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             size = heights(drawn.scene, "equations")
-            found.append(draw_equations(log, plan, title, told, size))
-            found += in_rows([draw_equations(log, plan, title, told)], plan)
+            view = draw_equations(log, plan, title, told, size, drawn.scene.language)
+            found += in_rows([view], plan)
     return found
 
 
