@@ -9,10 +9,11 @@ from typing import NamedTuple
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting.compose import orders, views_of
+from graphic_tmm.fitting.compose import orders
+from graphic_tmm.fitting.formats import views_of
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.fitting.tried import Board
-from graphic_tmm.paper.compose.sheets import composed
+from graphic_tmm.paper.compose.sheets import Order, shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.formats import FORMATS
@@ -71,7 +72,7 @@ class Rooms:
         if key not in self._counts:
             outlines = [Outline.of(one.view) for one in self._of(number, sizes)]
             try:
-                self._counts[key] = len(composed(outlines, rooms, order.format))
+                self._counts[key] = len(shared([Order(tuple(outlines), rooms, order.format)]))
             except ViewError:
                 self._counts[key] = math.inf
         return self._counts[key]
@@ -102,19 +103,15 @@ class Rooms:
                 yield one
 
     def fill(self, size: str, sizes: Sizes) -> float:
-        """Return how full the sheets are on which views stand that depend on a size: boxes by free room."""
-        taken = room = 0.0
-        for number, (_, sheet) in enumerate(self.orders):
+        """Return how full the emptiest order is of which a view depends on a size: boxes by free room."""
+        found = [1.0]
+        for number, (_, rooms) in enumerate(self.orders):
             views = list(self._of(number, sizes))
-            if not any(size in places()[v.place][1].sizes(self.scene, v.view.name) for v in views):
-                continue
-            for one in views:
-                left, low, right, top = bounds(one.view)
-                taken += (right - left) * (top - low)
-            left, low, right, top = sheet[0].inner
-            used = sum((c - a) * (d - b) for a, b, c, d in sheet[0].occupied)
-            room += self._sheets(number, sizes) * ((right - left) * (top - low) - used)
-        return taken / room if room else 1.0
+            if any(size in places()[v.place][1].sizes(self.scene, v.view.name) for v in views):
+                taken = sum(_area(bounds(one.view)) for one in views)
+                room = _area(rooms[0].inner) - sum(map(_area, rooms[0].occupied))
+                found.append(taken / (self._sheets(number, sizes) * room))
+        return float(min(found))
 
     def shown(self, sizes: Sizes) -> Iterator[Shown]:
         """Yield the views of all sheets."""
@@ -172,15 +169,15 @@ def sheets_of(scene: Scene, boards: Sequence[Drawn]) -> int:
     ViewError
         If a view fits no sheet.
     """
-    count = 0
+    wanted = []
     for order, rooms in orders(scene):
         there = [
-            view
+            Outline.of(view)
             for place in order.place
             for view in cells(place, scene, boards, rooms[0].within, lettered=True)
         ]
-        count += len(composed([Outline.of(view) for view in there], rooms, order.format))
-    return count
+        wanted.append(Order(tuple(there), rooms, order.format))
+    return len(shared(wanted))
 
 
 def cells(
@@ -205,6 +202,10 @@ def _at_the_edge(view: Drawing, within: Within) -> bool:
     wide, high = right - left, top - low
     smaller = within.share(wide - NEAR, high - NEAR) >= 1.0
     return smaller and within.share(wide + NEAR, high + NEAR) < 1.0
+
+
+def _area(box: tuple[float, float, float, float]) -> float:
+    return (box[2] - box[0]) * (box[3] - box[1])
 
 
 def _share(shown: Shown) -> float:

@@ -68,7 +68,7 @@ def test_arcs_and_curves_have_their_shape() -> None:
 
 
 def field(seed: int, count: int) -> tuple[list[Wanted], list[Stroke]]:
-    """Points close to each other, each with a label of one to three letters; lines of all kinds through them."""
+    """Points close to each other, each with a label of one to three letters; lines of two kinds among them."""
     chance = random.Random(seed)
 
     def spot() -> complex:

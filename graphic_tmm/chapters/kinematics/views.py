@@ -28,7 +28,7 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, in_rows, mu_text
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
@@ -134,7 +134,7 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         if told:
             size = heights(drawn.scene, "equations")
             view = draw_equations(log, plan, title, told, size, drawn.scene.language)
-            found += in_rows([view], plan)
+            found += noted([view], plan)
     return found
 
 
