@@ -133,7 +133,8 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             size = heights(drawn.scene, "equations")
-            found += noted([draw_equations(log, plan, title, told, size)], plan)
+            view = draw_equations(log, plan, title, told, size, drawn.scene.language)
+            found += noted([view], plan)
     return found
 
 
