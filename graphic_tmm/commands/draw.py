@@ -28,6 +28,13 @@ from graphic_tmm.language.said import said
     show_default=True,
     help=said("svg, pdf, png, dxf; several with commas."),
 )
+@click.option(
+    "--composition",
+    is_flag=True,
+    help=said(
+        "Write down where the views stand, too: composition.toml, used where it stands beside SCENE."
+    ),
+)
 @click.option("--strokes", is_flag=True, help=said("DXF: letters as strokes, not as text."))
 @hands
 @budgeted
@@ -35,6 +42,7 @@ def draw(
     scene: str | None,
     output: str,
     forms: str,
+    composition: bool,
     strokes: bool,
     hand: str | None,
     seed: int | None,
@@ -43,6 +51,7 @@ def draw(
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from graphic_tmm.errors import SheetError
     from graphic_tmm.files import write
+    from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.studio import FORMATS, sheet_files
 
     wanted = [form.strip().lower() for form in forms.split(",")]
@@ -54,8 +63,9 @@ def draw(
         )
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
+    given = read_composition(beside(task.source))
     spoken = replace(task, language=asked() or task.language)
-    made, texts = sheet_files(spoken, wanted, strokes=strokes)
+    made, texts = sheet_files(spoken, wanted, strokes=strokes, given=given, composition=composition)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

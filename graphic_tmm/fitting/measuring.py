@@ -9,10 +9,11 @@ from typing import NamedTuple
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting.compose import orders, views_of
+from graphic_tmm.fitting.compose import orders
+from graphic_tmm.fitting.formats import views_of
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.fitting.tried import Board
-from graphic_tmm.paper.compose.sheets import composed
+from graphic_tmm.paper.compose.sheets import Order, shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.formats import FORMATS
@@ -71,7 +72,7 @@ class Rooms:
         if key not in self._counts:
             outlines = [Outline.of(one.view) for one in self._of(number, sizes)]
             try:
-                self._counts[key] = len(composed(outlines, rooms, order.format))
+                self._counts[key] = len(shared([Order(tuple(outlines), rooms, order.format)]))
             except ViewError:
                 self._counts[key] = math.inf
         return self._counts[key]
@@ -168,15 +169,15 @@ def sheets_of(scene: Scene, boards: Sequence[Drawn]) -> int:
     ViewError
         If a view fits no sheet.
     """
-    count = 0
+    wanted = []
     for order, rooms in orders(scene):
         there = [
-            view
+            Outline.of(view)
             for place in order.place
             for view in cells(place, scene, boards, rooms[0].within, lettered=True)
         ]
-        count += len(composed([Outline.of(view) for view in there], rooms, order.format))
-    return count
+        wanted.append(Order(tuple(there), rooms, order.format))
+    return len(shared(wanted))
 
 
 def cells(

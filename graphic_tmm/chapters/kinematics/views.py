@@ -28,7 +28,7 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, in_rows, mu_text
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
@@ -133,8 +133,7 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             size = heights(drawn.scene, "equations")
-            found.append(draw_equations(log, plan, title, told, size))
-            found += in_rows([draw_equations(log, plan, title, told)], plan)
+            found += noted([draw_equations(log, plan, title, told, size)], plan)
     return found
 
 

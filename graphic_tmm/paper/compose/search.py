@@ -19,10 +19,13 @@ from graphic_tmm.paper.packing import Room
 
 TRIES = 60
 """How many orders of a sheet are tried."""
-QUICK = 6
-"""How many are tried to find out whether a sheet holds some boxes."""
+QUICK, FEW = 24, 4
+"""How many are tried to find out whether a sheet holds all that is ordered, or a part of it."""
 LEAD = "\0lead"
 """The block of what leads: tables may stand below it."""
+
+LOOSE = frozenset({"table", "note"})
+"""Kinds that stand where there is room for them."""
 
 Order = tuple[Unit, ...]
 
@@ -97,14 +100,14 @@ def _tables(order: Order) -> Iterator[Order]:
     behind = rows[-1] + 1 if rows else 0
     leads = order[0].stand.kind == "lead"
     for k, unit in enumerate(order):
-        if unit.stand.kind != "table":
+        if unit.stand.kind not in LOOSE:
             continue
         others = (*order[:k], *order[k + 1 :])
         first = behind - (k < behind)
         if leads and unit.stand.below != LEAD:
-            under = unit._replace(stand=Stand(kind="table", below=LEAD))
+            under = unit._replace(stand=Stand(kind=unit.stand.kind, below=LEAD))
             yield (order[0], under, *others[1:])
-        free = unit._replace(stand=Stand(kind="table"))
+        free = unit._replace(stand=Stand(kind=unit.stand.kind))
         for place in range(first, len(others) + 1):
             yield (*others[:place], free, *others[place:])
 
@@ -135,5 +138,5 @@ def _exchanged(order: Order) -> Iterator[Order]:
     for k in range(len(order) - 1):
         one, other = order[k : k + 2]
         kinds = {one.stand.kind, other.stand.kind}
-        if "lead" not in kinds and kinds != {"row"} and kinds != {"row", "table"}:
+        if "lead" not in kinds and kinds != {"row"} and not ("row" in kinds and kinds & LOOSE):
             yield (*order[:k], other, one, *order[k + 2 :])

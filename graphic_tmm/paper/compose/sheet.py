@@ -25,6 +25,7 @@ def placed(
     right -= aside
     width, height = right - left - 2 * gap, top - bottom - 2 * gap
     area = sum((o.width + gap) * (o.height + gap) for o in outlines)
+    area += (foot[0] + gap) * (foot[1] + gap)
     if area > (width + gap) * (height + gap):
         return None
     there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
