@@ -89,7 +89,7 @@ class Size:
     """How large something is drawn, by a name.
 
     ``usual``: room for it ``in_mm``, which sets the μ of a plan, or a share (1) of its usual room; what the
-    formats of a scene's sheets suggest; ``small``: what it begins with, if less. ``least``: where this is
+    formats of a scene's sheets suggest; ``small``: less, from where it may begin. ``least``: where this is
     reached, something else has to give way. ``cap``: what share of a sheet's height its views grow to, as far
     as the sheets have room; 0: it does not grow; ``step``: by how much at least at a time. ``seen``: whether
     what comes of it is seen in scale factors. ``extent``: what there is to draw, SI, of a board's reach.

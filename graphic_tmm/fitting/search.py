@@ -53,6 +53,7 @@ class Search:
             # what is allowed for letters may be more than they take
             self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
+        least = self._saving(least, free)
         for most in (self.rooms.count(least), self.written.count(least)):
             most = max(len(self.scene.sheets), most)
             found = (
@@ -61,6 +62,14 @@ class Search:
             if found is not None:
                 return found
         return least
+
+    def _saving(self, sizes: Sizes, free: Iterable[str]) -> Sizes:
+        """Return sizes to begin with: small ones where they save sheets that nobody ordered."""
+        count, known = self.rooms.count(sizes), {n: size for n, (_, size) in self.own.items()}
+        if count <= len(self.scene.sheets):
+            return sizes
+        less = {n: min(sizes[n], known[n].small) for n in free if known[n].small}
+        return {**sizes, **less} if self.rooms.count({**sizes, **less}) < count else sizes
 
     def with_board(self, board: Board) -> Search:
         """Return a search with another board of the same name, for its scene."""
@@ -111,7 +120,7 @@ class Search:
         """Return the usual sizes; of what begins small the least at which it can be measured."""
         found: Sizes = usual(self.scene)
         for name, (board, size) in self.own.items():
-            if size.small:
+            if size.small and size.in_mm:
                 found = {**found, name: size.small}
                 while found[name] < size.usual(self.scene) and board.mm(name, found) < MEASURABLE:
                     found = {**found, name: min(found[name] * size.step, size.usual(self.scene))}
