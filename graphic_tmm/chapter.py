@@ -91,10 +91,10 @@ class Size:
     ``usual``: room for it ``in_mm``, which sets the μ of a plan, or a share (1) of its usual room; what the
     formats of a scene's sheets suggest; ``small``: what it begins with, if less. ``least``: where this is
     reached, something else has to give way. ``cap``: what share of a sheet's height its views grow to, as far
-    as the sheets have room; 0: it does not grow. ``seen``: whether what comes of it is seen in scale factors.
-    ``extent``: what there is to draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says
-    how large it is, "" if it does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made
-    with a free size, what to write for the key.
+    as the sheets have room; 0: it does not grow; ``step``: by how much at least at a time. ``seen``: whether
+    what comes of it is seen in scale factors. ``extent``: what there is to draw, SI, of a board's reach.
+    ``fixed``: the key by which a scene itself says how large it is, "" if it does not; ``freed``: the scene
+    without saying so; ``remedy``: of a drawing made with a free size, what to write for the key.
     """
 
     name: str
@@ -103,6 +103,7 @@ class Size:
     least: float = 0.0
     small: float = 0.0
     cap: float = 0.0
+    step: float = 1.1
     seen: bool = True
     extent: Callable[[Mapping[str, Any]], float] = lambda reach: 0.0
     fixed: Callable[[Scene], str] = lambda scene: ""

@@ -10,6 +10,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, named
 from graphic_tmm.fitting.formats import oversized, room_on, views_of
 from graphic_tmm.fitting.given import restored_sheets
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
@@ -65,7 +66,8 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
             first=index == 0,
             number=index + 1,
             count=len(laid),
-            fields=_fields(scene, boards),
+            fields=_fields(scene, boards, sheet.order),
+            check=scene.print_check,
         )
         name = f"sheet-{index + 1}" if len(laid) > 1 else "sheet"
         placed = [sheets.moved(there[k], boxes[k], at) for k, at in sorted(places.items())]
@@ -111,9 +113,12 @@ def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawin
     return found, there
 
 
-def _fields(scene: Scene, boards: Sequence[Drawn]) -> dict[str, str]:
-    fields = dict(scene.title_block)
-    fields.setdefault("name", scene.title)
+def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:
+    """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0."""
+    fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
+    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{k + 1:02d}")
+    fields["name"] = order.name or fields.get("name") or scene.title
+    fields["designation"] = order.designation or fields.get("designation") or series
     scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]
     if scales:
         reduction = scales[0].value * 1000.0

@@ -103,19 +103,15 @@ class Rooms:
                 yield one
 
     def fill(self, size: str, sizes: Sizes) -> float:
-        """Return how full the sheets are on which views stand that depend on a size: boxes by free room."""
-        taken = room = 0.0
-        for number, (_, sheet) in enumerate(self.orders):
+        """Return how full the emptiest order is of which a view depends on a size: boxes by free room."""
+        found = [1.0]
+        for number, (_, rooms) in enumerate(self.orders):
             views = list(self._of(number, sizes))
-            if not any(size in places()[v.place][1].sizes(self.scene, v.view.name) for v in views):
-                continue
-            for one in views:
-                left, low, right, top = bounds(one.view)
-                taken += (right - left) * (top - low)
-            left, low, right, top = sheet[0].inner
-            used = sum((c - a) * (d - b) for a, b, c, d in sheet[0].occupied)
-            room += self._sheets(number, sizes) * ((right - left) * (top - low) - used)
-        return taken / room if room else 1.0
+            if any(size in places()[v.place][1].sizes(self.scene, v.view.name) for v in views):
+                taken = sum(_area(bounds(one.view)) for one in views)
+                room = _area(rooms[0].inner) - sum(map(_area, rooms[0].occupied))
+                found.append(taken / (self._sheets(number, sizes) * room))
+        return float(min(found))
 
     def shown(self, sizes: Sizes) -> Iterator[Shown]:
         """Yield the views of all sheets."""
@@ -206,6 +202,10 @@ def _at_the_edge(view: Drawing, within: Within) -> bool:
     wide, high = right - left, top - low
     smaller = within.share(wide - NEAR, high - NEAR) >= 1.0
     return smaller and within.share(wide + NEAR, high + NEAR) < 1.0
+
+
+def _area(box: tuple[float, float, float, float]) -> float:
+    return (box[2] - box[0]) * (box[3] - box[1])
 
 
 def _share(shown: Shown) -> float:

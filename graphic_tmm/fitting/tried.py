@@ -7,6 +7,8 @@ from collections.abc import Callable, Set
 from dataclasses import replace
 from typing import Any, Protocol
 
+import numpy as np
+
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import MECHANISM, Size, chapters
@@ -125,7 +127,7 @@ class Mechanism:
 
 
 class Part:
-    """A part on a board of its own: in another size it is another log."""
+    """A part on a board of its own: in another size it may be another log."""
 
     def __init__(self, scene: Scene, board: str, wanted: Set[str] | None) -> None:
         self.scene, self.name = scene, board
@@ -133,33 +135,42 @@ class Part:
         own = {place.name for one in chapters(board) for place in one.places}
         self.wanted = wanted is None or bool(own & wanted)
         self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
-        self._projects: dict[object, Project] = {}
+        self._projects: dict[object, tuple[Project, dict[str, Any]]] = {}
         self._drawn: dict[object, Drawn] = {}
 
     def known(self, size: str, sizes: Sizes) -> object:
-        """Return the size itself: what comes of it is known when it is recorded."""
-        return sizes[size]
+        """Return the scale factors and lengths that come of sizes."""
+        project, reach = self._recorded(sizes)
+        given, _ = chosen(project, sizes, reach)
+        return tuple(
+            (mark.key, value) for mark, value in given.items() if np.asarray(value).ndim == 0
+        )
 
-    comes_of = known
+    def comes_of(self, size: str, sizes: Sizes) -> object:
+        """Return what comes of all sizes."""
+        return self.known(size, sizes)
 
     def mm(self, size: str, sizes: Sizes) -> float:
         """Return that nobody knows how long it is drawn."""
         return math.inf
 
-    def _key(self, sizes: Sizes) -> tuple[float, ...]:
-        return tuple(sizes[name] for name in self.sizes)
-
-    def draw(self, sizes: Sizes) -> Drawn:
-        """Return the part in these sizes."""
-        key = self._key(sizes)
-        if key not in self._drawn:
+    def _recorded(self, sizes: Sizes) -> tuple[Project, dict[str, Any]]:
+        """Return the log in these sizes, and what its scale factors go by."""
+        key = tuple(sizes[name] for name in self.sizes)
+        if key not in self._projects:
             shares = {name: sizes[name] for name in self.sizes if sizes[name] != 1.0}
             project, usual = self.project, None
             if shares:
                 usual = self.draw({**sizes, **dict.fromkeys(self.sizes, 1.0)})
                 project = record(self.scene, self.name, sizes=shares, usual=usual)
-            self._projects[key] = project
-            reach = reach_of(project, NO_DOUBTS)
+            self._projects[key] = project, reach_of(project, NO_DOUBTS)
+        return self._projects[key]
+
+    def draw(self, sizes: Sizes) -> Drawn:
+        """Return the part in these sizes."""
+        key = self.known("", sizes)
+        if key not in self._drawn:
+            project, reach = self._recorded(sizes)
             self._drawn[key] = executed(project, sizes, reach, None, exact=True)
         return self._drawn[key]
 
@@ -170,8 +181,7 @@ class Part:
             return None
         if exact:
             return drawn
-        project = self._projects[self._key(sizes)]
-        return executed(project, sizes, drawn.reach, None, exact=False)
+        return executed(drawn.project, drawn.sizes, drawn.reach, None, exact=False)
 
 
 def _joined(tried: object, more: object) -> object:

@@ -30,6 +30,8 @@ from graphic_tmm.paper.symbols.kinematic import pole
 POLES = (roles.POLE, roles.LEVEL_POLE)
 ASIDE = 14.0
 """From the axis of the ordinates to a dimension line, mm."""
+ABOVE = 1.0
+"""From the highest point of a graph to the dimension line of a pole's distance, mm."""
 UNDER = 9.0
 """From the lowest point of a graph to a dimension line below it, mm."""
 ON_AXIS = {roles.EXTREME: (True, -1 + 0j), roles.MEAN: (False, -1 - 0.5j)}
@@ -140,17 +142,15 @@ def _lengths(graph: Graph, names: Names) -> Dimensioned:
 
 
 def _distances(graph: Graph, names: Names) -> Dimensioned:
-    """The distances of the poles, below what stands left of the axis."""
+    """The distances of the poles, above the rays."""
     for step in graph.steps:
         if step.it.role == roles.POLE and step.uses[1] in names.lengths:
             spot = graph.point(step.it, 0)
             if finite(spot) and spot:
-                _, low = graph.high_and_low
-                foot = complex(0, min(0.0, low))
-                away = abs(spot.imag - foot.imag) + UNDER
+                high, _ = graph.high_and_low
                 text = names.lengths[step.uses[1]]
-                made = dimension(complex(0, spot.imag), spot, away, text)
-                yield step.it, made
+                away = high + ABOVE - spot.imag
+                yield step.it, dimension(complex(0, spot.imag), spot, -away, text)
 
 
 def _spans(graph: Graph, names: Names) -> Dimensioned:
@@ -181,7 +181,9 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
     """The names of the axes, of poles, limits and curves, and of points that are one of a kind."""
     point, small = heights.point, heights.number
     high, _ = graph.high_and_low
-    yield Wanted(names.up, complex(0, high + OVER), point, 1.5, -1 + 0j)
+    aside = any(True for _ in _distances(graph, names))
+    tip = complex(0, high + OVER - point / 2)
+    yield Wanted(names.up, tip, point, 1.5, 1 + 0j if aside else -1 + 0j)
     yield Wanted(names.along, complex(graph.length + OVER, 0), point, 1.5, -1j)
     for height, text in names.levels:
         yield Wanted(text, complex(graph.length, height), small, 0.5, 1 + 0j)

@@ -27,7 +27,7 @@ from graphic_tmm.paper.rules import LEAST, pricked, rule_of, segment
 from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
-OVER = 9.0
+OVER = 6.0
 """How far an axis goes on behind what stands on it, mm."""
 TICK = 1.0
 """Half a tick on the base, mm."""

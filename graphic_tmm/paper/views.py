@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
@@ -23,7 +23,7 @@ COLUMN = 12.0
 """A title wider than its view is broken, but never into lines shorter than this, of its height."""
 NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
-STACK = 5.0
+STACK = 4.0
 """Clear height between two diagrams of a stack, mm."""
 
 
@@ -65,8 +65,8 @@ def paired(views: Sequence[Drawing]) -> list[Drawing]:
 def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    The first of them is the title, broken where it is much wider than its view; a table has its own above it.
-    Where a sheet is too narrow, all lines are broken, and the view comes apart if it can.
+    The first of them is the title, broken where it is much wider than its view; a table has its own
+    above it. Where a sheet is too narrow, all lines are broken, and the view comes apart if it can.
     """
     left, _, right, _ = bounds(view)
     if view.name.startswith("table"):
@@ -139,54 +139,70 @@ def _outside(head: str) -> bool:
     return head.count("{") == head.count("}")
 
 
-def _height(views: Sequence[Drawing]) -> float:
-    """Return how high views are one below the other."""
-    boxes = [bounds(view) for view in views]
-    return sum(high - low + STACK for _, low, _, high in boxes) - STACK
+def _untold(chosen: Sequence[int]) -> Sequence[str]:
+    """Return no caption: each view has its own."""
+    return ()
 
 
-def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
+def stacked(
+    name: str,
+    views: Sequence[Drawing],
+    told: Callable[[Sequence[int]], Sequence[str]] = _untold,
+    heights: Heights = HEIGHTS["A4"],
+) -> Drawing:
     """Return drawings one below the other as one, their origins above each other.
 
     Where no sheet is so high as many as fit stand one below the other; all parts are equally wide, so that the
-    origins of those at one edge stand above each other too.
+    origins of those at one edge stand above each other too. ``told``: the lines of the caption of a part, by
+    the indices of its views; see `captioned`.
     """
-    own = [bounds(view) for view in views]
-    left, right = min(b[0] for b in own), max(b[2] for b in own)
+    boxes = [bounds(view) for view in views]
+    left, right = min(b[0] for b in boxes), max(b[2] for b in boxes)
+    wide = [
+        view._replace(cell=(left, low, right, high))
+        for view, (_, low, _, high) in zip(views, boxes, strict=True)
+    ]
+
+    def column(chosen: Sequence[int], name: str) -> Drawing:
+        made, lines = _below_another([wide[k] for k in chosen], name), told(chosen)
+        return captioned(made, *lines, heights=heights) if lines else made
 
     def apart(within: Within) -> list[Drawing]:
-        room = max((h for w, h in within.sizes if w >= right - left), default=0.0)
-        parts: list[list[Drawing]] = []
-        for view, (_, low, _, high) in zip(views, own, strict=True):
-            wide = view._replace(cell=(left, low, right, high))
-            if parts and _height([*parts[-1], wide]) <= room:
-                parts[-1].append(wide)
+        room = max((high for w, high in within.sizes if w >= right - left), default=0.0)
+        parts: list[list[int]] = []
+        for k in range(len(views)):
+            more = [*parts[-1], k] if parts else []
+            if more and _height(column(more, name)) <= room:
+                parts[-1] = more
             else:
-                parts.append([wide])
+                parts.append([k])
         if len(parts) == 1:
-            return list(views)
-        return [part[0] if len(part) == 1 else stacked(part[0].name, part) for part in parts]
+            parts = [[k] for k in range(len(views))]
+        return [column(part, views[part[0]].name) for part in parts]
 
+    return column(range(len(views)), name)._replace(apart=apart)
+
+
+def _height(view: Drawing) -> float:
+    _, low, _, high = bounds(view)
+    return high - low
+
+
+def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
+    """Return drawings one below the other as one, their origins above each other."""
     moved, top = [], 0.0
     for view in views:
         _, low, _, high = bounds(view)
         moved.append(view.moved(1j * (top - high)))
         top -= high - low + STACK
-    boxes = [bounds(view) for view in moved]
-    cell = (
-        min(b[0] for b in boxes),
-        min(b[1] for b in boxes),
-        max(b[2] for b in boxes),
-        max(b[3] for b in boxes),
-    )
+    left, _, right, _ = bounds(moved[0])
     return Drawing(
         name,
         "; ".join(view.title for view in views),
         tuple(stroke for view in moved for stroke in view.strokes),
         tuple(label for view in moved for label in view.labels),
-        cell,
-        apart,
-        views[0].stand,
+        (left, top + STACK, right, 0.0),
+        stand=views[0].stand,
         rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
         shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
     )

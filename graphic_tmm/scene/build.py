@@ -56,7 +56,8 @@ def scene(parts: Parts, source: str) -> Scene:
         hand=hand.name,
         seed=hand.seed,
         sheets=tuple(replace(one, place=own) for one, own in zip(sheets, shown, strict=True)),
-        title_block={key: text for key, text in vars(block).items() if text},
+        title_block={k: text for k, text in vars(block).items() if text and isinstance(text, str)},
+        print_check=block.print_check,
         task=parts.record("task"),
     )
 

@@ -57,15 +57,22 @@ def test_the_paper_shows_the_sheet_at_its_size(document, sheet) -> None:
     assert not document.layers.get(window.dxf.layer).dxf.plot
 
 
-def test_layers_by_view_position_and_line_kind(document) -> None:
-    layers = {layer.dxf.name: layer for layer in document.layers}
-    due = {"positions_rod", "velocities_main", "velocities-1_medium", "velocities-5_medium"}
+def test_layers_by_view_position_and_line_kind() -> None:
+    documents = [opened(sheet) for sheet in paper("engine")[1]]
+    layers = {layer.dxf.name: layer for document in documents for layer in document.layers}
+    due = {
+        "positions-2_rod",
+        "positions-5_thin",
+        "velocities_main",
+        "velocities-1_medium",
+        "velocities-5_medium",
+    }
     assert {*due, "accelerations-5_medium", "frame_main"} <= set(layers)
     assert layers["velocities_main"].dxf.lineweight == 80
     assert layers["velocities-1_medium"].dxf.lineweight == 40
     assert layers["velocities-1_medium"].description.endswith("все положения, 1, векторы")
     assert all(layer.dxf.lineweight in (*WEIGHTS, -3) for layer in layers.values())
-    used = {entity.dxf.layer for entity in document.modelspace()}
+    used = {entity.dxf.layer for document in documents for entity in document.modelspace()}
     assert used <= set(layers)
 
 

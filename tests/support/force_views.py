@@ -5,14 +5,19 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.forces.views import force_views, lever_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from support.boards import drawn_of
 from support.dynamics import Loaded
 from support.figures_judge import scene_of
+from support.gallery import NAMES, scene
 from support.loaded import order_of
 from support.mechanisms import Sampled
+
+LOADED = [name for name in NAMES if ASKED.of(scene(name)) is not None]
+"""Scenes of the package that ask for forces."""
 
 
 def views_of(work: Drawn, place: int | None = None) -> list[Drawing]:

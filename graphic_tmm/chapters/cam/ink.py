@@ -18,6 +18,7 @@ from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.values import Arc, Complexes, Curve
 from graphic_tmm.chapters.cam.centre import Path
 from graphic_tmm.chapters.cam.ink_letters import directions, numbered
+from graphic_tmm.chapters.cam.ink_phases import draw_phases, phase_letters
 from graphic_tmm.chapters.cam.ink_rules import CamInk, between, curve, whole
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW, WORKING
@@ -82,9 +83,16 @@ def draw_profile_ink(
     strokes += _follower(ink, points)
     strokes += _centre(ink)
     wanted = [*_letters(ink, names, points), *_dwell_letters(ink, names, points)]
-    strokes += _radii(ink, points)
+    wanted += phase_letters(ink)
+    strokes += [*_radii(ink, points), *draw_phases(ink)]
     return Drawing(
-        VIEW, title, tuple(strokes), rubbed=traces.rubbed, shows=(VIEW,), wanted=tuple(wanted)
+        VIEW,
+        title,
+        tuple(strokes),
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=tuple(wanted),
+        numbers=tuple(enumerate(names.positions)),
     )
 
 
@@ -207,7 +215,7 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
     lever = isinstance(cam.path, Lever)
     if not lever and np.isfinite(points[0]):
         spots = np.array(spots)
-        spots[0] += (0.5 * WIDTH + 0.5) * free - 3.0j
+        spots[0] += (0.5 * WIDTH + 1.5) * free - 3.0j
         aside[0] = free
     yield Wanted("O", 0j, ink.heights.point, 2.5, free - 1j, (made.centre.slot,))
     low = TURN * cmath.rect(1.0, math.radians(-90 + cam.sense * 15))
@@ -220,10 +228,11 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
         of = (mark.slot, made.roller.slot)
         at = edge + 5.0 * way / abs(way)
         yield Wanted(names.roller, at, ink.heights.number, 0.5, free, of, 0)
-    if isinstance(cam.path, Path) and cam.path.offset is not None:
-        foot = complex(ink.all(made.feet)[0]) if made.feet is not None else 0j
-        slots = (made.feet.slot,) if made.feet is not None else ()
-        yield Wanted(names.offset, foot / 2, ink.heights.number, 0.5, -1j, slots, 0)
+    if _offset(ink) is not None:
+        assert made.feet is not None
+        tip = _tip_of_offset(ink)
+        at = tip + 5.0 * tip / abs(tip)
+        yield Wanted(names.offset, at, ink.heights.number, 0.5, free, (made.feet.slot,))
 
 
 def _edge(ink: CamInk, points: Complexes) -> tuple[complex, complex]:
@@ -231,6 +240,21 @@ def _edge(ink: CamInk, points: Complexes) -> tuple[complex, complex]:
     assert ink.cam.profile.roller is not None
     start, radius = complex(points[0]), ink.length(ink.cam.profile.roller)
     return start, start + radius * cmath.rect(1.0, math.radians(90.0 + ink.cam.sense * 55.0))
+
+
+def _offset(ink: CamInk) -> float | None:
+    """The radius of the circle that the guides touch, if there is one."""
+    made, path = ink.cam.profile, ink.cam.path
+    if not isinstance(path, Path) or path.offset is None or made.feet is None:
+        return None
+    reach = abs(complex(ink.all(made.feet)[0]))
+    return reach if math.isfinite(reach) else None
+
+
+def _tip_of_offset(ink: CamInk) -> complex:
+    """Where the arrow of the offset ends on its circle: on the side of the lower dwell, above."""
+    free = complex(-ink.cam.sense)
+    return (_offset(ink) or 0.0) * (0.6 * free + 0.8j)
 
 
 def _last(ink: CamInk, points: Complexes) -> complex | None:
@@ -258,7 +282,7 @@ def _dwell_letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Itera
     if made.theoretical is not None:
         lower = made.theoretical.lower
         radius, way = ink.seen.arc(lower, 0)[1], _share(ink, last, 0.7, 0.75)
-        yield Wanted(names.theoretical, radius * way, small, 0.5, way, (lower.slot,))
+        yield Wanted(names.theoretical, radius * way, small, 1.5, way, (lower.slot,))
     tip = _r0(ink, last)
     of = ((made.theoretical or made.working).lower.slot,)
     yield Wanted(names.r0, 0.45 * tip, small, 0.5, 1j * tip, of)
@@ -279,6 +303,12 @@ def _radii(ink: CamInk, points: Complexes) -> Iterator[Ink]:
         way = (edge - start) / abs(edge - start)
         strokes = [line("thin", start, edge + 5.0 * way), *arrowhead(edge, way, pen="thin")]
         yield from body(strokes, "dimension", [made.theoretical.points, made.roller], 0)
+    if _offset(ink) is not None:
+        assert made.feet is not None
+        tip = _tip_of_offset(ink)
+        way = tip / abs(tip)
+        strokes = [line("thin", 0j, tip + 5.0 * way), *arrowhead(tip, way, pen="thin")]
+        yield from body(strokes, "dimension", [made.feet])
     last = _last(ink, points)
     if last is not None:
         tip = _r0(ink, last)

@@ -73,6 +73,7 @@ def draw_centre_ink(
         rubbed=traces.rubbed,
         shows=(VIEW,),
         wanted=tuple(_letters(ink, names)),
+        numbers=tuple(enumerate(names.positions)),
     )
 
 

@@ -55,6 +55,7 @@ def draw_convexity_ink(
         rubbed=traces.rubbed,
         shows=(VIEW,),
         wanted=tuple(_letters(ink, names)),
+        numbers=tuple(enumerate(names.positions)),
     )
 
 

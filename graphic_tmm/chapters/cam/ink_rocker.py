@@ -60,7 +60,15 @@ def draw_rocker_ink(
     traces = figure(ink.seen, showing(_rules(ink, made, path, bounds)))
     strokes = (*traces.staying, *_bodies(ink, made, path, bounds))
     wanted = tuple(_letters(ink, made, path, names, bounds))
-    return Drawing(VIEW, title, strokes, rubbed=traces.rubbed, shows=(VIEW,), wanted=wanted)
+    return Drawing(
+        VIEW,
+        title,
+        strokes,
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=wanted,
+        numbers=tuple(enumerate(names.positions)),
+    )
 
 
 def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> Iterator[Bound]:

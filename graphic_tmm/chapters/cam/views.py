@@ -15,6 +15,7 @@ from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
+from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -31,6 +32,8 @@ from graphic_tmm.readers.result_table import (
 )
 
 LIMITED = ("cam pressure",)
+RADII = "cam radii"
+"""What the diagram of curvature is called of a flat face: it shows the radius."""
 
 
 def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -43,7 +46,7 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         _profile(drawn, made, names, lettered),
         _centre(drawn, made, names, lettered),
         *limits,
-        result_table(PLAN, rows, names, language, upright=True),
+        result_table(PLAN, rows, names, language, upright=True, heights=heights(drawn.scene, PLAN)),
         _results(drawn),
     ]
 
@@ -60,7 +63,9 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
     first: list[Drawing] = []
     second: list[Drawing] = []
     for view in dict.fromkeys(f.view for f in log.figures if f.kind == "axes"):
-        symbol, title = words.get(f"symbol {view}", words["symbol cam"]), _title(view, language)
+        called = RADII if view == CURVATURE and made.pressure is None else view
+        symbol = words.get(f"symbol {called}", words["symbol cam"])
+        title = _title(called, language)
         of = charts[view].unit if view in charts else ""
         told = Names(
             names,

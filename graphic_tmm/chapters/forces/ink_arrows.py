@@ -60,6 +60,14 @@ class Told(NamedTuple):
         return f"{name} = {self.value:.4g} {self.unit}" if math.isfinite(self.value) else name
 
 
+def turning(arm: float, size: float) -> str:
+    """Return the arm of a force as a page reads it, mm: positive where the arrow turns counter-clockwise.
+
+    ``size``: of the force, signed; an arrow is drawn the way that the force acts.
+    """
+    return f"{arm * (-1 if size < 0 else 1):.2f}"
+
+
 def length_of(size: float, largest: float) -> float:
     """Return the conventional length of an arrow, mm: it grows with the force."""
     if not (math.isfinite(size) and largest > 0.0) or size == 0.0:

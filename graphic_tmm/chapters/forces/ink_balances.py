@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -10,7 +11,7 @@ from graphic_tmm.chapters.forces.balances import Sought, Sum, Writer
 from graphic_tmm.chapters.forces.lever import Converted
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
-from graphic_tmm.chapters.forces.statics import Solved
+from graphic_tmm.chapters.forces.statics import Solved, summed_links
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label
@@ -43,7 +44,8 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
         total = solved.turning[leg.link]
         if total is None:
             continue
-        heading, of = f"ΣM_{{{closing.point.name}}}^{{({leg.link})}}", Sum(total, *names)
+        links = ",".join(map(str, summed_links(closing, leg)))
+        heading, of = f"ΣM_{{{closing.point.name}}}^{{({links})}}", Sum(total, *names)
         tangent = solved.tangents.get(leg.link)
         if tangent is not None:
             sought = Sought(tangent.letter, tangent.value, tangent.arm, -1, "N")
@@ -53,8 +55,8 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
             yield Row(writer.summed(heading, of, figure.mu), total)
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
-        if reaction.place is not None:
-            yield _placed(writer, reaction)
+        if reaction.place is not None and math.isfinite(writer.value(reaction.place[0])):
+            yield _formula(writer, reaction.place[0], "mm")
 
 
 def driver_rows(writer: Writer, made: Forces, pivot: Mark, link: int) -> Iterator[Row]:
@@ -99,12 +101,6 @@ def _read(writer: Writer, reaction: Reaction, polygon: Polygon) -> Row:
     value = writer.with_unit(reaction.value, "N")
     name = writer.letter(reaction.letter)
     return Row([f"{name} = {mm}·{mu} = {value}"], reaction.value)
-
-
-def _placed(writer: Writer, reaction: Reaction) -> Row:
-    """Where along its guide a reaction acts, mm of the figure."""
-    assert reaction.place is not None
-    return _formula(writer, reaction.place[0], "mm")
 
 
 def _converted(writer: Writer, one: Converted) -> Row:

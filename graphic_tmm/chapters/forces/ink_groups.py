@@ -27,6 +27,7 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     drawn_on,
     length_of,
     pricks,
+    turning,
 )
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
@@ -37,7 +38,7 @@ from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Data, Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.finish import Named, lettered, shared
 from graphic_tmm.paper.lettering.heights import Heights
@@ -53,7 +54,8 @@ SHOWN = 18.0
 class Reactive(NamedTuple):
     """A reaction to be found: its letter, the point where it acts, its vector on the polygon.
 
-    ``value``, ``arm``: of a component found by moments, its size (N) and its arm about the closing point.
+    ``value``, ``arm``, ``link``: of a component found by moments, its size (N), its arm about the closing point
+    and the link on which it acts.
     """
 
     letter: str
@@ -62,6 +64,7 @@ class Reactive(NamedTuple):
     head: Mark
     value: Mark | None = None
     arm: Mark | None = None
+    link: int = 0
 
 
 class Shown(NamedTuple):
@@ -259,18 +262,26 @@ class _Loads:
         point = self.at(force.point)
         line_of = self.shown.figure.lines.get(force.line, force.line)
         of = (point.slot, force.line.slot, line_of.slot, force.value.slot)
-        told = Told(force.letter, abs(size), "N", tuple(dict.fromkeys(of)), self._arm(force))
+        more = (("link", str(force.link)), ("arm", turning(self._arm(force), size)))
+        told = Told(force.letter, abs(size), "N", tuple(dict.fromkeys(of)), more)
         way = along * (-1 if size < 0 else 1)
         length = length_of(size, self.largest)
         self.arrows.put(
             self.seen.point(point, k), way, length, bar(self.called(force.letter)), told
         )
 
-    def _arm(self, force: Force) -> Data:
-        """Of the balancing force: its arm, which no line of the figure shows but the crank."""
-        if self.shown.balance is None or force.letter != self.shown.balance[0]:
-            return ()
-        return (("arm", f"{self.seen.number(self.shown.balance[1], self.index):.2f}"),)
+    def _arm(self, force: Force) -> float:
+        """Return the arm of a force about the point of the figure, mm; 0 of one through it.
+
+        That of the balancing force is the crank.
+        """
+        if self.shown.balance is not None and force.letter == self.shown.balance[0]:
+            return self.seen.number(self.shown.balance[1], self.index)
+        own = self.shown.figure.lines.get(force.line)
+        for step in self.seen.steps:
+            if step.op is arm and step.uses[1] == own:
+                return self.seen.number(step.it, self.index)
+        return 0.0
 
     def reaction(self, reaction: Reactive) -> None:
         """A reaction to be found, by its direction; of one found by moments its size and its arm are told."""
@@ -280,10 +291,11 @@ class _Loads:
             return
         point = self.at(reaction.at)
         of = [point.slot, reaction.tail.slot, reaction.head.slot]
-        size, more = float("nan"), Data()
+        size, more = float("nan"), tuple[tuple[str, str], ...]()
         if reaction.value is not None and reaction.arm is not None:
-            size = abs(self.seen.number(reaction.value, k))
-            more = (("arm", f"{self.seen.number(reaction.arm, k):.2f}"),)
+            signed = self.seen.number(reaction.value, k)
+            size, about = abs(signed), -self.seen.number(reaction.arm, k)
+            more = (("link", str(reaction.link)), ("arm", turning(about, signed)))
             of.append(reaction.value.slot)
         told = Told(reaction.letter, size, "N", tuple(of), more)
         way = (head - tail) / abs(head - tail)
@@ -295,7 +307,10 @@ class _Loads:
         own = [couple for couple in self.shown.couples if couple.link == link]
         values = [self.seen.number(couple.value, self.index) for couple in own]
         told = [
-            (markup(self.called(one.letter)), Told(one.letter, value, "N·m", (one.value.slot,)))
+            (
+                markup(self.called(one.letter)),
+                Told(one.letter, value, "N·m", (one.value.slot,), (("link", str(link)),)),
+            )
             for one, value in zip(own, values, strict=True)
         ]
         self.arrows.couples(start, end, told)

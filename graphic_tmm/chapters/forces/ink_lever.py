@@ -8,14 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import combinations
-from typing import NamedTuple
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import parallel, square
 from graphic_tmm.board.operations.statics import arm, carry
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
-from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.ink_arrows import (
     LEAST,
     Arrows,
@@ -26,6 +24,7 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     drawn_on,
     length_of,
     pricks,
+    turning,
 )
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.forces.lever import VIEW, Lever
@@ -41,31 +40,16 @@ from graphic_tmm.paper.lettering.indices import (
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.kinematic import pole
 
+BALANCE = "P_{bl}"
+"""The letter of what balances the lever at the crank pin."""
 TOGETHER = 1.0
 """Arms whose feet are nearer than this, mm, lie on one another, and share a letter."""
-
-
-class Balance(NamedTuple):
-    """The balancing force at the crank pin: its letter, its size (N), its direction; see `balance_of`."""
-
-    letter: str
-    value: Mark
-    way: complex
-
-
-def balance_of(reading: Reading, lever: Lever, driven: Driven, index: int) -> Balance | None:
-    """Return the balancing force on the lever in one position; None where a moment balances the crank."""
-    if driven.force is None:
-        return None
-    along = reading[driven.force.line].along[0]
-    return Balance("P_{bl}", lever.force, complex(along[index if along.size > 1 else 0]))
 
 
 def draw_lever_ink(
     construction: Construction,
     reading: Reading,
     lever: Lever,
-    balance: Balance | None,
     index: int,
     name: str,
     title: str,
@@ -87,13 +71,14 @@ def draw_lever_ink(
 
     traces = figure(seen, Manner(rules, stays))
     ink = _Loads(seen, lever, index, language, high)
-    for force in lever.forces:
+    for force, arm_ in zip(lever.forces, ink.measured(), strict=True):
         _, along = seen.line(force.line, index)
         own = (force.point.slot, force.line.slot, force.value.slot)
-        ink.force(force.letter, force.point, along, force.value, own)
-    if balance is not None:
-        of = (lever.pin.slot, balance.value.slot)
-        ink.force(balance.letter, lever.pin, balance.way, balance.value, of, lever.segment)
+        ink.force(force.letter, force.point, along, force.value, own, arm_)
+    way = seen.point(lever.pin, index) - seen.point(lever.pole, index)
+    if abs(way) >= LEAST:  # it acts square to the segment of the crank pin
+        of, at = (lever.pin.slot, lever.force.slot), 1j * way / abs(way)
+        ink.force(BALANCE, lever.pin, at, lever.force, of, lever.segment, "rod")
     ink.couples()
     sides = _sides(seen, lever, index)
     strokes = (*traces.staying, *sides, *ink.arrows.strokes)
@@ -147,17 +132,22 @@ class _Loads:
         along: complex,
         value: Mark,
         of: tuple[int, ...],
-        arm: Mark | None = None,
+        arm: Mark,
+        pen: str = "over",
     ) -> None:
-        """An arrow at its image; ``arm``: told with it where no line of the lever shows it."""
+        """An arrow at its image."""
         size = self.seen.number(value, self.index)
-        more = () if arm is None else (("arm", f"{self.seen.number(arm, self.index):.2f}"),)
-        told = Told(letter, abs(size), "N", of, more)
+        more = ("arm", turning(self.seen.number(arm, self.index), size))
+        told = Told(letter, abs(size), "N", of, (more,))
         way = -along if size < 0 else along
-        pen = "over" if arm is None else "rod"
         called = bar(symbol(letter, self.language))
         at, length = self.seen.point(point, self.index), length_of(size, self.largest)
         self.arrows.put(at, way, length, called, told, pen)
+
+    def measured(self) -> list[Mark]:
+        """Return the arms of the forces, in their order."""
+        arms = {step.uses[1]: step.it for step in self.seen.steps if step.op is arm}
+        return [arms[force.line] for force in self.lever.forces]
 
     def couples(self) -> None:
         """The converted couples, each at the segment by which it was converted."""

@@ -73,12 +73,11 @@ def solve_group(
     ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
     first, second = closing.legs
-    inner, draft = closing.group.inner.kind == "P", figure.draft
+    draft = figure.draft
     draft.open(figure.view)
     turning: dict[int, Mark | None] = {}
     for leg in closing.legs:
-        both = inner and not (isinstance(leg, GuideLeg) and leg.inner)
-        links = (first.link, second.link) if both else (leg.link,)
+        links = summed_links(closing, leg)
         turning[leg.link] = _moments_of(figure, closing, acting, links, f"ΣM_{leg.link}")
     tangents = _tangents(figure, closing, turning)
     chain = views.begin(draft)
@@ -102,6 +101,18 @@ def solve_group(
     top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0])
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
     return _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
+
+
+def summed_links(closing: Closing, leg: PinLeg | GuideLeg) -> tuple[int, ...]:
+    """Return the links whose moments about the closing point the outer pair of a leg has to balance.
+
+    Through an inner sliding pair they are passed on, so that it balances those of both links.
+    """
+    first, second = closing.legs
+    held = isinstance(leg, GuideLeg) and leg.inner
+    if closing.group.inner.kind == "P" and not held:
+        return first.link, second.link
+    return (leg.link,)
 
 
 def _moments_of(

@@ -18,7 +18,7 @@ from graphic_tmm.chapters.forces.ink_balances import (
     lever_rows,
 )
 from graphic_tmm.chapters.forces.ink_groups import Reactive, Shown, draw_group
-from graphic_tmm.chapters.forces.ink_lever import balance_of, draw_lever_ink
+from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
@@ -176,8 +176,8 @@ def _group(made: Forces, solved: Solved) -> Shown:
         if tangent is None:
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
             continue
-        told = (tangent.value, tangent.arm)
-        unknown.append(Reactive(tangent.letter, at, *ends[tangent.letter], *told))
+        found = Reactive(tangent.letter, at, *ends[tangent.letter], tangent.value, tangent.arm)
+        unknown.append(found._replace(link=leg.link))
         along = f"{reaction.letter}^{{n}}"
         unknown.append(Reactive(along, at, *ends[along]))
     pins = [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
@@ -224,7 +224,6 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             drawn.construction,
             drawn.reading,
             made.lever,
-            balance_of(drawn.reading, made.lever, made.driven, place),
             place,
             f"lever-{name}",
             title,

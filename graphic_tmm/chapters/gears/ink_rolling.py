@@ -44,8 +44,15 @@ def draw_rolling_ink(
     teeth = tooth_outline(reading, ink.tooth, ink.centre)
     strokes = (*traces.staying, *teeth, *ink.thickness())
     wanted = tuple(ink.letters(heights))
+    roll = made.wheels[k].roll
     return Drawing(
-        f"{NAME}-{k + 1}", title, strokes, rubbed=traces.rubbed, shows=(VIEW,), wanted=wanted
+        f"{NAME}-{k + 1}",
+        title,
+        strokes,
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=wanted,
+        numbers=tuple((n, str(n + roll.first)) for n in range(roll.count)),
     )
 
 

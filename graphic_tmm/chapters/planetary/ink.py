@@ -85,6 +85,7 @@ def draw_planetary_ink(
         tuple(_captions(ink, captions)),
         rubbed=traces.rubbed,
         shows=VIEWS,
+        numbers=tuple((k, str(k + 1)) for k in seen.positions),
         wanted=tuple(wanted),
     )
 

@@ -71,7 +71,11 @@ class Inker:
             self.space.add_solid([point[:2] for point in points], dxfattribs=style)
             return
         hatch = self.space.add_hatch(color=256, dxfattribs=style)
-        hatch.paths.add_polyline_path(points, is_closed=True)
+        found = recognised(stroke)
+        if isinstance(found, Circle):
+            hatch.paths.add_edge_path().add_arc(spot(found.centre), round(found.radius, DIGITS))
+        else:
+            hatch.paths.add_polyline_path(points, is_closed=True)
 
     def line(self, stroke: Stroke, style: Mapping[str, Any]) -> None:
         """Write a line as what it is."""

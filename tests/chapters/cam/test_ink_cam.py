@@ -25,12 +25,15 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
+from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, Span, draw_graph
 from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
 
 WALL = HEIGHTS["A1"]
 ROCKING = {**C6, "stroke": 0.35, "pressure": 40.0}
@@ -78,10 +81,13 @@ def centre(of: Made, lettered: bool = True) -> Drawing:
     return finished(draw(*on, names, "X", WALL), lettered)
 
 
-def profile(of: Made, lettered: bool = True) -> Drawing:
+def bare_profile(of: Made) -> Drawing:
     names = ProfileNames(positions(of), "r_{0}", "r", "theoretical", "working")
-    made = draw_profile_ink(of.log, of.reading, of.cam, names, "X", WALL)
-    return finished(made, lettered)
+    return draw_profile_ink(of.log, of.reading, of.cam, names, "X", WALL)
+
+
+def profile(of: Made, lettered: bool = True) -> Drawing:
+    return finished(bare_profile(of), lettered)
 
 
 def graphs(of: Made) -> list[str]:
@@ -212,6 +218,25 @@ def test_a_semicircle_is_divided_at_its_points(name: str) -> None:
                     assert whole.distance(shapely.Point(z.real, z.imag)) < 1.0
 
 
+@pytest.mark.parametrize("name", [n for n in ORDERS if n != "no dwells"])
+def test_the_phases_on_the_profile_are_those_of_the_task(name: str) -> None:
+    """Arcs about the centre, end to end, each as long as its phase; they bear the letters of the diagrams."""
+    of, order = drawn(name), ORDERS[name]
+    ink = bare_profile(of)
+    bows = [
+        s for s in ink.strokes
+        if isinstance(s, Stroke) and s.part == "dimension" and s.path[0][2] and not s.closed
+    ]  # fmt: skip
+    turns = [sum(math.degrees(4 * math.atan(bulge)) for *_, bulge in s.path) for s in bows]
+    due = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    assert [abs(turn) for turn in turns] == pytest.approx(due)
+    assert all((turn < 0) == (order.turns == "counterclockwise") for turn in turns)
+    radii = {round(abs(complex(*vertex[:2])), 6) for s in bows for vertex in s.path}
+    assert len(radii) == 1
+    texts = {one.text for one in ink.wanted}
+    assert {"φ_{1}", "φ_{2}", "φ_{3}", "φ_{4}"} <= texts
+
+
 @pytest.mark.slow
 def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     """No centre, no profile; the diagrams stand, and no coordinate is missing on the sheet."""
@@ -223,3 +248,14 @@ def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     assert len([s for s in graph(of, "cam S").strokes if isinstance(s, Bezier)]) == 2
     undercut = made(CamTask(**C6, r0=0.0521, roller=0.045))
     assert "nan" not in sheet(views(undercut))
+
+
+def test_what_a_flat_cam_shows_is_lettered_as_what_it_is() -> None:
+    """Its region is S over d²S/dφ², its diagram of curvature that of the radius."""
+    scene = Scene("", "T", "en").asking(cam=ORDERS["flat"])
+    (work,) = make(scene, exact=True).boards
+    shown = [label.text for view in cam_views(work, True) for label in view.labels]
+    assert "d^2S/dφ^2, m" in shown
+    assert "ρ, m" in shown
+    assert "Radius of curvature of the profile" in shown
+    assert not any(text.startswith(("κ", "dS/dφ,")) for text in shown)

@@ -98,7 +98,7 @@ def test_scales_are_told_and_turn_mm_into_values() -> None:
 
 
 def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
-    mantissas = {1.0, 2.0, 2.5, 4.0, 5.0}
+    mantissas = {1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5}
     for key in ("diagram S", "diagram V", "diagram a"):
         value = drawn().scales[key].value
         assert float(f"{value:e}".split("e")[0]) in mantissas
