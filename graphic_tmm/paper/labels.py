@@ -22,7 +22,7 @@ RINGS = (0.0, 1.2, 3.0, 6.0, 10.0, 15.0)
 """How much farther than next to its point a label is tried, mm; chosen by eye."""
 DIRECTIONS = 24
 """Directions in which a label is tried, every 15°; chosen by eye."""
-_HEAVY = ("main", "medium", "joint", "body", "rod")
+_HEAVY = ("main", "medium", "joint", "body", "rod", "paper")
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""
 LEADER = 2.2
