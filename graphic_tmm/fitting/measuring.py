@@ -82,7 +82,7 @@ def _measure(scene: Scene, drawn: Trial | None, others: Sequence[Drawn], cells: 
         if key not in cells:
             views = _settled(place, scene, drawn, others, within)
             cells[key] = [
-                Drawing(view.name, view.title, cell=bounds(view), stand=view.stand)
+                Drawing(view.name, view.title, cell=bounds(view), stand=view.stand, foot=view.foot)
                 for view in views
             ]
         return cells[key]

@@ -16,12 +16,21 @@ Path = tuple[Vertex, ...]
 Data = tuple[tuple[str, str], ...]
 
 
+class Symbol(NamedTuple):
+    """A conventional sign: its ``kind``, where its origin stands (mm), how far it is turned (degrees)."""
+
+    kind: str
+    at: complex
+    turn: float = 0.0
+
+
 class Stroke(NamedTuple):
     """One line drawn with one pen: a path; ``title`` and ``data`` are read by a page, not drawn.
 
     ``of``: the slots of the marks, and so of the steps, that it comes from; ``position``: the one it belongs to
     (index), None: to all of them. ``part``: what it is a part of where no step left it: a body of the plan
     ("link", "guide": ``of`` are its marks) or what a view adds ("axis", "hatching"; ``of`` is empty).
+    ``symbol``: the conventional sign of which it is a stroke.
     """
 
     pen: str
@@ -33,6 +42,7 @@ class Stroke(NamedTuple):
     of: tuple[int, ...] = ()
     position: int | None = None
     part: str = ""
+    symbol: Symbol | None = None
 
 
 class Bezier(NamedTuple):
@@ -115,9 +125,11 @@ class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
     ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
-    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others.
+    comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others,
+    ``foot``: how high the caption at its lower edge is, mm: captions of a row begin on one line.
     ``rubbed``: what was drawn on the way and is rubbed out at the end: no sheet shows it. ``shows``: the views
     of the log of which it is the picture. ``wanted``: letters that have no place yet (see `finish`).
+    ``numbers``: of the positions that stand in it together, by index, what they are called.
     """
 
     name: str
@@ -127,9 +139,11 @@ class Drawing(NamedTuple):
     cell: tuple[float, float, float, float] | None = None
     apart: Callable[[Within], Sequence[Drawing]] | None = None
     stand: Stand = Stand()
+    foot: float = 0.0
     rubbed: tuple[Ink, ...] = ()
     shows: tuple[str, ...] = ()
     wanted: tuple[Wanted, ...] = ()
+    numbers: tuple[tuple[int, str], ...] = ()
 
     def moved(self, by: complex) -> Drawing:
         """Return the drawing translated by ``by`` (complex, mm)."""
@@ -172,7 +186,9 @@ def shifted(stroke: Ink, by: complex) -> Ink:
     if isinstance(stroke, Bezier):
         return stroke._replace(controls=tuple(c + by for c in stroke.controls))
     dx, dy = by.real, by.imag
-    return stroke._replace(path=tuple((x + dx, y + dy, b) for x, y, b in stroke.path))
+    path = tuple((x + dx, y + dy, b) for x, y, b in stroke.path)
+    symbol = stroke.symbol and stroke.symbol._replace(at=stroke.symbol.at + by)
+    return stroke._replace(path=path, symbol=symbol)
 
 
 def line(pen: str, *points: complex, closed: bool = False, filled: bool = False) -> Stroke:

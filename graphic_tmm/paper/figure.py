@@ -22,12 +22,18 @@ from graphic_tmm.paper.seen import Rule, Seen
 class Manner:
     """How a view inks its steps, where not as usual.
 
-    ``rules``: by the name of an operation what it leaves instead; ``stays``: whether what a step leaves is
-    there at the end.
+    ``rules``: by the name of an operation what it leaves instead; ``marks``: by the mark that a step left;
+    ``stays``: whether what a step leaves is there at the end.
     """
 
     rules: Mapping[str, Rule] = field(default_factory=dict)
     stays: Callable[[Seen, Step], bool] | None = None
+    marks: Mapping[Mark, Rule] = field(default_factory=dict)
+
+
+def showing(marks: Mapping[Mark, Rule], rules: Mapping[str, Rule] | None = None) -> Manner:
+    """Return the manner in which some marks stay, each by a rule, and all else is rubbed out at the end."""
+    return Manner(rules or {}, lambda seen, step: step.it in marks, marks)
 
 
 class Traces:
@@ -44,7 +50,7 @@ def figure(seen: Seen, manner: Manner | None = None) -> Traces:
     staying: list[Ink] = []
     rubbed: list[Ink] = []
     for step in seen.steps:
-        rule = manner.rules.get(step.op.name) or rule_of(step)
+        rule = manner.marks.get(step.it) or manner.rules.get(step.op.name) or rule_of(step)
         if rule is None:
             continue
         kept = staying if keep(seen, step) else rubbed

@@ -25,6 +25,13 @@ class Room(NamedTuple):
     occupied: tuple[Box, ...]
 
     @property
+    def area(self) -> float:
+        """What is free, mm²."""
+        left, bottom, right, top = self.inner
+        taken = sum((box[2] - box[0]) * (box[3] - box[1]) for box in self.occupied)
+        return (right - left) * (top - bottom) - taken
+
+    @property
     def within(self) -> Within:
         """What the sheet offers a view while nothing else stands on it."""
         return Within(tuple((f[2] - f[0], f[3] - f[1]) for f in free(self)))

@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import FORMATS
 
 DASHED = (5.0, 1.5)
@@ -22,6 +23,26 @@ SHORTEST = 5.0
 """The shortest stroke of a dash-dot line, mm."""
 PHANTOM = (12.0, 1.5, 1.0, 1.5, 1.0, 1.5)
 """The same with two dots."""
+
+KINDS = MappingProxyType(
+    {
+        "thin": said("thin lines"),
+        "dashed": said("dashed lines"),
+        "centre": said("centre lines"),
+        "phantom": said("phantom lines"),
+        "medium": said("vectors"),
+        "main": said("main lines"),
+        "thick": said("thick lines"),
+        "body": said("sliders"),
+        "rod": said("rods over sliders"),
+        "over": said("vectors over sliders"),
+        "paper": said("paper under figures"),
+        "joint": said("turning pairs"),
+    }
+)
+"""What the layer of a pen is called in a drawing program."""
+LETTERING = said("lettering")
+"""What a layer of letters is called there."""
 
 
 class Pen(NamedTuple):

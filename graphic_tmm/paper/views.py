@@ -104,11 +104,12 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
         widest = max(widest, made.width)
+    foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)
     if tabular:
         cell = (left, low, max(right, left + widest), top)
-    return view._replace(labels=tuple(labels), cell=cell, apart=None)
+    return view._replace(labels=tuple(labels), cell=cell, apart=None, foot=foot)
 
 
 def wrapped(text: str, size: float, width: float) -> list[str]:

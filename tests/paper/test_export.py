@@ -11,6 +11,7 @@ import pytest
 from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.drawing import Drawing, Sheet, line
 from graphic_tmm.paper.write import export
 
 MM = 25.4 / 72
@@ -81,6 +82,66 @@ def test_a_pdf_bears_the_title_and_the_language_of_its_sheets(drawn) -> None:
         with pdfplumber.open(io.BytesIO(export.pdf(named))) as file:
             assert file.metadata["Title"] == title
             assert file.doc.catalog["Lang"] == language.encode()
+
+
+def bookmarks(file: bytes) -> list[tuple[int, str, int, float, float]]:
+    """Level, title, page, and where it leads to on it: mm from its upper left corner."""
+    pypdfium2 = pytest.importorskip("pypdfium2")
+    document = pypdfium2.PdfDocument(file)
+    found = []
+    for mark in document.get_toc():
+        target = mark.get_dest()
+        x, y = target.get_view()[1][:2]
+        page = target.get_index()
+        down = (document[page].get_height() - y) * MM
+        found.append((mark.level, mark.get_title(), page, x * MM, down))
+    return found
+
+
+def boxes(*titles: str) -> tuple[Drawing, ...]:
+    """Squares of 10 mm with the upper left corner 100 mm from the left, 47 mm from the top of an A4."""
+    square = line("main", 100 + 240j, 110 + 240j, 110 + 250j, 100 + 250j, closed=True)
+    frame = Drawing("frame", "Рамка", (square,))
+    return frame, *(Drawing(f"v-{k}", title, (square,)) for k, title in enumerate(titles))
+
+
+def test_every_view_has_a_bookmark_that_leads_to_it() -> None:
+    one = Sheet("s", 'Лист "A" *b* #c', "A4", 210, 297, boxes("План", "План\\ $x$ = _1_"), "ru")
+    two = one._replace(title="Второй", drawings=(*boxes("Силы"), Drawing("bare", "Пустой")))
+    found = bookmarks(export.pdf([one, two]))
+    assert [mark[:3] for mark in found] == [
+        (0, '1. Лист "A" *b* #c', 0),
+        (1, "План", 0),
+        (1, "План\\ $x$ = _1_", 0),
+        (0, "2. Второй", 1),
+        (1, "Силы", 1),
+    ]
+    for level, _, _, right, down in found:  # typst keeps 10 pt clear above
+        assert (right, down) == pytest.approx((100, 47 - 10 * MM) if level else (0, 0), abs=0.01)
+
+
+def test_a_sheet_that_stands_alone_needs_no_bookmark_of_its_own() -> None:
+    alone = Sheet("s", "Лист", "A4", 210, 297, boxes("План", "Силы"))
+    assert [mark[:3] for mark in bookmarks(export.pdf([alone]))] == [(0, "План", 0), (0, "Силы", 0)]
+
+
+@pytest.mark.slow
+def test_bookmarks_of_a_scene_are_its_views_and_nothing_of_them_is_found(drawn) -> None:
+    pdfplumber = pytest.importorskip("pdfplumber")
+    made = export.pdf(drawn)
+    due = [d.title for sheet in drawn for d in sheet.drawings if d.name != "frame"]
+    titles = [title for _, title, *_ in bookmarks(made)]
+    assert [title for title in titles if title in due] == due
+    assert len(titles) == len(due) + (len(drawn) if len(drawn) > 1 else 0)
+    other = [
+        s._replace(drawings=tuple(d._replace(title="Другое") for d in s.drawings)) for s in drawn
+    ]
+    with (
+        pdfplumber.open(io.BytesIO(export.pdf(other))) as file,
+        pdfplumber.open(io.BytesIO(made)) as whole,
+    ):
+        for bare, page in zip(file.pages, whole.pages, strict=True):
+            assert bare.extract_text() == page.extract_text() != ""
 
 
 def test_without_typst_the_remedy_is_told(drawn, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -22,7 +22,8 @@ from graphic_tmm.paper.lettering.letters import (
     missing,
 )
 from graphic_tmm.paper.pens import pens
-from graphic_tmm.paper.write.svg import Under, clean, number, path_data, svg
+from graphic_tmm.paper.write.svg import Under, clean, svg
+from graphic_tmm.paper.write.svg_path import number, path_data
 
 NS = "{http://www.w3.org/2000/svg}"
 ALLOWED = {f"{NS}{tag}" for tag in ("svg", "g", "path", "rect", "title", "desc")}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import random
 from collections.abc import Iterator
 from fractions import Fraction as F
 
@@ -163,3 +164,26 @@ def brute_force(order: PlanetaryTask) -> set[tuple[Four, int]]:
 
 def is_close(a: float, b: float) -> bool:
     return math.isclose(a, b, rel_tol=1e-12)
+
+
+def valid(draw: random.Random, scheme: str) -> PlanetaryTask:
+    """A random train that fulfils every condition."""
+    while True:
+        k, q = draw.choice((2, 3, 4)), draw.choice((F(1), F(1), F(5, 4), F(4, 5)))
+        z1, z2, z3 = draw.randint(17, 130), draw.randint(17, 80), draw.randint(17, 80)
+        first, second = SENSES[scheme]
+        if scheme == "ring":
+            q, teeth = F(1), (z1, z2, z1 + 2 * z2)
+        else:
+            z4 = (z1 + first * z2) / q - second * z3
+            if z4.denominator != 1 or z4 < 1 or z1 + first * z2 < 1:
+                continue
+            teeth = (z1, z2, z3, int(z4))
+        order = PlanetaryTask(
+            scheme, 0.004, draw.choice((-1, 1)) * draw.uniform(1.0, 500.0), draw.choice("1H"),
+            teeth=teeth, satellites=(k,), module_2=None if q == 1 else 0.004 * float(q),
+        )  # fmt: skip
+        rows = four(scheme, teeth)
+        u = ratio(scheme, rows, order.driving, q)
+        if u and sound(order, rows, q, k):
+            return order

@@ -39,11 +39,13 @@ class Circles:
 class ActionLine:
     """The line of action N1N2 (Line) with its limits N1, N2, the pitch point P, its working part ab.
 
-    ``angle``: its angle with the common tangent in P as drawn (Angle). ``length``: N1N2, ``to_ends``: N1a and
-    N1b, ``to_pole``: N1P, ``working``: ab, all as measured (Length).
+    ``centres``: the line of centres. ``angle``: that of the line of action with the common tangent in P as
+    drawn (Angle). ``length``: N1N2, ``to_ends``: N1a and N1b, ``to_pole``: N1P, ``working``: ab, all as
+    measured (Length).
     """
 
     mu: Mark
+    centres: Mark
     circles: tuple[Circles, Circles]
     pole: Mark
     limits: tuple[Mark, Mark]
@@ -93,7 +95,8 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
         )
     ]
     return ActionLine(
-        mu, circles, pole, limits, (a, b), line, angle, spans[0], (spans[1], spans[2]), spans[3], spans[4]
+        mu, centres, circles, pole, limits, (a, b), line, angle, spans[0], (spans[1], spans[2]), spans[3],
+        spans[4],
     )  # fmt: skip
 
 

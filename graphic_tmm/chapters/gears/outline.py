@@ -1,4 +1,7 @@
-"""The outlines of drawn teeth: where flanks and fillets begin and end, arcs of tip and root between them."""
+"""The outlines of drawn teeth: where flanks and fillets begin and end, arcs of tip and root between them.
+
+Each tooth is a body that the plan tells; its strokes are those of it.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,8 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
 from graphic_tmm.paper.curve_parts import Controls, cut, nearest
-from graphic_tmm.paper.drawing import Bezier, Stroke, arc
+from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc
+from graphic_tmm.paper.figure import body
 
 BESIDE = 0.3
 """How far the root goes on beside the outer teeth, of a pitch."""
@@ -50,31 +54,35 @@ def fillet(reading: Reading, side: Flank) -> Controls:
     return cut(own, float(len(own) // 3), nearest(own, start))
 
 
-def outline(reading: Reading, wheel: Wheel) -> Iterator[Stroke | Bezier]:
+def outline(reading: Reading, wheel: Wheel) -> Iterator[Ink]:
     """Yield the outline of the three teeth of a wheel, with the root circle between and beside them."""
     centre = spot(reading, wheel.circles.centre)
-    roots = []
+    roots: list[Controls] = []
     for tooth in wheel.teeth:
         yield from tooth_outline(reading, tooth, centre)
         roots += [fillet(reading, side)[:1] for side in (tooth.left, tooth.right)]
     spread = BESIDE * 2 * math.pi / float(reading[wheel.sizes.z][0, 0])
-    if all(roots):
-        spots = [piece[0] for piece in roots]
-        yield _between(spots[0], centre, spread)
-        yield _between(spots[-1], centre, -spread)
-        for right, left in ((spots[1], spots[2]), (spots[3], spots[4])):
-            yield _between(right, centre, cmath.phase((left - centre) / (right - centre)))
+    if not all(roots):
+        return
+    spots = [piece[0] for piece in roots]
+    arcs = [_between(spots[0], centre, spread), _between(spots[-1], centre, -spread)]
+    for right, left in ((spots[1], spots[2]), (spots[3], spots[4])):
+        arcs.append(_between(right, centre, cmath.phase((left - centre) / (right - centre))))
+    fillets = [side.fillet for tooth in wheel.teeth for side in (tooth.left, tooth.right)]
+    yield from body(arcs, "tooth", [wheel.circles.root, *fillets])
 
 
-def tooth_outline(reading: Reading, tooth: Tooth, centre: complex) -> Iterator[Stroke | Bezier]:
+def tooth_outline(reading: Reading, tooth: Tooth, centre: complex) -> Iterator[Ink]:
     """Yield the sides of a tooth and the arc of its tip, if it has one."""
+    made: list[Ink] = []
     for side in (tooth.left, tooth.right):
         for piece in (fillet(reading, side), flank(reading, side)):
             if piece:
-                yield Bezier("main", piece, side.flank.name)
+                made.append(Bezier("main", piece, side.flank.name))
     left, right = (spot(reading, side.tip) for side in (tooth.left, tooth.right))
     if cmath.isfinite(left) and cmath.isfinite(right) and abs(left - right) > 1e-9:
-        yield _between(left, centre, cmath.phase((right - centre) / (left - centre)))
+        made.append(_between(left, centre, cmath.phase((right - centre) / (left - centre))))
+    yield from body(made, "tooth", tooth.marks)
 
 
 def _between(start: complex, centre: complex, turn: float) -> Stroke:

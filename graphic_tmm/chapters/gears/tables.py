@@ -14,16 +14,17 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights
 
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
 PLACES = 3
 """Decimals of lengths in mm and of coefficients."""
 DIGITS = 4
 """Figures of an angle, of a contact ratio and of a sliding."""
 
 
-def dimension_table(reading: Reading, made: Gear, language: str, title: str) -> Drawing:
+def dimension_table(
+    reading: Reading, made: Gear, language: str, title: str, heights: Heights
+) -> Drawing:
     """Return the dimensions: those of the wheels side by side, then those of the pair."""
     words, sizes = captions(language), made.sizes
     one, other = sizes.wheels
@@ -46,7 +47,8 @@ def dimension_table(reading: Reading, made: Gear, language: str, title: str) -> 
         heads,
         rows,
         again=words["continued"],
-        size=SIZE,
+        size=heights.number,
+        title_size=heights.title,
         align=align,
     )
 
@@ -77,7 +79,9 @@ def _unit(mark: Mark, language: str) -> str:
     return unit("mm" if mark.unit == "m" else mark.unit, language)
 
 
-def sliding_table(reading: Reading, made: Gear, language: str, title: str) -> Drawing:
+def sliding_table(
+    reading: Reading, made: Gear, language: str, title: str, heights: Heights
+) -> Drawing:
     """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task."""
     sliding, words = made.sliding, captions(language)
     length = float(reading[made.line.length][0, 0])
@@ -104,7 +108,8 @@ def sliding_table(reading: Reading, made: Gear, language: str, title: str) -> Dr
         heads,
         rows,
         again=words["continued"],
-        size=SIZE,
+        size=heights.number,
+        title_size=heights.title,
         lead=2,
         align=align,
     )

@@ -49,6 +49,12 @@ class Tooth:
     right: Flank
     left: Flank
 
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """What its outline stands on."""
+        sides = (self.right, self.left)
+        return tuple(mark for s in sides for mark in (s.flank, s.fillet, s.start, s.tip))
+
 
 @dataclass(frozen=True)
 class Wheel:
@@ -123,6 +129,8 @@ def draw_wheel(
         Tooth(*sides),
         _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=-1),
     )
+    for tooth in teeth:
+        draft.figure("tooth", str(i), *tooth.marks)
     return Wheel(
         wheel, circles, roll, origin, feet, points, curve, at_pitch, middle, axis, corner, teeth
     )

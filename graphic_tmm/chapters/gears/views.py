@@ -19,10 +19,9 @@ from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import Heights, heights
 from graphic_tmm.paper.views import captioned, mu_text
-from graphic_tmm.readers.result_table import (
-    SIZE,
-)
 
 CHECKS = Tongues(
     {
@@ -42,20 +41,21 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made, language, reading = GEARS.on(drawn), drawn.scene.language, drawn.reading
     words, scales = captions(language), drawn.scales
     mu_l = mu_text(scales["gear"], language)
-    mesh = draw_gear_ink(reading, made, language, words["gear"], lettered=lettered)
-    sliding = draw_sliding_ink(reading, made, language, words["sliding"], lettered=lettered)
-    mu_theta = mu_text(scales["sliding"], language)
+    log, high = drawn.construction, heights(drawn.scene, "gears")
+    mesh = draw_gear_ink(log, reading, made, language, words["gear"], high)
+    sliding = draw_sliding_ink(log, reading, made, language, words["sliding"], high)
+    mu_theta, told = mu_text(scales["sliding"], language), ", ".join([mu_l, *_ratios(drawn)])
     found = [
-        captioned(mesh, words["gear"], ", ".join([mu_l, *_ratios(drawn)])),
-        captioned(sliding, words["sliding"], mu_theta),
+        captioned(finished(mesh, lettered), words["gear"], told, heights=high),
+        captioned(finished(sliding, lettered), words["sliding"], mu_theta, heights=high),
     ]
     for k in (0, 1):
         title = words[f"{ROLLING}-{k + 1}"]
-        view = draw_rolling_ink(drawn.construction, reading, made, k, title, lettered=lettered)
-        found.append(captioned(view, title, mu_l))
-    found.append(dimension_table(reading, made, language, words["gear-dimensions"]))
-    found.append(sliding_table(reading, made, language, words["sliding"]))
-    return [*found, _checks(drawn, made)]
+        view = draw_rolling_ink(log, reading, made, k, title, high)
+        found.append(captioned(finished(view, lettered), title, mu_l, heights=high))
+    found.append(dimension_table(reading, made, language, words["gear-dimensions"], high))
+    found.append(sliding_table(reading, made, language, words["sliding"], high))
+    return [*found, _checks(drawn, made, high)]
 
 
 def _ratios(drawn: Drawn) -> list[str]:
@@ -71,7 +71,7 @@ def _ratios(drawn: Drawn) -> list[str]:
     ]
 
 
-def _checks(drawn: Drawn, made: Gear) -> Drawing:
+def _checks(drawn: Drawn, made: Gear, heights: Heights) -> Drawing:
     language = drawn.scene.language
     _, words, rows = speaking(language), captions(language), []
     for found in verdicts(made.checks, drawn.reading):
@@ -93,6 +93,7 @@ def _checks(drawn: Drawn, made: Gear) -> Drawing:
         heads,
         rows,
         again=words["continued"],
-        size=SIZE,
+        size=heights.number,
+        title_size=heights.title,
         align=align,
     )

@@ -107,7 +107,15 @@ def draw_plan(
     spot = seen.point(view.pole, places[0].at)
     strokes = (*traces.staying, *body(pole(spot), "pole", [view.pole]), *upon)
     wanted = _letters(seen, places, view.pole, heights)
-    return Drawing(name, title, strokes, rubbed=traces.rubbed, shows=(plan,), wanted=tuple(wanted))
+    return Drawing(
+        name,
+        title,
+        strokes,
+        rubbed=traces.rubbed,
+        shows=(plan,),
+        wanted=tuple(wanted),
+        numbers=tuple((place.at, place.number) for place in places if place.number),
+    )
 
 
 def _manner(seen: Seen, told: Sequence[Vector], mu: float, unit: str, *, common: bool) -> Manner:

@@ -72,7 +72,7 @@ def inverse_ratio(ratio: Number) -> Number:
 
 @formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
 def overall_ratio(ratio: Number, driven: Number, driving: Number) -> Number:
-    """{ratio}·{driven}/{driving}"""
+    """|{ratio}|·{driven}/{driving}"""
 
 
 @formula

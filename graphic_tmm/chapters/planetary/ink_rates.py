@@ -2,52 +2,69 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.planetary.ink_numbers import BESIDE, LEAST, NUMBER, OVER, TrainInk
-from graphic_tmm.paper.drawing import Stroke, Wanted, circle, line
-from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH, arrowhead, pole
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.chapters.planetary.ink_numbers import BESIDE, LEAST, OVER, TrainInk
+from graphic_tmm.paper.drawing import Ink, Stroke, Wanted, circle, line
+from graphic_tmm.paper.figure import body
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.seen import Rule, Seen
+from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.kinematic import pole
 
-TOGETHER = 1.0
-"""Points nearer than this, mm, share one label."""
 LETTERED = 8.0
 """A line shorter than this bears no number, mm."""
 DOT = 0.5
 """Radius of a point, mm."""
 
 
-def draw_picture(ink: TrainInk) -> list[Stroke]:
-    """The velocities of A and B, and the straight lines of the three bodies."""
-    o, a, b, c = ink.zeros
-    high = max((o, a, b, c), key=lambda z: z.imag)
-    strokes = [line("thin", o, high + 1j * OVER)]
-    for foot, tip, key in ((a, ink.tips[0], "A"), (b, ink.tips[1], "B")):
-        strokes += _vector(ink, foot, tip, key)
-    return strokes + [line("main", spots[0], spots[-1]) for _, spots in _bodies(ink)]
-
-
-def _bodies(ink: TrainInk) -> list[tuple[str, tuple[complex, ...]]]:
-    """The straight lines by the numbers of their bodies, each by its points from below."""
-    origin, (a, b), c = ink.zeros[0], ink.tips, ink.zeros[3]
-    block = tuple(sorted((a, b, c), key=lambda z: z.imag))
-    return [("1", (origin, a)), ("H", (origin, b)), (_block(ink), block)]
-
-
-def _vector(ink: TrainInk, foot: complex, tip: complex, key: str) -> list[Stroke]:
-    mm = abs(tip - foot)
-    if mm < LEAST:
-        return []
-    head, way = min(ARROW_LENGTH, 0.45 * mm), (tip - foot) / mm
+def picture_rules(ink: TrainInk) -> dict[Mark, Rule]:
+    """What stays of the picture: its zero line, the velocities of A and B, the lines of the three bodies."""
     picture = ink.made.picture
-    stroke = line("medium", foot, tip - 0.5 * head * way)
-    stroke = _told(ink, stroke, picture.readings[key], picture.speeds[key])
-    return [stroke, *arrowhead(tip, way, pen="medium", length=head)]
+    o, a, b, c = ink.zeros
+    high = max(ink.zeros, key=lambda z: z.imag) + 1j * OVER
+    zero = ink.seen.by_mark[picture.zeros[1]].uses[0]
+    rules = {zero: _drawn("thin", o, high)}
+    known = next(key for key, mark in picture.readings.items() if not _measured(ink, mark))
+    for key, foot, tip, end in zip("AB", (a, b), ink.tips, picture.ends, strict=True):
+        told = picture.readings[key], picture.speeds[key]
+        rules[end if key == known else told[0]] = _vector(ink, foot, tip, *told)
+    for key, spots in (("1", (o, ink.tips[0])), ("2", (*ink.tips, c)), ("H", (o, ink.tips[1]))):
+        low, *_, top = sorted(spots, key=lambda z: z.imag)
+        rules[picture.lines[key]] = _drawn("main", low, top)
+    return rules
+
+
+def _measured(ink: TrainInk, mark: Mark) -> bool:
+    return not ink.seen.by_mark[mark].op.formula
+
+
+def _drawn(pen: str, start: complex, end: complex) -> Rule:
+    """A line between two places, unless they are one."""
+
+    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        if abs(end - start) >= LEAST:
+            yield line(pen, start, end)
+
+    return drawn
+
+
+def _vector(ink: TrainInk, foot: complex, tip: complex, segment: Mark, quantity: Mark) -> Rule:
+    """A velocity, with what was read of it."""
+
+    def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        if abs(tip - foot) >= LEAST:
+            shaft, *head = arrow(foot, tip, "medium")
+            yield from (_told(ink, shaft, segment, quantity), *head)
+
+    return vector
 
 
 def _told(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Stroke:
     """Return a stroke that tells a page the segment read, in mm, and what it stands for."""
-    mm, value = (float(ink.reading[mark][0, 0]) for mark in (segment, quantity))
+    mm, value = (ink.seen.number(mark, 0) for mark in (segment, quantity))
     data = (
         ("segment", segment.name),
         ("mm", f"{mm:.2f}"),
@@ -58,50 +75,69 @@ def _told(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Strok
     return stroke._replace(title=title, data=data)
 
 
-def draw_rates(ink: TrainInk) -> list[Stroke]:
-    """The line of angular velocities with its points, the pole and its rays."""
+def rate_rules(ink: TrainInk) -> dict[Mark, Rule]:
+    """What stays of the plan: the line of angular velocities with its points, the rays from the pole."""
+    rates = ink.made.rates
     xs = [ink.foot.real, *(z.real for z in ink.ends.values())]
-    y, rates = ink.foot.imag, ink.made.rates
-    strokes = [line("main", complex(min(xs) - OVER, y), complex(max(xs) + OVER, y))]
-    strokes.append(line("thin", ink.pole, ink.foot))
-    strokes += [line("medium", ink.pole, spot) for spot in ink.ends.values()]
-    strokes.append(circle("main", ink.foot, DOT, filled=True))
-    for body, spot in ink.ends.items():
-        dot = circle("main", spot, DOT, filled=True)
-        strokes.append(_told(ink, dot, rates.segments[body], rates.values[body]))
-    return [*strokes, *pole(ink.pole)]
+    y, base = ink.foot.imag, ink.seen.by_mark[rates.ends["1"]].uses[0]
+    rules = {
+        base: _drawn("main", complex(min(xs) - OVER, y), complex(max(xs) + OVER, y)),
+        rates.foot: _dot(circle("main", ink.foot, DOT, filled=True)),
+        rates.pole: _drawn("thin", ink.foot, ink.pole),
+    }
+    for key, end in rates.ends.items():
+        ray = ink.seen.by_mark[end].uses[1]
+        rules[ray] = _drawn("medium", ink.pole, ink.ends[key])
+        dot = circle("main", ink.ends[key], DOT, filled=True)
+        rules[end] = _dot(_told(ink, dot, rates.segments[key], rates.values[key]))
+    return rules
+
+
+def _dot(made: Stroke) -> Rule:
+    def dot(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        yield made
+
+    return dot
+
+
+def draw_pole(ink: TrainInk) -> Iterator[Ink]:
+    """The pole of the plan."""
+    yield from body(pole(ink.pole), "pole", [ink.made.rates.pole])
 
 
 def picture_letters(ink: TrainInk) -> list[Wanted]:
     """The letters of the zero line and of the ends of velocities, the bodies of the lines."""
+    picture, small = ink.made.picture, ink.heights.point
     o, a, b, c = ink.zeros
     away = -1.0 if sum((tip - o).real for tip in ink.tips) > 0.0 else 1.0
-    wanted = [Wanted("O", o, NUMBER, BESIDE, away - 1j)]
-    for name, at in zip("ABC", (a, b, c), strict=True):
-        wanted.append(Wanted(name, at, NUMBER, BESIDE, away + 1j))
-    for text, at, foot in (("a", ink.tips[0], a), ("b", ink.tips[1], b)):
+    slots = [(mark.slot,) for mark in picture.zeros]
+    wanted = [Wanted("O", o, small, BESIDE, away - 1j, slots[0])]
+    for name, at, of in zip("ABC", (a, b, c), slots[1:], strict=True):
+        wanted.append(Wanted(name, at, small, BESIDE, away + 1j, of))
+    for text, at, foot, mark in zip("ab", ink.tips, (a, b), picture.ends, strict=True):
         if abs(at - foot) >= LEAST:
-            wanted.append(Wanted(text, at, NUMBER, 0.8, at - foot))
-    for text, spots in _bodies(ink):
-        low, high = max(pairwise(spots), key=lambda part: round(abs(part[1] - part[0]), 6))
+            wanted.append(Wanted(text, at, small, 0.8, at - foot, (mark.slot,)))
+    lines: dict[str, Sequence[complex]] = {
+        "1": (o, ink.tips[0]), "H": (o, ink.tips[1]), "2": (*ink.tips, c)
+    }  # fmt: skip
+    for key, spots in lines.items():
+        parts = pairwise(sorted(spots, key=lambda z: z.imag))
+        low, high = max(parts, key=lambda part: round(abs(part[1] - part[0]), 6))
         if abs(high - low) > LETTERED:
-            wanted.append(Wanted(text, (low + high) / 2, NUMBER, 0.8, -away + 0j))
+            of = (picture.lines[key].slot,)
+            wanted.append(Wanted(_name(ink, key), (low + high) / 2, small, 0.8, -away + 0j, of))
     return wanted
 
 
-def _block(ink: TrainInk) -> str:
-    return ", ".join(ink.wheels[1:-1])
+def _name(ink: TrainInk, key: str) -> str:
+    """What a body is called: satellites of two rims by both."""
+    return ", ".join(ink.wheels[1:-1]) if key == "2" else key
 
 
 def rate_letters(ink: TrainInk) -> list[Wanted]:
     """The pole, the fixed wheel and the ends of the segments; ends that coincide share a label."""
-    names = {"1": "1", "2": _block(ink), "H": "H"}
-    groups: list[tuple[complex, list[str]]] = [(ink.foot, [ink.fixed])]
-    for body, spot in ink.ends.items():
-        near = next((texts for at, texts in groups if abs(at - spot) < TOGETHER), None)
-        if near is None:
-            groups.append((spot, [names[body]]))
-        else:
-            near.append(names[body])
-    wanted = [Wanted(", ".join(texts), at, NUMBER, 0.8, 1j) for at, texts in groups]
-    return [*wanted, Wanted("P", ink.pole, NUMBER, 0.8, -1j)]
+    rates, small = ink.made.rates, ink.heights.point
+    named = [Named(ink.foot, ink.fixed, (rates.foot.slot,))]
+    named += [Named(ink.ends[key], _name(ink, key), (m.slot,)) for key, m in rates.ends.items()]
+    letters = lettered(shared(named), small, 0.8, away_from=ink.pole)
+    return [*letters, Wanted("P", ink.pole, small, 0.8, -1j, (rates.pole.slot,))]

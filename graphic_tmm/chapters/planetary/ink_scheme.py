@@ -5,6 +5,7 @@ Radii and levels are those of the log; widths of wheels, shafts and bearings are
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.chapters.planetary.task import Scheme
@@ -18,6 +19,8 @@ SHAFT = 26.0
 """How far a shaft reaches from its wheel, or from the arm of the carrier, mm."""
 BEARING, GAP = 6.0, 1.8
 """Length of a bearing, and from the shaft to its lines, mm."""
+OWN, BESIDE = 13.0, 8.0
+"""How far the shaft of a wheel behind the train reaches to either side of it, where its bearings stand, mm."""
 STUB = 2.5
 """How far a shaft goes on behind its last wheel, mm."""
 DISC = 7.0
@@ -42,11 +45,16 @@ class Side(NamedTuple):
 
 
 class Scheme2KH(NamedTuple):
-    """What is drawn: the scheme, its wheels, the satellite's axis and the main axis at the arm."""
+    """What is drawn: the scheme, its wheels, the satellite's axis and the main axis at the arm.
+
+    ``pair``: the wheels behind the train, that on the driven shaft first; ``driving``: the shaft that drives.
+    """
 
     scheme: Scheme
     wheels: dict[str, Side]
     arm: tuple[complex, complex]
+    pair: dict[str, Side]
+    driving: str
 
     @property
     def last(self) -> Side:
@@ -56,25 +64,47 @@ class Scheme2KH(NamedTuple):
     @property
     def right(self) -> float:
         """Where the shaft of the carrier ends."""
+        if self.pair and self.driving == "1":
+            return next(iter(self.pair.values())).centre.real + WIDTH / 2 + STUB
         return max(self.last.centre.real, self.arm[1].real) + SHAFT + WIDTH / 2
 
     @property
     def left(self) -> float:
         """Where the shaft of wheel 1 begins."""
+        if self.pair and self.driving == "H":
+            return next(iter(self.pair.values())).centre.real - WIDTH / 2 - STUB
         disc = DISC if self.scheme.first < 0 else 0.0
         return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT
 
+    @property
+    def beside(self) -> float:
+        """The middle of the bearing of wheel 1."""
+        disc = DISC if self.scheme.first < 0 else 0.0
+        return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT / 2
 
-def draw_scheme(made: Scheme2KH) -> list[Stroke]:
-    """Return the strokes of the scheme."""
-    first = made.wheels["1"]
-    strokes: list[Stroke] = list(_first(made, first))
-    rims = [made.wheels[name] for name in made.scheme.wheels[1:-1]]
-    for rim in rims:
-        strokes += gear_side(rim.centre, rim.radius, WIDTH)
-    strokes += _fixed(made)
-    strokes += _carrier(made, rims)
-    return strokes
+
+def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
+    """Yield the bodies of the scheme: the name of a wheel or of the carrier, and its strokes."""
+    first, last = made.scheme.wheels[0], made.scheme.wheels[-1]
+    yield first, _first(made, made.wheels[first])
+    rims = {name: made.wheels[name] for name in made.scheme.wheels[1:-1]}
+    for name, rim in rims.items():
+        yield name, gear_side(rim.centre, rim.radius, WIDTH)
+    yield last, tuple(_fixed(made))
+    yield "H", tuple(_carrier(made, list(rims.values())))
+    for k, (name, wheel) in enumerate(made.pair.items()):
+        own = gear_side(wheel.centre, wheel.radius, WIDTH)
+        yield name, (*own, *(_shaft(wheel.centre) if k else ()))
+
+
+def occupied(made: Scheme2KH) -> list[tuple[float, float, float, float]]:
+    """Return the rooms (left, bottom, right, top) of the wheels behind the train, with their shafts."""
+    half = WIDTH / 2 + OWN + STUB
+    return [
+        (x - half, min(y) - STUB, x + half, max(y) + STUB)
+        for wheel in made.pair.values()
+        for x, y in [(wheel.centre.real, (wheel.near.imag, wheel.far.imag))]
+    ]
 
 
 def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
@@ -91,6 +121,8 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
         found["3"] = (third.centre + half + 0.5j * outward * third.radius, 1 + 0j)
     depth = 0.5 * RIM if made.scheme.second < 0 else -0.3 * last.radius
     found[made.scheme.wheels[-1]] = (last.centre + half - 1j * (last.radius + depth), 1 + 0j)
+    for name, wheel in made.pair.items():
+        found[name] = (wheel.centre + half + 0.5j * (wheel.far - wheel.centre).imag, 1 + 0j)
     axis, foot = made.arm
     found["H"] = (foot + 0.4 * (axis - foot), 1 + 0j)
     return found
@@ -99,7 +131,7 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
 def _first(made: Scheme2KH, wheel: Side) -> Strokes:
     """Wheel 1 on its shaft; a ring by the disc beside it."""
     end = complex(made.left, 0.0)
-    bearing = _bearing(end + SHAFT / 2)
+    bearing = _bearing(complex(made.beside, 0.0))
     if made.scheme.first > 0:
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
         return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *bearing)
@@ -159,7 +191,15 @@ def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
         strokes.append(line("main", middle - BEARING / 2, middle + BEARING / 2))
     right = complex(made.right, 0)
     strokes += [line("main", foot, axis - 1j * GAP), line("main", foot, right)]
-    return [*strokes, *_bearing(right - SHAFT / 3)]
+    beside = max(made.last.centre.real, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
+    return [*strokes, *_bearing(complex(beside, 0.0))]
+
+
+def _shaft(at: complex) -> Strokes:
+    """The shaft of a wheel behind the train, on a bearing at either side."""
+    ends = at - WIDTH / 2 - OWN, at + WIDTH / 2 + OWN
+    bearings = (_bearing(at - WIDTH / 2 - BESIDE), _bearing(at + WIDTH / 2 + BESIDE))
+    return (line("main", *ends), *(stroke for one in bearings for stroke in one))
 
 
 def _bearing(at: complex) -> Strokes:

@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
-from graphic_tmm.chapters.planetary.formulas import overall_ratio
 from graphic_tmm.chapters.planetary.pictures import (
     VIEW,
     AxialView,
     EndView,
+    PairView,
     draw_axial_view,
     draw_end_view,
+    draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
 from graphic_tmm.chapters.planetary.sizes import Drawn, choose_scales
 from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.declare import bound_of
 
 
 @dataclass(frozen=True)
@@ -31,8 +30,8 @@ class Planetary:
     """The train as drawn: what was asked and settled, μ_l, its sizes, views, picture and plan.
 
     ``results``: marks (Number) by the names under which tables give them: planetary_z1 …, planetary_satellites,
-    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where wheels
-    stand ``overall``.
+    planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where there is a
+    ``pair`` behind the train.
     """
 
     order: PlanetaryTask
@@ -44,23 +43,19 @@ class Planetary:
     picture: Picture
     rates: Rates
     results: Mapping[str, Mark]
-    overall: Mark | None = None
+    pair: PairView | None = None
 
 
 PLANETARY_TRAIN: Made[Planetary] = Made("planetary")
 
 
 def record(bench: Bench) -> Planetary | None:
-    """Draw the train that the scene asks for, with the pair of wheels behind it."""
+    """Draw the train that the scene asks for, at a share of its usual size where there is one."""
     order = ASKED.of(bench.scene)
     if order is None:
         return None
     share = bench.sizes.get(PLANETARY_TRAIN.chapter, 1.0)
-    made = draw_planetary(bench.draft, order, share)
-    if not order.behind:
-        return made
-    overall = draw_overall(bench.draft, made, *order.behind)
-    return replace(made, overall=overall, results={**made.results, "overall_ratio": overall})
+    return draw_planetary(bench.draft, order, share)
 
 
 def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Planetary:
@@ -82,6 +77,7 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
     sizes = calculate_train(draft, order, train)
     end = draw_end_view(draft, train, sizes)
     axial = draw_axial_view(draft, train, end)
+    pair = draw_pair(draft, order, train, sizes, end)
     picture = draw_picture(draft, order, end, sizes)
     rates = draw_rates(draft, order, train, end, sizes, picture)
     results = {f"planetary_z{wheel}": mark for wheel, mark in sizes.teeth.items()}
@@ -91,21 +87,7 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
         "planetary_ratio_drawn": rates.ratio,
         "planetary_difference": rates.difference,
     }
-    choose_scales(draft, Drawn(order, train, end, axial, picture, rates, size))
-    return Planetary(order, train, mu, sizes, end, axial, picture, rates, results)
-
-
-def draw_overall(draft: Draft, made: Planetary, driving: int, driven: int) -> Mark:
-    """Calculate the ratio of the train together with the pair of wheels behind it (Number, without sign).
-
-    Raises
-    ------
-    StructureError
-        If a tooth number is none.
-    """
-    letters = []
-    draft.open(VIEW)
-    for letter, z in (("z_a", driving), ("z_b", driven)):
-        bound_of(PlanetaryTask, "behind").refuse("planetary", "behind", z)
-        letters.append(draft.take(Number, letter, float(z)))
-    return draft.draw(overall_ratio, "U_0", made.sizes.ratio, letters[1], letters[0])
+    if pair is not None:
+        results["overall_ratio"] = pair.ratio
+    choose_scales(draft, Drawn(order, train, end, axial, picture, rates, pair, size))
+    return Planetary(order, train, mu, sizes, end, axial, picture, rates, results, pair)

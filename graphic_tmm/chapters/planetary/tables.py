@@ -17,14 +17,13 @@ from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.paper.views import wrapped
 
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
 WORDS = Tongues(
@@ -49,30 +48,38 @@ WORDS = Tongues(
 
 
 def condition_table(
-    construction: Construction, reading: Reading, made: Planetary, language: str
+    construction: Construction, reading: Reading, made: Planetary, language: str, heights: Heights
 ) -> Drawing:
     """Return the table of conditions, each with its formula and its numbers."""
-    words, log = WORDS[language], _Log(construction, reading, language)
+    words, log, size = WORDS[language], _Log(construction, reading, language), heights.number
     found = [(words[c.name], text) for c in made.sizes.conditions for text in log.condition(c)]
 
     def within_lines(most: float) -> Drawing:
         rows = [
             ["" if k else name, line]
             for name, text in found
-            for k, line in enumerate(wrapped(text, SIZE, most))
+            for k, line in enumerate(wrapped(text, size, most))
         ]
         heads, align = [words["condition"], words["check"]], ["left", "left"]
-        return table("table-planetary", words["conditions"], heads, rows, size=SIZE, align=align)
+        return table(
+            "table-planetary",
+            words["conditions"],
+            heads,
+            rows,
+            size=size,
+            title_size=heights.title,
+            align=align,
+        )
 
-    names = max(letter(name, size=SIZE).width for name, _ in found)
-    beside = names + 4 * (max(PADDING, SIZE / 2) + SLANT)
+    names = max(letter(name, size=size).width for name, _ in found)
+    beside = names + 4 * (max(PADDING, size / 2) + SLANT)
     return within_lines(math.inf)._replace(
         apart=lambda within: [within_lines(within.width - beside)]
     )
 
 
 def rate_table(
-    construction: Construction, reading: Reading, made: Planetary, language: str
+    construction: Construction, reading: Reading, made: Planetary, language: str, heights: Heights
 ) -> Drawing:
     """Return the table of segments and angular velocities, with the ratio measured and by the formula."""
     words, log, rates = WORDS[language], _Log(construction, reading, language), made.rates
@@ -94,7 +101,8 @@ def rate_table(
         heads,
         rows,
         again=captions(language)["continued"],
-        size=SIZE,
+        size=heights.number,
+        title_size=heights.title,
         lead=1,
     )
 
@@ -109,7 +117,7 @@ def ratio_lines(
     )
 
 
-def train_table(found: Solutions, language: str, *, rows: int = 12) -> Drawing:
+def train_table(found: Solutions, language: str, heights: Heights, *, rows: int = 12) -> Drawing:
     """Return the table of the first ``rows`` trains that fulfil an order; the size in mm."""
     words = WORDS[language]
     heads = [f"z_{wheel}" for wheel in found.scheme.wheels]
@@ -125,7 +133,8 @@ def train_table(found: Solutions, language: str, *, rows: int = 12) -> Drawing:
         heads,
         body,
         again=captions(language)["continued"],
-        size=SIZE,
+        size=heights.number,
+        title_size=heights.title,
         lead=1,
     )
 

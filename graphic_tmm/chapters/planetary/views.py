@@ -19,6 +19,8 @@ from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
 
 
@@ -34,29 +36,32 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         (words["planetary-rates"], texts.get("planetary-rates", ""), *lines, *_overall(drawn)),
     )
     shown = Captions(*(tuple(text for text in group if text) for group in found))
-    view = draw_planetary_ink(reading, made, shown, words["planetary"], lettered=lettered)
-    views = [view, condition_table(log, reading, made, language)]
-    views.append(rate_table(log, reading, made, language))
+    high = heights(drawn.scene, "planetary")
+    view = draw_planetary_ink(log, reading, made, shown, words["planetary"], high)
+    views = [finished(view, lettered), condition_table(log, reading, made, language, high)]
+    views.append(rate_table(log, reading, made, language, high))
     if made.order.ratio is not None:
         wanted = replace(made.order, teeth=())
-        views.append(train_table(search(wanted), language))
+        views.append(train_table(search(wanted), language, high))
     return views
 
 
 def _overall(drawn: Drawn) -> list[str]:
     """Return the overall ratio and the speed of the last wheel."""
     made = PLANETARY_TRAIN.on(drawn)
-    mark = made.overall
-    if mark is None:
+    if made.pair is None:
         return []
     language = drawn.scene.language
     _ = speaking(language)
-    ratio = float(drawn.reading[mark].ravel()[0])
+    ratio = float(drawn.reading[made.pair.ratio].ravel()[0])
     first, last = made.order.behind
     rpm = abs(made.order.speed) * 30.0 / math.pi
     speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
     ratios = single(results_of(drawn, made.results))
-    text = f"{number(ratios['planetary_ratio'][0], language)}·{last}/{first}"
+    own = ratios["planetary_ratio"][0]
+    text = f"{number(own, language)}·{last}/{first}"
+    if own < 0.0:
+        text = f"|{number(own, language)}|·{last}/{first}"
     return [
         f"U_{{0}} = {text} = {number(ratio, language)}",
         f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {_('rpm')}",

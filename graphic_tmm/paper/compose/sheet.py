@@ -1,4 +1,4 @@
-"""One sheet: whether boxes fit it, and where they stand with gaps as equal and as wide as they can be."""
+"""One sheet: where boxes stand that are cut into it in a given order, with gaps as equal as they can be."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from graphic_tmm.paper.compose.slicing import curve, curves, steps, tree
 from graphic_tmm.paper.compose.spread import grown, need, spread
-from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes, units_of
+from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes
 from graphic_tmm.paper.packing import GAP, Room
 
 GAPS = (25.0, 20.0, 16.0, 13.0, 11.0, 9.0, GAP)
@@ -14,28 +14,6 @@ GAPS = (25.0, 20.0, 16.0, 13.0, 11.0, 9.0, GAP)
 
 Places = dict[int, complex]
 """Where boxes stand, by their index: the lower left corner in sheet coordinates (complex, mm)."""
-
-
-def fits(outlines: Sequence[Outline], room: Room) -> Places | None:
-    """Return where boxes stand on a sheet at the least gap; None if it does not hold them in this order."""
-    return placed(units_of(outlines, range(len(outlines))), outlines, room, GAP)
-
-
-def roomy(outlines: Sequence[Outline], room: Room) -> Places | None:
-    """Return where boxes stand on a sheet at the widest gap at which it holds them; None if it does not."""
-    units = units_of(outlines, range(len(outlines)))
-    found = placed(units, outlines, room, GAPS[-1])
-    if found is None:
-        return None
-    low, high = 0, len(GAPS) - 1
-    while low < high:
-        middle = (low + high) // 2
-        better = placed(units, outlines, room, GAPS[middle])
-        if better is None:
-            low = middle + 1
-        else:
-            found, high = better, middle
-    return found
 
 
 def placed(
@@ -49,15 +27,10 @@ def placed(
     area = sum((o.width + gap) * (o.height + gap) for o in outlines)
     if area > (width + gap) * (height + gap):
         return None
-    there = [*units, Unit((), (foot,))] if min(foot) > 0.0 else list(units)
+    there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
     ways: list[Sequence[Shape]] = [shapes(unit.sizes, gap) for unit in there]
     ways[0] = _below(ways[0], head, gap)
-    names = {unit.stand.block: k for k, unit in enumerate(units) if unit.stand.block}
-    below = [
-        (names[unit.stand.below], k)
-        for k, unit in enumerate(units)
-        if names.get(unit.stand.below, k) < k
-    ]
+    below = [(j, k) for k, unit in enumerate(units) for j in range(k) if _under(unit, units[j])]
     across, down = steps(width + gap), steps(height + gap)
     leaves = [curve([(s.width + gap, s.height + gap) for s in way], across, down) for way in ways]
     found = curves(leaves, down, below)
@@ -79,6 +52,12 @@ def placed(
         k: complex(x + at, y - below_ - outlines[k].height)
         for k, at, below_ in spread(least, 0.0, 0.0, *size, gap)
     }
+
+
+def _under(unit: Unit, other: Unit) -> bool:
+    """Whether a unit has to stand below another one: said so, or the rest of its rows."""
+    one, two = unit.stand, other.stand
+    return bool(two.block) and (one.below == two.block or one.block == two.block)
 
 
 def _below(ways: Sequence[Shape], head: Size, gap: float) -> list[Shape]:

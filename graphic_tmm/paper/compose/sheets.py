@@ -9,7 +9,9 @@ from collections.abc import Sequence
 
 from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.compose.sheet import Places, fits, roomy
+from graphic_tmm.paper.compose import search
+from graphic_tmm.paper.compose.search import fits
+from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.packing import GAP, Room, free
@@ -39,7 +41,7 @@ def composed(
             found.append({waiting[0]: _alone(outlines[waiting[0]], room, format)})
             taken = waiting[:1]
         else:
-            place = roomy if polished else fits
+            place = search.composed if polished else fits
             found.append(_numbered(place([outlines[k] for k in taken], room), taken))
         waiting = [k for k in waiting if k not in set(taken)]
     return found

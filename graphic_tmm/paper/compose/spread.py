@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.paper.compose.slicing import GRID, Leaf, Tree
-from graphic_tmm.paper.compose.units import PAIRED, WIDEST, Shape, Unit, split
+from graphic_tmm.paper.compose.units import PAIRED, WIDEST, Shape, Unit, high, split
 
 NEAR = 50.0
 """What leaves no more than this, mm, of the height beside it stands at the upper edge."""
@@ -140,21 +140,23 @@ def _unit(part: Need, x: float, y: float, width: float, height: float, gap: floa
     x, y = x + shape.free[0], y + shape.free[1]
     width, height = width - shape.free[0], height - shape.free[1]
     lines = split(unit.sizes, shape.rows)
-    least = sum(max(h for _, h in line) for line in lines) + gap * (len(lines) - 1)
-    high = grown(least, len(lines), height, gap, most)
-    if len(lines) == 1:
+    least = sum(map(high, lines)) + gap * (len(lines) - 1)
+    deep = grown(least, len(lines), height, gap, most)
+    if unit.stand.kind == "lead":
+        pass
+    elif len(lines) == 1:
         y += height - least
-    elif unit.stand.kind != "lead":
-        y += (height - least - (high - gap) * (len(lines) - 1)) / 2
+    else:
+        y += (height - least - (deep - gap) * (len(lines) - 1)) / 2
     members = iter(unit.members)
     for line in lines:
-        taken = sum(w for w, _ in line) + gap * (len(line) - 1)
+        taken = sum(w for w, _, _ in line) + gap * (len(line) - 1)
         wide = grown(taken, len(line), width, gap, most)
         at = x + (width - taken - (wide - gap) * (len(line) - 1)) / 2
         if unit.stand.kind == "lead":
             at = x
-        base = y + max(h for _, h in line)
-        for w, h in line:
-            yield next(members), at, base - h
+        base = y + max(h - foot for _, h, foot in line)
+        for w, h, foot in line:
+            yield next(members), at, base - (h - foot)
             at += w + wide
-        y = base + high
+        y += high(line) + deep

@@ -16,18 +16,21 @@ PAIRED = 20.0
 """Between what belongs together, mm, there is no wider gap than this: a polygon and its group."""
 
 Size = tuple[float, float]
+Sized = tuple[float, float, float]
+"""Width and height of a box, and how much of the height is its caption, mm."""
 
 
 class Outline(NamedTuple):
-    """A view as a box, mm, and how it stands; ``corner``: where its lower left corner is drawn.
+    """A view as a box, mm, and how it stands; ``foot``: of its height, what its caption takes.
 
-    ``title``: what people call it.
+    ``title``: what people call it; ``corner``: where its lower left corner is drawn.
     """
 
     name: str
     width: float
     height: float
     stand: Stand = Stand()
+    foot: float = 0.0
     title: str = ""
     corner: complex = 0j
 
@@ -36,14 +39,15 @@ class Outline(NamedTuple):
         """Return the outline of a view; raises SheetError if nothing of it can be drawn."""
         left, bottom, right, top = bounds(view)
         corner = complex(left, bottom)
-        return cls(view.name, right - left, top - bottom, view.stand, view.title, corner)
+        size = (right - left, top - bottom)
+        return cls(view.name, *size, view.stand, view.foot, view.title, corner)
 
 
 class Unit(NamedTuple):
     """Boxes that stand together: their indices in order, their sizes (mm), how they stand."""
 
     members: tuple[int, ...]
-    sizes: tuple[Size, ...]
+    sizes: tuple[Sized, ...]
     stand: Stand = Stand()
 
 
@@ -64,7 +68,7 @@ def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
     return [
         Unit(
             tuple(members),
-            tuple((outlines[k].width, outlines[k].height) for k in members),
+            tuple((o.width, o.height, o.foot) for o in (outlines[k] for k in members)),
             outlines[members[0]].stand,
         )
         for members in blocks.values()
@@ -72,10 +76,10 @@ def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
 
 
 @lru_cache(maxsize=4096)
-def shapes(sizes: tuple[Size, ...], gap: float) -> tuple[Shape, ...]:
+def shapes(sizes: tuple[Sized, ...], gap: float) -> tuple[Shape, ...]:
     """Return the ways to set boxes in rows that are worth it, the widest first: in order, as even as can be."""
     found: list[Shape] = []
-    limit = sum(width for width, _ in sizes) + gap * len(sizes)
+    limit = sum(width for width, _, _ in sizes) + gap * len(sizes)
     while True:
         rows = _filled(sizes, limit, gap)
         if rows is None:
@@ -87,24 +91,29 @@ def shapes(sizes: tuple[Size, ...], gap: float) -> tuple[Shape, ...]:
         limit = shape.width - 1e-6
 
 
-def measured(sizes: Sequence[Size], rows: tuple[int, ...], gap: float) -> Shape:
+def measured(sizes: Sequence[Sized], rows: tuple[int, ...], gap: float) -> Shape:
     """Return what boxes take in rows of so many."""
     lines = split(sizes, rows)
-    width = max(sum(w for w, _ in line) + gap * (len(line) - 1) for line in lines)
-    height = sum(max(h for _, h in line) for line in lines) + gap * (len(lines) - 1)
+    width = max(sum(w for w, _, _ in line) + gap * (len(line) - 1) for line in lines)
+    height = sum(map(high, lines)) + gap * (len(lines) - 1)
     return Shape(width, height, rows)
 
 
-def split(sizes: Sequence[Size], rows: tuple[int, ...]) -> list[Sequence[Size]]:
+def high(line: Sequence[Sized]) -> float:
+    """Return how high a row of boxes is whose captions begin on one line."""
+    return max(h - foot for _, h, foot in line) + max(foot for _, _, foot in line)
+
+
+def split(sizes: Sequence[Sized], rows: tuple[int, ...]) -> list[Sequence[Sized]]:
     """Return boxes by rows."""
     ends = [0, *accumulate(rows)]
     return [sizes[a:b] for a, b in pairwise(ends)]
 
 
-def _filled(sizes: Sequence[Size], limit: float, gap: float) -> tuple[int, ...] | None:
+def _filled(sizes: Sequence[Sized], limit: float, gap: float) -> tuple[int, ...] | None:
     """Return how many boxes stand in each row if every row takes what it holds; None if one box is wider."""
     rows, used = [0], 0.0
-    for width, _ in sizes:
+    for width, _, _ in sizes:
         if width > limit:
             return None
         more = used + width + (gap if used else 0.0)
@@ -116,11 +125,11 @@ def _filled(sizes: Sequence[Size], limit: float, gap: float) -> tuple[int, ...] 
     return tuple(rows)
 
 
-def _even(sizes: Sequence[Size], rows: tuple[int, ...], gap: float) -> tuple[int, ...]:
+def _even(sizes: Sequence[Sized], rows: tuple[int, ...], gap: float) -> tuple[int, ...]:
     """Return as many rows whose widest is as narrow as can be."""
     if len(rows) == 1:
         return rows
-    low, high = max(width for width, _ in sizes), measured(sizes, rows, gap).width
+    low, high = max(width for width, _, _ in sizes), measured(sizes, rows, gap).width
     best = rows
     for _ in range(12):
         middle = (low + high) / 2

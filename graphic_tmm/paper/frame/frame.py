@@ -48,6 +48,8 @@ FIELDS: tuple[str, ...] = tuple(
 )
 """The fields of a title block that a scene may fill; the numbers of the sheets are filled here."""
 
+NAME = "frame"
+"""Of its drawing, by which it is told from the views."""
 CHECK_LENGTH = 100.0
 """The check line, mm: laid against a ruler it tells whether a print is true to size."""
 CHECK_X, CHECK_START, CHECK_TICK, CHECK_SIZE = 5.5, 30.0, 1.25, 2.5
@@ -115,7 +117,7 @@ def frame(
     if gost:
         labels += _foot(format, inner, _)
     check, words = check_line(format, language)
-    return Drawing("frame", _("Frame and title block"), strokes + check, (*labels, *words))
+    return Drawing(NAME, _("Frame and title block"), strokes + check, (*labels, *words))
 
 
 def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
@@ -173,11 +175,12 @@ def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, compl
     if format.endswith("portrait"):
         upright = COLUMN_26_UPRIGHT
         again = (upright, complex(inner.right - upright.width, inner.top - upright.height))
+    columns = (MARGIN_19_23, MARGIN_24_25) if first else (MARGIN_19_23,)
     return (
         (block, corner - block.width),
         again,
-        (MARGIN_19_23, margin),
-        *(((MARGIN_24_25, margin),) if first else ()),
+        # a lying A4 is not high enough for columns 24 and 25, which stand above the others
+        *((one, margin) for one in columns if inner.bottom + one.height <= inner.top),
     )
 
 

@@ -6,10 +6,12 @@ seen from the side a gear is a rectangle with the shaft through it. Points are c
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
 
 from graphic_tmm.paper.drawing import Bezier, circle, line
-from graphic_tmm.paper.symbols.kinematic import Strokes, turning_pair
+from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH, Strokes, turning_pair
 
 RIM = 4.0
 """From the pitch circle of a ring to the circle of its rim, mm."""
@@ -17,6 +19,8 @@ CENTRE_BEYOND = 4.0
 """How far the centre lines of a gear go on behind its circle, mm."""
 FIX = 2.0
 """Half the cross that fixes a gear to its shaft, mm."""
+GROUND_PITCH, MOST_GROUND = 2.5, 600
+"""Way along a rim between the strokes of its ground, mm; their number at the most."""
 WAVE, HEIGHT = 12.0, 1.5
 """Length and height of a wave of the line of a break, mm."""
 
@@ -27,6 +31,14 @@ def gear(at: complex, radius: float, *, internal: bool = False) -> Strokes:
     axes = tuple(line("centre", at - reach * way, at + reach * way) for way in (1, 1j))
     rim = (circle("main", at, radius + RIM),) if internal else ()
     return (*axes, circle("main", at, radius), *rim, *(() if internal else turning_pair(at)))
+
+
+def ring_ground(at: complex, radius: float) -> Strokes:
+    """Return the ground of a fixed ring: strokes at 45° outside its rim, all around and evenly."""
+    count = min(max(8, round(2 * math.pi * radius / GROUND_PITCH)), MOST_GROUND)
+    ways = (cmath.rect(1.0, math.radians(360.0 * (k + 0.5) / count)) for k in range(count))
+    slant = HATCH_DEPTH * (1 + 1j)
+    return tuple(line("thin", at + radius * way, at + (radius + slant) * way) for way in ways)
 
 
 def gear_side(at: complex, radius: float, width: float, *, fixed: bool = True) -> Strokes:

@@ -3,7 +3,8 @@
 The standard shows the shapes; its sizes are left to the draughtsman and stand here as constants.
 Every function returns a tuple of strokes in sheet coordinates. Points and directions are complex,
 angles are in degrees, counter-clockwise. A slider ("body") hides the guide under it, and a rod
-(pen "rod") runs over the slider to the pin ("joint"), which hides them all.
+(pen "rod") runs over the slider to the pin ("joint"), which hides them all. Strokes of a sign that is always
+the same know it (`Symbol`), so that a CAD program gets it as a block; a pin is a sign of its own.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from collections.abc import Sequence
 
 import shapely
 
-from graphic_tmm.paper.drawing import Stroke, arc, circle, line
+from graphic_tmm.paper.drawing import Stroke, Symbol, arc, circle, line
 from graphic_tmm.paper.symbols.hatching import hatched
 
 JOINT_RADIUS = 1.5
@@ -44,7 +45,11 @@ Strokes = tuple[Stroke, ...]
 
 def turning_pair(at: complex) -> Strokes:
     """Return a turning pair: a circle of 1.5 mm radius with the paper inside."""
-    return (circle("joint", at, JOINT_RADIUS),)
+    return _sign("pair", at, 0.0, (circle("joint", at, JOINT_RADIUS),))
+
+
+def _sign(kind: str, at: complex, turn: float, strokes: Strokes) -> Strokes:
+    return tuple(stroke._replace(symbol=Symbol(kind, at, turn)) for stroke in strokes)
 
 
 def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
@@ -53,7 +58,8 @@ def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
     feet = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-FOOT_WIDTH / 2, FOOT_WIDTH / 2)]
     ends = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-GROUND_LENGTH / 2, GROUND_LENGTH / 2)]
     legs = line("main", feet[0], at, feet[1])
-    return (legs, *guide(ends[0], ends[1], sides=(-1,)), *turning_pair(at))
+    foot = (legs, *guide(ends[0], ends[1], sides=(-1,)))
+    return (*_sign("support", at, angle, foot), *turning_pair(at))
 
 
 def hatching(start: complex, end: complex, side: int) -> Strokes:
@@ -95,17 +101,19 @@ def slider(
     length: float = SLIDER_LENGTH,
     width: float = SLIDER_WIDTH,
     pin: bool = True,
+    kind: str = "slider",
 ) -> Strokes:
-    """Return a slider: a rectangle turned by ``angle``; ``pin`` adds a turning pair."""
+    """Return a slider: a rectangle turned by ``angle``; ``pin`` adds a turning pair; ``kind`` of its sign."""
     turn = cmath.rect(0.5, math.radians(angle))
     corners = ((-length, -width), (length, -width), (length, width), (-length, width))
     box = line("body", *(at + turn * complex(x, y) for x, y in corners), closed=True)
-    return (box, *turning_pair(at)) if pin else (box,)
+    sign = _sign(kind, at, angle, (box,))
+    return (*sign, *turning_pair(at)) if pin else sign
 
 
 def stone(at: complex, angle: float = 0.0, *, pin: bool = True) -> Strokes:
     """Return the stone on a rocker: a smaller rectangle than the slider on a fixed guide."""
-    return slider(at, angle, length=STONE_LENGTH, width=STONE_WIDTH, pin=pin)
+    return slider(at, angle, length=STONE_LENGTH, width=STONE_WIDTH, pin=pin, kind="stone")
 
 
 def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:

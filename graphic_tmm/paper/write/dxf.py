@@ -13,17 +13,21 @@ from collections.abc import Mapping
 from typing import Any
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
+from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.labels import box, shape
-from graphic_tmm.paper.pens import CENTRE, DASHED, PHANTOM, Pen, pens
-from graphic_tmm.paper.write.dxf_shapes import Arc, Circle, Line, recognised
-from graphic_tmm.paper.write.dxf_text import Letterer, add_styles, spot, weight
+from graphic_tmm.paper.pens import CENTRE, DASHED, KINDS, LETTERING, PHANTOM, Pen, pens
+from graphic_tmm.paper.write.dxf_blocks import Blocks, gathered, symbol_of
+from graphic_tmm.paper.write.dxf_ink import Inker, weight
+from graphic_tmm.paper.write.dxf_text import Letterer, add_styles
 
 LINETYPES = {"dashed": "DASHED", "centre": "CENTER", "phantom": "PHANTOM"}
 """Names of the line types, as CAD programs have them, of the pens that draw them."""
 DASHES = {"DASHED": DASHED, "CENTER": CENTRE, "PHANTOM": PHANTOM}
 """Their strokes and gaps, mm."""
+UNFIT = re.compile(r"[^\w.~-]+")
+"""What the name of a layer does not hold, or better not."""
 WINDOW = "viewport"
 """The layer of the frame of the viewport: it is not printed."""
 
@@ -52,7 +56,8 @@ def dxf(sheet: Sheet, *, stroked: bool = False) -> str:
         document = new("R2010")
         document.units = units.MM
         _set_up(document, sheet)
-        writer = _Writer(document, pens(sheet.format), stroked=stroked)
+        speech = speaking(sheet.language or SOURCE)
+        writer = _Writer(document, pens(sheet.format), speech, stroked=stroked)
         for drawing in sheet.drawings:
             writer.draw(drawing)
         for kind in sorted(document.entitydb.dxf_types_in_use()):
@@ -99,77 +104,43 @@ def _extents(sheet: Sheet) -> tuple[float, float, float, float]:
 
 
 class _Writer:
-    """What turns records of ink into entities of one model space."""
+    """What turns drawings into entities of one model space, on layers."""
 
-    def __init__(self, document: Any, pens: Mapping[str, Pen], *, stroked: bool) -> None:
-        self.document, self.space, self.pens = document, document.modelspace(), pens
-        self.letterer = Letterer(document, self.space, stroked=stroked)
+    def __init__(
+        self, document: Any, box: Mapping[str, Pen], speech: Speech, *, stroked: bool
+    ) -> None:
+        self.document, self.box, self.speech = document, box, speech
+        self.ink = Inker(document.modelspace(), box)
+        self.blocks = Blocks(document, box)
+        self.letterer = Letterer(document, document.modelspace(), stroked=stroked)
 
-    def layer(self, drawing: Drawing, kind: str, width: float) -> str:
-        """Return the layer of a line kind in a view, made when it is first needed."""
-        name = re.sub(r"[^\w.-]+", "-", drawing.name) + f"_{kind}"
+    def layer(self, drawing: Drawing, position: int | None, kind: str, width: float) -> str:
+        """Return the layer of a line kind in a view, and position, made when it is first needed.
+
+        A drawing of one position has its number in its name, one of several tells their numbers.
+        """
+        number = dict(drawing.numbers).get(-1 if position is None else position, "")
+        view = f"{drawing.name}-{number}" if number else drawing.name
+        name = UNFIT.sub("-", view.replace("*", "~")) + f"_{kind}"
         if name not in self.document.layers:
             made = self.document.layers.add(
                 name, linetype=LINETYPES.get(kind, "CONTINUOUS"), lineweight=weight(width)
             )
-            made.description = f"{drawing.title or drawing.name}: {kind}"
+            called = self.speech(KINDS.get(kind, LETTERING))
+            made.description = ", ".join(filter(None, (drawing.title, number, called)))
         return name
 
     def draw(self, drawing: Drawing) -> None:
         """Write the strokes in the order of the pens, then the lettering."""
-        for key, pen in self.pens.items():
+        signs = gathered(drawing.strokes, self.box)
+        for key, pen in self.box.items():
+            for sign in (sign for sign in signs if sign.pen == key):
+                layer = self.layer(drawing, sign.position, key, pen.width)
+                self.blocks.insert(self.document.modelspace(), sign, layer)
             for stroke in drawing.strokes:
-                if stroke.pen == key:
-                    self.stroke(stroke, pen, {"layer": self.layer(drawing, key, pen.width)})
+                if stroke.pen == key and not symbol_of(stroke):
+                    layer = self.layer(drawing, stroke.position, key, pen.width)
+                    self.ink.stroke(stroke, {"layer": layer})
         for label in drawing.labels:
-            self.letterer.label(label, self.layer(drawing, "lettering", label.size / 10))
-
-    def stroke(self, stroke: Stroke | Bezier, pen: Pen, style: Mapping[str, Any]) -> None:
-        """Write one stroke: a curve, a filled shape, or a line with the wipeout below its outline."""
-        if isinstance(stroke, Bezier):
-            self.spline(stroke, style)
-        elif stroke.filled:
-            self.filled(stroke, style)
-        else:
-            if pen.fill == "white":
-                corners = [spot(complex(x, y)) for x, y in shape(stroke).coords[:-1]]
-                self.space.add_wipeout(corners, dxfattribs=style)
-            if pen.width:
-                self.line(stroke, style)
-
-    def spline(self, curve: Bezier, style: Mapping[str, Any]) -> None:
-        """Write cubic arcs as one spline: the same points, each joint a knot of three."""
-        arcs = (len(curve.controls) - 1) // 3
-        inner = [float(k) for k in range(1, arcs) for _ in range(3)]
-        knots = [0.0] * 4 + inner + [float(arcs)] * 4
-        points = [spot(z) for z in curve.controls]
-        self.space.add_open_spline(points, degree=3, knots=knots, dxfattribs=style)
-
-    def filled(self, stroke: Stroke, style: Mapping[str, Any]) -> None:
-        """Write a filled shape: a triangle as a solid, as arrowheads are; any other as a hatch."""
-        points = _vertices(stroke)
-        if len(points) == 3 and not any(bulge for _, _, bulge in points):
-            self.space.add_solid([point[:2] for point in points], dxfattribs=style)
-            return
-        hatch = self.space.add_hatch(color=256, dxfattribs=style)
-        hatch.paths.add_polyline_path(points, is_closed=True)
-
-    def line(self, stroke: Stroke, style: Mapping[str, Any]) -> None:
-        """Write a line as what it is."""
-        match recognised(stroke):
-            case Line(start, end):
-                self.space.add_line(spot(start), spot(end), dxfattribs=style)
-            case Circle(centre, radius):
-                self.space.add_circle(spot(centre), round(radius, 6), dxfattribs=style)
-            case Arc(centre, radius, start, end):
-                angles = (round(start, 9), round(end, 9))
-                self.space.add_arc(spot(centre), round(radius, 6), *angles, dxfattribs=style)
-            case None:
-                made = self.space.add_lwpolyline(
-                    _vertices(stroke), format="xyb", close=stroke.closed, dxfattribs=style
-                )
-                made.dxf.flags |= 128  # dashes run on over the corners
-
-
-def _vertices(stroke: Stroke) -> list[tuple[float, float, float]]:
-    return [(*spot(complex(x, y)), round(bulge, 9)) for x, y, bulge in stroke.path]
+            layer = self.layer(drawing, label.position, "lettering", label.size / 10)
+            self.letterer.label(label, layer)

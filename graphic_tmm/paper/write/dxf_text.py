@@ -16,6 +16,7 @@ from graphic_tmm.paper.drawing import Label
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.lettering.letters import Form
 from graphic_tmm.paper.lettering.runs import Run, set_in_runs
+from graphic_tmm.paper.write.dxf_ink import spot, vertices, weight
 from graphic_tmm.paper.write.svg import shift
 
 FONT = "isocpeur.ttf"
@@ -30,8 +31,6 @@ CODES = ("cp1251", "cp1252", "cp1253")
 """Cyrillic, Latin and Greek code pages of Windows, whose characters such fonts hold too."""
 MARKS = "^\\"
 """Characters that a TEXT takes for marks of its own: they are drawn."""
-DIGITS = 6
-"""Decimals of a coordinate, mm: the same bytes whatever the last bits."""
 
 
 def add_styles(document: Any) -> None:
@@ -45,11 +44,6 @@ def writable(character: str) -> bool:
     if character in MARKS:
         return False
     return character in SIGNS or any(_held(character, code) for code in CODES)
-
-
-def spot(z: complex) -> tuple[float, float]:
-    """Return a place as DXF has it."""
-    return round(z.real, DIGITS), round(z.imag, DIGITS)
 
 
 class Letterer:
@@ -104,8 +98,8 @@ class Letterer:
             style = {"layer": layer, "lineweight": weight(form.pen)}
             for stroke in form.strokes:
                 places = [(start + complex(x + dx, y + dy) * turn, b) for dx, dy, b in stroke]
-                points = [(*spot(z), round(bulge, 9)) for z, bulge in places]
-                yield self.space.add_lwpolyline(points, format="xyb", dxfattribs=style)
+                path = tuple((z.real, z.imag, bulge) for z, bulge in places)
+                yield self.space.add_lwpolyline(vertices(path), format="xyb", dxfattribs=style)
 
 
 def _held(character: str, code: str) -> bool:
@@ -114,15 +108,3 @@ def _held(character: str, code: str) -> bool:
     except UnicodeEncodeError:
         return False
     return True
-
-
-WEIGHTS = (
-    *(13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70),
-    *(80, 90, 100, 106, 120, 140, 158, 200, 211),
-)
-"""Line weights that DXF knows, 1/100 mm."""
-
-
-def weight(width: float) -> int:
-    """Return the line weight of DXF nearest to a width in mm."""
-    return min(WEIGHTS, key=lambda known: abs(known - 100 * width))

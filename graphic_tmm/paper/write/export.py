@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 import zlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Literal
@@ -13,6 +13,8 @@ from typing import Any, Literal
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.frame import frame
+from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import clean, svg
 
 PPI = 150.0
@@ -24,7 +26,7 @@ HAIR = 1e-6
 
 
 def pdf(sheets: Sequence[Sheet]) -> bytes:
-    """Return one PDF with a page for each sheet.
+    """Return one PDF with a page for each sheet, and a bookmark for each of their views.
 
     Raises
     ------
@@ -72,6 +74,26 @@ def _quoted(text: str) -> str:
     return '"{}"'.format(clean(text).replace("\\", "\\\\").replace('"', '\\"'))
 
 
+def _bookmarks(sheet: Sheet, number: int) -> Iterator[str]:
+    """Yield what makes bookmarks of a sheet and of its views, each at its upper left corner.
+
+    Headings make them, which are hidden: nothing of them is drawn, nor found by a search. ``number``: of the
+    sheet in a set; 0 for one that stands alone and needs no bookmark of its own.
+    """
+    if number:
+        yield _heading(1, f"{number}. {sheet.title}", 0.0, 0.0)
+    for drawing in sheet.drawings:
+        if drawing.name != frame.NAME and (drawing.strokes or drawing.labels):
+            left, _, _, top = bounds(drawing)
+            title = drawing.title or drawing.name
+            yield _heading(2 if number else 1, title, left, sheet.height - top)
+
+
+def _heading(level: int, text: str, right: float, down: float) -> str:
+    shown = f"heading(level: {level}, outlined: false, bookmarked: true, {_quoted(text)})"
+    return f"#place(dx: {right:.3f}mm, dy: {down:.3f}mm, hide({shown}))"
+
+
 def _compiled(
     sheets: Sequence[Sheet], form: Literal["pdf", "png"], ppi: float = PPI
 ) -> list[bytes]:
@@ -89,7 +111,9 @@ def _compiled(
         for k, sheet in enumerate(sheets):
             (home / f"{k}.svg").write_text(svg(sheet, searchable=True), encoding="utf-8")
             size = f"width: {sheet.width}mm, height: {sheet.height}mm"
-            lines.append(f'#page({size}, margin: 0pt)[#image("{k}.svg", {size})]')
+            number = k + 1 if len(sheets) > 1 else 0
+            marks = "".join(_bookmarks(sheet, number)) if form == "pdf" else ""
+            lines.append(f'#page({size}, margin: 0pt)[{marks}#image("{k}.svg", {size})]')
         (home / "sheets.typ").write_text("\n".join(lines), encoding="utf-8")
         made: Any = typst.compile(str(home / "sheets.typ"), root=folder, format=form, ppi=ppi)
     return made if isinstance(made, list) else [made]

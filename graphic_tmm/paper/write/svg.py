@@ -1,7 +1,9 @@
 """A sheet as SVG in true millimetres: only here is y turned over, only here is svgwrite used.
 
 A drawing becomes a group with its title, a layer to Inkscape; in it every pen has a group that carries the
-style, and the strokes of one pen are one path, except those that a page must find (a title, data). Lettering
+style, a layer within. Strokes of one pen that come from the same steps (``data-of``: slots of their marks), in
+the same position (``data-at``: its index), or that are the same part (``data-part``), are one path; those that
+a page must find (a title, data) stand alone. Lettering
 is drawn as strokes, each label a group that bears its words as a title; live text there is none, for a CAD
 program would take it for ink. Where a search needs it (in a PDF) it lies white under everything.
 """
@@ -13,37 +15,25 @@ import math
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
 from xml.etree import ElementTree
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Sheet, Stroke, Vertex
+from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
+from graphic_tmm.language.numbers import number as spoken
+from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
-from graphic_tmm.paper.pens import Pen, fitted, pens, tracing
+from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, tracing
+from graphic_tmm.paper.write.svg_path import clockwise, length, number, path_data
 
 if TYPE_CHECKING:
     import svgwrite
-
-FLAT = 5e-4
-"""An arc that departs from its chord by less (mm) is drawn straight."""
-
-SAMPLES = 16
-"""Chords by which the length of one cubic arc is taken, for its dashes."""
 
 FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML 1.0 does not allow."""
 
 ANCHORS = {"start": 0.0, "middle": 0.5, "end": 1.0}
-
-
-def number(value: float) -> str:
-    """Return a number with at most three decimals, without trailing zeros or a negative zero."""
-    if not math.isfinite(value):
-        raise SheetError(f"a coordinate of the sheet is not a finite number: {value}")
-    text = f"{value:.3f}".rstrip("0").rstrip(".")
-    return "0" if text == "-0" else text
 
 
 def clean(text: str) -> str:
@@ -81,7 +71,7 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
         page["lang"] = page["xml:lang"] = sheet.language
     titles = "; ".join(clean(drawing.title or drawing.name) for drawing in sheet.drawings)
     page.set_desc(title=clean(sheet.title), desc=titles)
-    writer = _Writer(page, sheet.height)
+    writer = _Writer(page, sheet.height, speaking(sheet.language or SOURCE))
     if under is None:
         page.add(page.rect(size=(width, height), fill="white", class_="paper"))
     else:
@@ -103,9 +93,10 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
 class _Writer:
     """What turns records of ink into elements of one page."""
 
-    def __init__(self, page: svgwrite.Drawing, height: float) -> None:
+    def __init__(self, page: svgwrite.Drawing, height: float, speech: Speech) -> None:
         self.page = page
         self.height = height
+        self.speech = speech
         self.trace: Pen | None = None
         """The one pen of all lettering; None: black, as wide as its size asks for."""
 
@@ -125,11 +116,15 @@ class _Writer:
         return group
 
     def layer(self, title: str) -> Any:
-        """Return an empty group that Inkscape takes for a layer."""
+        """Return an empty group that Inkscape takes for a layer, with a title."""
         group = self.page.g()
-        group["inkscape:groupmode"] = "layer"
-        group["inkscape:label"] = title
         group.set_desc(title=title)
+        return self.layered(group, title)
+
+    def layered(self, group: Any, label: str) -> Any:
+        """Return a group as a layer to Inkscape."""
+        group["inkscape:groupmode"] = "layer"
+        group["inkscape:label"] = label
         return group
 
     def picture(self, file: str, width: str, height: str) -> Any:
@@ -150,19 +145,22 @@ class _Writer:
             stroke_linecap="butt" if pen.dashes else "round",
             stroke_linejoin="round",
         )
+        self.layered(group, self.speech(KINDS[key]))
         merged: dict[tuple[object, ...], list[str]] = {}
-        styles: dict[tuple[object, ...], dict[str, str]] = {}
+        styles: dict[tuple[object, ...], tuple[dict[str, str], Ink]] = {}
         alone = []
         for stroke in strokes:
             if stroke.title or stroke.data or pen.fill != "none":
                 alone.append(stroke)
                 continue
             style = _style(pen, stroke)
-            shape = (*style.values(), _turn(stroke))
-            styles[shape] = style
+            source = (stroke.of, stroke.position, stroke.part)
+            shape = (*style.values(), clockwise(stroke), source)
+            styles[shape] = style, stroke
             merged.setdefault(shape, []).append(path_data(stroke, self.height))
         for shape, pieces in merged.items():
-            group.add(self.page.path(d="".join(pieces), **styles[shape]))
+            style, stroke = styles[shape]
+            group.add(_from_steps(self.page.path(d="".join(pieces), **style), stroke))
         for stroke in alone:
             group.add(self.single(pen, stroke))
         return group
@@ -170,6 +168,7 @@ class _Writer:
     def single(self, pen: Pen, stroke: Ink) -> Any:
         """Return the path of one stroke with its title and its data attributes."""
         element = self.page.path(d=path_data(stroke, self.height), **_style(pen, stroke))
+        _from_steps(element, stroke)
         for name, value in stroke.data:
             element[_attribute(name)] = clean(value)
         if stroke.title:
@@ -187,6 +186,8 @@ class _Writer:
             stroke_linecap="round",
             stroke_linejoin="round",
         )
+        size = spoken(10 * width, self.speech.language)
+        self.layered(group, f"{self.speech(LETTERING)} {size}")
         for label in labels:
             written = letters.letter(label.text, size=label.size, inclined=label.inclined)
             if not written.parts:
@@ -196,6 +197,7 @@ class _Writer:
             words = clean(letters.plain(label.text))
             element = group.add(self.page.g(class_="label", aria_label=words, role="img"))
             element.set_desc(title=words)
+            _from_steps(element, label)
             for pen in written.pens:
                 d = letters.svg_path(written, x, y, angle=label.turn, pen=pen)
                 own = {} if pen == width or self.trace else {"stroke_width": number(pen)}
@@ -219,68 +221,15 @@ class _Writer:
         return group
 
 
-def path_data(stroke: Ink, height: float) -> str:
-    """Return the path data of a stroke on a page ``height`` mm high, y downward."""
-    if isinstance(stroke, Bezier):
-        if len(stroke.controls) % 3 != 1:
-            raise SheetError(f"a curve of cubic arcs has 3n + 1 points, not {len(stroke.controls)}")
-        first, *rest = (f"{number(z.real)} {number(height - z.imag)}" for z in stroke.controls)
-        return f"M{first}C{' '.join(rest)}"
-    if not stroke.path:
-        raise SheetError(f"a stroke of the pen {stroke.pen!r} has no points")
-    x, y, _ = stroke.path[0]
-    parts = [f"M{number(x)} {number(height - y)}"]
-    straight_home = stroke.closed and stroke.path[-1][2] == 0  # which "Z" draws
-    segments = _segments(stroke)[:-1] if straight_home else _segments(stroke)
-    parts += [_segment(a, b, height) for a, b in segments]
-    return "".join(parts) + ("Z" if stroke.closed else "")
-
-
-def _segment(a: Vertex, b: Vertex, height: float) -> str:
-    """Return a line or an arc, in pieces of 90° at most so that rounding keeps its centre."""
-    start, end, bulge = complex(*a[:2]), complex(*b[:2]), a[2]
-    chord = end - start
-    if bulge == 0 or abs(bulge * chord) / 2 < FLAT:
-        return f"L{number(end.real)} {number(height - end.imag)}"
-    centre = (start + end) / 2 + 1j * chord * (1 - bulge * bulge) / (4 * bulge)
-    angle = 4 * math.atan(bulge)
-    pieces = math.ceil(abs(angle) / (math.pi / 2) - 1e-9)
-    radius, sweep = number(abs(start - centre)), 0 if bulge > 0 else 1
-    ends = [centre + (start - centre) * cmath.rect(1, angle * k / pieces) for k in range(1, pieces)]
-    return "".join(
-        f"A{radius} {radius} 0 0 {sweep} {number(z.real)} {number(height - z.imag)}"
-        for z in (*ends, end)
-    )
-
-
-def _segments(stroke: Stroke) -> list[tuple[Vertex, Vertex]]:
-    """Return the pairs of vertices that a stroke joins, for a closed one back to its start."""
-    path = stroke.path
-    pairs = list(pairwise(path))
-    return [*pairs, (path[-1], path[0])] if stroke.closed else pairs
-
-
-def _length(stroke: Ink) -> float:
-    """Return the length of a stroke in mm; of a curve by its chords."""
-    if isinstance(stroke, Bezier):
-        points = _samples(stroke.controls)
-        return sum(abs(b - a) for a, b in pairwise(points))
-    total = 0.0
-    for (x, y, bulge), (u, v, _) in _segments(stroke):
-        chord, angle = math.hypot(u - x, v - y), 4 * math.atan(abs(bulge))
-        total += chord if bulge == 0 else chord * angle / (2 * math.sin(angle / 2))
-    return total
-
-
-def _samples(controls: Sequence[complex]) -> list[complex]:
-    """Return points along cubic arcs, `SAMPLES` chords to each."""
-    points = [controls[0]]
-    for k in range(0, len(controls) - 1, 3):
-        a, b, c, d = controls[k : k + 4]
-        for t in (i / SAMPLES for i in range(1, SAMPLES + 1)):
-            s = 1 - t
-            points.append(s**3 * a + 3 * s * s * t * b + 3 * s * t * t * c + t**3 * d)
-    return points
+def _from_steps(element: Any, one: Ink | Label) -> Any:
+    """Return an element that tells the marks whose steps it comes from, its position, its part."""
+    if one.of:
+        element["data-of"] = " ".join(map(str, one.of))
+    if one.position is not None:
+        element["data-at"] = str(one.position)
+    if not isinstance(one, Label) and one.part:
+        element["data-part"] = clean(one.part)
+    return element
 
 
 def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
@@ -288,21 +237,8 @@ def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
     if isinstance(stroke, Stroke) and stroke.filled:
         return {"fill": pen.colour if pen.fill == "none" else pen.fill, "stroke": "none"}
     closed = isinstance(stroke, Stroke) and stroke.closed
-    dashes = fitted(pen.dashes, _length(stroke), closed=closed) if pen.dashes else ()
+    dashes = fitted(pen.dashes, length(stroke), closed=closed) if pen.dashes else ()
     return {"stroke_dasharray": " ".join(map(number, dashes))} if dashes else {}
-
-
-def _turn(stroke: Ink) -> bool:
-    """Tell whether a filled shape runs clockwise: both turns in one path would leave holes."""
-    if isinstance(stroke, Bezier) or not stroke.filled:
-        return False
-    area = sum(a[0] * b[1] - b[0] * a[1] + _bow(a, b) for a, b in _segments(stroke))
-    return area < 0
-
-
-def _bow(a: Vertex, b: Vertex) -> float:
-    """Return twice the area between an arc and its chord, taken as a parabola."""
-    return (4 / 3) * a[2] * ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) / 2
 
 
 def _by_width(labels: Iterable[Label]) -> dict[float, list[Label]]:

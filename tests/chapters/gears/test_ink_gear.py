@@ -17,7 +17,9 @@ from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.labels import box, flat, shape
+from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import svg
 
@@ -29,6 +31,7 @@ ORDERS = (
     GearTask(20, 200, 0.008, 0.2, -0.2),
     GearTask(6, 60, 0.008),
 )
+WALL = HEIGHTS["A1"]
 VIEWS = ("gear", "rolling 1", "rolling 2", "sliding")
 
 
@@ -40,11 +43,13 @@ def drawn(order: GearTask = WINDROWER) -> Pair:
 def view(name: str, order: GearTask = WINDROWER, *, lettered: bool = True) -> Drawing:
     of = drawn(order)
     if name == "gear":
-        return draw_gear_ink(of.reading, of.gear, "ru", "X", lettered=lettered)
-    if name == "sliding":
-        return draw_sliding_ink(of.reading, of.gear, "ru", "X", lettered=lettered)
-    k = int(name[-1]) - 1
-    return draw_rolling_ink(of.log, of.reading, of.gear, k, "X", lettered=lettered)
+        made = draw_gear_ink(of.log, of.reading, of.gear, "ru", "X", WALL)
+    elif name == "sliding":
+        made = draw_sliding_ink(of.log, of.reading, of.gear, "ru", "X", WALL)
+    else:
+        k = int(name[-1]) - 1
+        made = draw_rolling_ink(of.log, of.reading, of.gear, k, "X", WALL)
+    return finished(made, lettered)
 
 
 def main(of: Drawing) -> list[shapely.Geometry]:
@@ -64,11 +69,14 @@ def test_every_view_can_be_drawn_and_its_letters_stand_clear(name: str, order: G
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS[:2])
 @pytest.mark.parametrize("name", VIEWS)
-def test_an_unlettered_view_has_room_for_its_ink(name: str, order: GearTask) -> None:
-    bare = view(name, order, lettered=False)
+def test_an_unlettered_view_takes_about_the_room_of_a_lettered_one(
+    name: str, order: GearTask
+) -> None:
+    bare, made = view(name, order, lettered=False), view(name, order)
     assert bare.cell is not None
     room = shapely.box(*bare.cell)
-    assert all(room.covers(shape(s)) for s in view(name, order).strokes)
+    assert all(room.covers(shape(s)) for s in made.strokes if s.part != "leader")
+    assert all(room.buffer(15.0).covers(box(label)) for label in made.labels)
 
 
 @pytest.mark.slow
@@ -145,6 +153,17 @@ def test_a_centre_too_far_is_left_out() -> None:
 
 
 @pytest.mark.parametrize("k", [0, 1])
+def test_the_circles_of_a_rolled_tooth_are_drawn(k: int) -> None:
+    of, made = drawn(), view(f"rolling {k + 1}")
+    wheel = of.gear.sizes.wheels[k]
+    centre = of.one(of.gear.line.circles[k].centre)
+    bows = [s for s in made.strokes if isinstance(s, Stroke) and s.path[0][2] and not s.closed]
+    radii = {round(abs(complex(*s.path[0][:2]) - centre), 6) for s in bows}
+    for mark in (wheel.r_a, wheel.r, wheel.r_b, wheel.r_f):
+        assert round(1000 * of.real(mark) / of.mm, 6) in radii
+
+
+@pytest.mark.parametrize("k", [0, 1])
 def test_each_rolled_tangent_touches_the_base_circle_and_ends_on_the_involute(k: int) -> None:
     of = drawn()
     wheel = of.gear.wheels[k]
@@ -173,15 +192,28 @@ def test_the_curves_of_sliding_go_to_one_over_the_limits() -> None:
         assert curve[-1] == pytest.approx(complex(end, 1 / mu))
         assert curve[0].imag == pytest.approx(-of.gear.sliding.floor / mu)
     texts = {label.text for label in view("sliding").labels}
-    assert {"N_{1}", "a", "P", "b", "N_{2}", "ϑ_{1}", "ϑ_{2}", "ϑ", "x", "1", "−1", "−4"} <= texts
+    assert {
+        "N_{1}",
+        "a",
+        "P",
+        "b",
+        "N_{2}",
+        "ϑ_{1}",
+        "ϑ_{2}",
+        "ϑ",
+        "x, мм",
+        "1",
+        "−1",
+        "−4",
+    } <= texts
 
 
 def test_the_table_of_sliding_is_that_of_the_windrower() -> None:
     of = pair(GearTask(15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=WINDROWER.stations))
-    texts = [label.text for label in sliding_table(of.reading, of.gear, "ru", "X").labels]
+    texts = [label.text for label in sliding_table(of.reading, of.gear, "ru", "X", WALL).labels]
     for figure in ("−3,030", "−0,715", "0,442", "0,828", "0,939", "0,752", "0,417", "−0,793",
                    "−4,82", "−15,27", "68,0", "181,4", "−∞"):  # fmt: skip
         assert figure in texts
-    texts = [label.text for label in dimension_table(of.reading, of.gear, "ru", "X").labels]
+    texts = [label.text for label in dimension_table(of.reading, of.gear, "ru", "X", WALL).labels]
     for figure in ("56,382", "93,969", "168,683", "73,123", "110,043", "16,483", "26,96", "1,158"):
         assert figure in texts

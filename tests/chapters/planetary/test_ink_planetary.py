@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from itertools import combinations
 from typing import NamedTuple
@@ -26,10 +27,13 @@ from graphic_tmm.chapters.planetary.tables import (
 from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.symbols.gears import RIM
 from graphic_tmm.paper.write.svg import svg
 
 C7 = PlanetaryTask("ring", 0.008, 302.4, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
@@ -44,6 +48,11 @@ ORDERS = {
         "internal-internal", 0.004, -302.0, "H", ratio=20.0, tolerance=0.05, satellites=(2,)
     ),
 }  # fmt: skip
+ORDERS |= {
+    f"{name}, behind": replace(ORDERS[name], behind=(15, 25))
+    for name in ("C7", "internal-internal", "external-external")
+}
+WALL = HEIGHTS["A1"]
 CAPTIONS = Captions(
     ("Схема планетарного редуктора", "μ_l = 0,005 м/мм"),
     ("Картина линейных скоростей", "μ_v = 0,5 (м/с)/мм"),
@@ -64,8 +73,8 @@ def inked(name: str, lettered: bool = True) -> Inked:
     made = draw_planetary(draft, ORDERS[name])
     log = draft.board.construction()
     reading = execute(log, draft.given)
-    view = draw_planetary_ink(reading, made, CAPTIONS, "Редуктор", lettered=lettered)
-    return Inked(made, log, reading, view)
+    view = draw_planetary_ink(log, reading, made, CAPTIONS, "Редуктор", WALL)
+    return Inked(made, log, reading, finished(view, lettered))
 
 
 def lines(of: Drawing, *pens: str) -> list[tuple[complex, complex]]:
@@ -146,12 +155,58 @@ def test_letters_stand_clear_of_heavy_lines(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ORDERS)
-def test_an_unlettered_train_has_room_for_its_ink(name: str) -> None:
+def test_an_unlettered_train_takes_about_the_room_of_a_lettered_one(name: str) -> None:
     bare = inked(name, lettered=False).drawing
     assert bare.cell is not None
     room, view = shapely.box(*bare.cell), inked(name).drawing
-    assert all(room.covers(shape(s)) for s in view.strokes)
-    assert all(room.covers(box(label)) for label in view.labels)
+    assert all(room.covers(shape(s)) for s in view.strokes if s.part != "leader")
+    assert all(room.buffer(15.0).covers(box(label)) for label in view.labels)
+
+
+def test_the_letter_of_the_contact_with_a_fixed_ring_stands_outside_its_ground() -> None:
+    """On the ring's circle a C is crossed by it, and reads G."""
+    made, _, reading, view = inked("C7")
+    radius = float(reading[made.end.lengths["3"]][0, 0])
+    spots = [label for label in view.labels if label.text == "C"]
+    near = min(spots, key=lambda one: abs(one.at - 1j * radius))
+    assert box(near).distance(shapely.Point(0.0, 0.0)) > radius + RIM
+    assert box(near).distance(shapely.Point(0.0, radius)) < 12.0
+    assert all(box(near).disjoint(shape(s)) for s in view.strokes)
+
+
+@pytest.mark.parametrize("name", ["C7", "ring, five", "external-internal"])
+def test_the_ground_of_a_fixed_ring_stands_on_its_rim_all_around(name: str) -> None:
+    made, _, reading, view = inked(name)
+    radius = float(reading[made.end.lengths[made.train.scheme.wheels[-1]]][0, 0]) + RIM
+    ground = [s for s in view.strokes if s.part == "hatching" and isinstance(s, Stroke)]
+    roots, tips = ([complex(*s.path[k][:2]) for s in ground] for k in (0, 1))
+    assert np.allclose(np.abs(roots), radius, atol=1e-9)
+    assert min(map(abs, tips)) > radius + 1.0
+    gaps = np.diff(np.sort(np.angle(roots)))
+    assert np.allclose(gaps, 2 * np.pi / len(ground), atol=1e-9)
+    assert radius * gaps.max() < 4.0
+
+
+@pytest.mark.parametrize("name", [name for name in ORDERS if "behind" in name])
+def test_the_pair_behind_the_train_is_in_its_scheme(name: str) -> None:
+    """Its wheels touch, are as large as their teeth say, and the first stands on the driven shaft."""
+    made, _, reading, view = inked(name)
+    mu, scheme = float(reading[made.mu][0, 0]), made.train.scheme
+    x = float(reading[made.pair.station][0, 0])  # type: ignore[union-attr]
+    boxes = [shape(s).bounds for s in view.strokes if s.part == "wheel" and s.pen == "main"
+             and isinstance(s, Stroke) and s.closed and abs(shape(s).centroid.x - x) < 1e-9]  # fmt: skip
+    first, other = sorted(boxes, key=lambda sides: -sides[3])
+    assert first[3] - first[1] == pytest.approx(15 * made.order.module / mu)
+    assert other[3] - other[1] == pytest.approx(25 * made.order.module / mu)
+    assert first[1] == pytest.approx(other[3])
+    assert first[1] + first[3] == pytest.approx(0.0, abs=1e-9)
+    row = complex(reading[made.axial.discs["1"].centre][0, 0]).real
+    assert (x > row) == (made.order.driving == "1")
+    shafts = [(a.real, b.real) for a, b in lines(view, "main") if a.imag == b.imag == 0.0]
+    assert any(min(ends) < x < max(ends) for ends in shafts)
+    names = [label for label in view.labels if box(label).distance(shapely.Point(x, 0.0)) < 80.0]
+    due = {str(len(scheme.wheels) + 1), str(len(scheme.wheels) + 2)}
+    assert due <= {label.text for label in names}
 
 
 def test_what_was_read_can_be_read_off_the_sheet() -> None:
@@ -169,12 +224,12 @@ def test_what_was_read_can_be_read_off_the_sheet() -> None:
 @each("name", ORDERS)
 def test_tables_are_those_of_the_log(name: str, language: str) -> None:
     made, log, reading, _ = inked(name)
-    conditions = condition_table(log, reading, made, language)
+    conditions = condition_table(log, reading, made, language, WALL)
     texts = [label.text for label in conditions.labels]
     assert sum("a_w =" in text or "a′_w =" in text for text in texts) == 2
-    rates = rate_table(log, reading, made, language)
+    rates = rate_table(log, reading, made, language, WALL)
     assert {"s_1", "s_2", "s_H"} <= {label.text for label in rates.labels}
-    trains = train_table(search(made.order), language)
+    trains = train_table(search(made.order), language, WALL)
     assert "k" in {label.text for label in trains.labels}
     willis, measured, difference = ratio_lines(log, reading, made, language)
     assert "s_1" in measured
@@ -185,10 +240,10 @@ def test_tables_are_those_of_the_log(name: str, language: str) -> None:
 
 def test_the_table_of_the_windrower() -> None:
     made, log, reading, _ = inked("C7")
-    texts = [label.text for label in condition_table(log, reading, made, "ru").labels]
+    texts = [label.text for label in condition_table(log, reading, made, "ru", WALL).labels]
     assert "N = (z_1 + z_3)/k = (25 + 89)/3 = 38 – целое" in texts
     assert "a′_w = m·(z_3 − z_2)/2 = 0,008·(89 − 32)/2 = 0,228 м = a_w" in texts
-    rows = [label.text for label in train_table(search(C7), "ru").labels]
+    rows = [label.text for label in train_table(search(C7), "ru", WALL).labels]
     assert {"25", "32", "89", "4,560", "732,0"} <= set(rows)
 
 

@@ -17,7 +17,7 @@ from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import LENGTHS
-from graphic_tmm.chapters.planetary.plan import Planetary, draw_overall, draw_planetary
+from graphic_tmm.chapters.planetary.plan import Planetary, draw_planetary
 from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.errors import StructureError
@@ -51,36 +51,13 @@ def order_of(scheme: str, driving: str = "1", **more: Any) -> PlanetaryTask:
     return PlanetaryTask(scheme, 0.004, SPEED, driving, teeth=GIVEN[scheme], **more)
 
 
-def valid(draw: random.Random, scheme: str) -> PlanetaryTask:
-    """A random train that fulfils every condition of the oracle."""
-    while True:
-        k, q = draw.choice((2, 3, 4)), draw.choice((F(1), F(1), F(5, 4), F(4, 5)))
-        z1, z2, z3 = draw.randint(17, 130), draw.randint(17, 80), draw.randint(17, 80)
-        first, second = oracle.SENSES[scheme]
-        if scheme == "ring":
-            q, teeth = F(1), (z1, z2, z1 + 2 * z2)
-        else:
-            z4 = (z1 + first * z2) / q - second * z3
-            if z4.denominator != 1 or z4 < 1 or z1 + first * z2 < 1:
-                continue
-            teeth = (z1, z2, z3, int(z4))
-        order = PlanetaryTask(
-            scheme, 0.004, draw.choice((-1, 1)) * draw.uniform(1.0, 500.0), draw.choice("1H"),
-            teeth=teeth, satellites=(k,), module_2=None if q == 1 else 0.004 * float(q),
-        )  # fmt: skip
-        four = oracle.four(scheme, teeth)
-        u = oracle.ratio(scheme, four, order.driving, q)
-        if u and oracle.sound(order, four, q, k):
-            return order
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_random_trains_move_as_rolling_contacts_say(scheme: str) -> None:
     """250 of each scheme: ω of all bodies and the ratio measured off the plan, to 1e-9 of the largest."""
     draw = random.Random(scheme)
     for _ in range(250):
-        order = valid(draw, scheme)
+        order = oracle.valid(draw, scheme)
         made, reading = read(order)
         q = F(1) if order.module_2 is None else F(order.module_2 / 0.004).limit_denominator(100)
         four = oracle.four(scheme, made.train.teeth)
@@ -107,7 +84,7 @@ def test_one_log_serves_many_trains_at_once(scheme: str) -> None:
     """Tooth numbers are given marks: 60 trains as trials of one log are 60 logs."""
     draw, single, rows = random.Random(1), [], []
     while len(rows) < 60:
-        order = valid(draw, scheme)
+        order = oracle.valid(draw, scheme)
         if order.satellites == (3,) and order.driving == "1" and order.module_2 is None:
             rows.append(order)
             made, reading = read(order)
@@ -217,14 +194,15 @@ def test_conditions_of_the_log_are_those_that_were_checked(scheme: str) -> None:
 
 
 def test_a_pair_of_wheels_behind_the_train_multiplies_its_ratio() -> None:
-    draft = Draft()
-    made = draw_planetary(draft, C7)
-    overall = draw_overall(draft, made, 15, 25)
-    reading = execute(draft.board.construction(), draft.given)
-    assert value(reading, overall) == pytest.approx(7.6, rel=1e-14)
+    made, reading = read(replace(C7, behind=(15, 25)))
+    assert value(reading, made.results["overall_ratio"]) == pytest.approx(7.6, rel=1e-14)
+    back, reading = read(replace(order_of("external-external"), behind=(20, 41)))
+    own = value(reading, back.sizes.ratio)
+    assert own < 0.0
+    assert value(reading, back.results["overall_ratio"]) == pytest.approx(-own * 41 / 20)
     for teeth in ((0, 25), (15, 2.5)):
         with pytest.raises(StructureError, match=r"behind = .*: a whole number"):
-            draw_overall(draft, made, *teeth)  # type: ignore[arg-type]
+            read(replace(C7, behind=teeth))  # type: ignore[arg-type]
 
 
 def test_scales_and_pole_that_are_asked_for_are_kept() -> None:

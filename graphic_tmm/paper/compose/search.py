@@ -1,0 +1,139 @@
+"""Orders tried for a sheet: rows broken beside what leads, tables moved to where they close a block best.
+
+Reading order is kept: what leads comes first, rows come in order and below each other; tables stand below what
+leads or behind the rows, and single views may change places with their neighbours. Each order is composed and
+judged by the boxes alone (`judged`); a better one is the start of the next moves. The number of tries is fixed,
+so the same boxes always make the same sheet.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from graphic_tmm.paper.compose.judged import judged
+from graphic_tmm.paper.compose.sheet import GAPS, Places, placed
+from graphic_tmm.paper.compose.units import Outline, Unit, units_of
+from graphic_tmm.paper.drawing import Stand
+from graphic_tmm.paper.packing import Room
+
+TRIES = 60
+"""How many orders of a sheet are tried."""
+QUICK = 6
+"""How many are tried to find out whether a sheet holds some boxes."""
+LEAD = "\0lead"
+"""The block of what leads: tables may stand below it."""
+
+Order = tuple[Unit, ...]
+
+
+def first_order(outlines: Sequence[Outline]) -> Order:
+    """Return the units of boxes in the order in which they came."""
+    units = units_of(outlines, range(len(outlines)))
+    return tuple(
+        unit._replace(stand=Stand(LEAD, "lead")) if unit.stand.kind == "lead" else unit
+        for unit in units
+    )
+
+
+def fits(outlines: Sequence[Outline], room: Room, tries: int = QUICK) -> Places | None:
+    """Return where boxes stand on a sheet at the least gap; None if no order tried fits."""
+    start = first_order(outlines)
+    found = placed(start, outlines, room, GAPS[-1])
+    if found is not None or sum(o.width * o.height for o in outlines) > room.area:
+        return found
+    for order, _ in zip(moves(start), range(tries), strict=False):
+        found = placed(order, outlines, room, GAPS[-1])
+        if found is not None:
+            return found
+    return None
+
+
+def composed(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places | None:
+    """Return where boxes stand on a sheet, of the orders tried the best; None if none of them fits."""
+    best = first_order(outlines)
+    found, level = _widest(best, outlines, room, len(GAPS) - 1)
+    score = judged(found, outlines, room) if found is not None else math.inf
+    tried, better = {best}, True
+    while better:
+        better = False
+        for order in moves(best):
+            if order in tried:
+                continue
+            if len(tried) > tries:
+                return found
+            tried.add(order)
+            places, wide = _widest(order, outlines, room, level)
+            less = judged(places, outlines, room) if places is not None else math.inf
+            if less < score - 1e-9:
+                best, found, score, level, better = order, places, less, wide, True
+                break
+    return found
+
+
+def _widest(
+    order: Order, outlines: Sequence[Outline], room: Room, level: int
+) -> tuple[Places | None, int]:
+    """Return where boxes stand at the widest gap, tried from a gap (by its place in `GAPS`) upward."""
+    found = placed(order, outlines, room, GAPS[level])
+    while found is not None and level > 0:
+        wider = placed(order, outlines, room, GAPS[level - 1])
+        if wider is None:
+            break
+        found, level = wider, level - 1
+    return found, level
+
+
+def moves(order: Order) -> Iterator[Order]:
+    """Yield the orders one move away: a table elsewhere, rows broken elsewhere, neighbours exchanged."""
+    yield from _tables(order)
+    yield from _broken(order)
+    yield from _exchanged(order)
+
+
+def _tables(order: Order) -> Iterator[Order]:
+    """Yield orders with a table below what leads, or elsewhere behind the last of the rows."""
+    rows = [k for k, unit in enumerate(order) if unit.stand.kind in ("lead", "row")]
+    behind = rows[-1] + 1 if rows else 0
+    leads = order[0].stand.kind == "lead"
+    for k, unit in enumerate(order):
+        if unit.stand.kind != "table":
+            continue
+        others = (*order[:k], *order[k + 1 :])
+        first = behind - (k < behind)
+        if leads and unit.stand.below != LEAD:
+            under = unit._replace(stand=Stand(kind="table", below=LEAD))
+            yield (order[0], under, *others[1:])
+        free = unit._replace(stand=Stand(kind="table"))
+        for place in range(first, len(others) + 1):
+            yield (*others[:place], free, *others[place:])
+
+
+def _broken(order: Order) -> Iterator[Order]:
+    """Yield orders with a block of rows in one part or in two, the second below the first."""
+    for k, unit in enumerate(order):
+        if unit.stand.kind != "row" or len(unit.members) < 3:
+            continue
+        rest = order[k + 1 :]
+        if rest and rest[0].stand == unit.stand:
+            unit, rest = _joined(unit, rest[0]), rest[1:]
+            yield (*order[:k], unit, *rest)
+        for at in range(2, len(unit.members) - 1):
+            yield (*order[:k], _part(unit, 0, at), _part(unit, at, None), *rest)
+
+
+def _part(unit: Unit, first: int, end: int | None) -> Unit:
+    return unit._replace(members=unit.members[first:end], sizes=unit.sizes[first:end])
+
+
+def _joined(one: Unit, other: Unit) -> Unit:
+    return one._replace(members=one.members + other.members, sizes=one.sizes + other.sizes)
+
+
+def _exchanged(order: Order) -> Iterator[Order]:
+    """Yield orders in which two neighbours have changed places that need not come in order."""
+    for k in range(len(order) - 1):
+        one, other = order[k : k + 2]
+        kinds = {one.stand.kind, other.stand.kind}
+        if "lead" not in kinds and kinds != {"row"} and kinds != {"row", "table"}:
+            yield (*order[:k], other, one, *order[k + 2 :])

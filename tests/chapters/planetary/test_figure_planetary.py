@@ -1,0 +1,65 @@
+"""The figure of a planetary train reads its log: every step leaves ink, pictures add up to the view."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import pytest
+from support import train_oracle as oracle
+from support.figures import assert_pictures_make_the_view, without_ink, without_source
+from support.gallery import exact
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Construction
+from graphic_tmm.chapters.planetary.ink import TRACELESS, Captions, draw_planetary_ink
+from graphic_tmm.chapters.planetary.plan import draw_planetary
+from graphic_tmm.chapters.planetary.task import PlanetaryTask
+from graphic_tmm.chapters.planetary.views import planetary_views
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.figure import pictures
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import HEIGHTS
+
+
+def drawn(order: PlanetaryTask) -> tuple[Construction, Drawing]:
+    draft = Draft()
+    made = draw_planetary(draft, order)
+    log = draft.board.construction()
+    reading = execute(log, draft.given)
+    view = draw_planetary_ink(log, reading, made, Captions(), "X", HEIGHTS["A1"])
+    return log, finished(view)
+
+
+def assert_laws(log: Construction, view: Drawing) -> None:
+    assert not without_ink(log, [view], TRACELESS)
+    assert not without_source(view)
+    assert_pictures_make_the_view(log, view)
+
+
+def test_steps_of_the_scene_are_its_ink() -> None:
+    found = [work for work in exact("planetary").boards if "planetary" in work.made]
+    assert found
+    for work in found:
+        (view,) = (one for one in planetary_views(work, True) if one.shows)
+        assert_laws(work.construction, view)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scheme", oracle.SENSES)
+def test_steps_of_random_trains_are_their_ink(scheme: str) -> None:
+    draw = random.Random(scheme)
+    for k in range(6):
+        order = oracle.valid(draw, scheme)
+        pair = (draw.randint(12, 40), draw.randint(12, 60)) if k % 2 else ()
+        assert_laws(*drawn(replace(order, behind=pair)))
+
+
+def test_the_train_is_drawn_step_by_step() -> None:
+    log, view = drawn(PlanetaryTask("ring", 0.008, 302.4, teeth=(25, 32, 89), behind=(15, 25)))
+    made = pictures(log, view)
+    order = [label.text for picture in made for label in picture.letters]
+    assert order.index("A") < order.index("a") < order.index("P")
+    again = [picture for picture in made if picture.again]
+    assert {picture.position for picture in again} == {1, 2}, "the other satellites are repeated"
