@@ -130,7 +130,7 @@ class Seen:
 
     @cached_property
     def thin(self) -> shapely.Geometry:
-        """All thin lines, and those of extreme positions, with their breaks at letters closed, and what hides them."""
+        """All thin lines and those of extremes, with their breaks at letters closed, and what hides them."""
         lines = [_line(*ends) for ends in self.lines("thin", "medium")]
         hidden = [
             shapely.affinity.translate(box(label), -self.shift.real, -self.shift.imag)

@@ -232,24 +232,21 @@ def _costs(
     radius: float,
 ) -> Reals:
     """Return what each place costs: lines crossed by the circle and the line to it, letters, the way."""
-    discs, lines = [], []
-    for at, way, _ in tried:
-        one = way / abs(way)
-        centre = at + way + one * radius
-        discs.append(shapely.Point(centre.real, centre.imag).buffer(radius + 1.0, quad_segs=4))
-        lines.append(
-            ((at + 0.8 * one).real, (at + 0.8 * one).imag, (at + way).real, (at + way).imag)
-        )
-    ends = np.asarray(lines).reshape(-1, 2, 2)
-    found = [off + FAR * abs(way) for _, way, off in tried]
-    costs = np.asarray(found)
+    at, way, off = (np.asarray(row) for row in zip(*tried, strict=True))
+    one = way / np.abs(way)
+    centre, near, far = at + way + one * radius, at + 0.8 * one, at + way
+    middles = shapely.points(centre.real, centre.imag)
+    ends = [[near.real, near.imag], [far.real, far.imag]]
+    links = shapely.linestrings(np.moveaxis(np.asarray(ends), 2, 0))
+    costs = off.real + FAR * np.abs(way)
     for shapes, weight in ((heavy, HEAVY), (light, LIGHT)):
         tree = shapely.STRtree(shapes)
-        for whole in (np.asarray(discs), shapely.linestrings(ends)):
-            hits = tree.query(whole, predicate="intersects")[0]
+        crossed = tree.query(middles, predicate="dwithin", distance=radius + 1.0)[0]
+        met = tree.query(links, predicate="intersects")[0]
+        for hits in (crossed, met):
             costs = costs + weight * np.bincount(hits, minlength=len(tried))
-    room = np.clip(1.0 - shapely.distance(np.asarray(discs), spots) / KEPT, 0.0, 1.0)
-    return np.asarray(costs + LETTER * np.nan_to_num(room))
+    room = (shapely.distance(middles, spots) - radius) / KEPT
+    return np.asarray(costs + LETTER * np.clip(1.0 - np.nan_to_num(room, nan=1.0), 0.0, 1.0))
 
 
 def _circled(

@@ -32,16 +32,22 @@ def best(tried: Survey, angles: Sequence[float], wanted: Sequence[int], all: Seq
 def transmission(tried: Survey, angles: Reals) -> Reals:
     """Return how well motion is passed on at crank angles (degrees): 1 at its best, 0 at a dead centre.
 
-    The smallest over all groups of the sine of the angle at which both lines of its velocities meet, and of the
-    speed of its closing point as a share of the largest.
+    The smallest over all groups of the sine of the angle at which both lines of its velocities meet, of the
+    speed of its closing point as a share of the largest, and of the sine of the angle between the crank and
+    what hangs on it, which else lies on the crank.
     """
+    body = tried.positions.bodies[tried.structure.driver]
+    crank = (body.marks[tried.structure.pivot], body.marks[tried.structure.pin])
     groups = [(c, tried.velocities.closed[c.group.name]) for c in tried.positions.closings]
     lines = [leg.line for closing, _ in groups for leg in closing.legs]
     row = angles.astype(np.float64)[None, :]
-    reading = tried.at(row, [*lines, *(image for _, image in groups)])
+    reading = tried.at(row, [*crank, *lines, *(image for _, image in groups)])
+    arm = reading[crank[1]] - reading[crank[0]]
     found = [np.ones(row.shape)]
     for closing, image in groups:
         found += [_sine(reading, closing), _speed(reading, image)]
+        hung = [leg.line for leg in closing.legs if leg.body == body.link.number]
+        found += [np.abs((np.conj(arm) * reading[line].along).imag) / np.abs(arm) for line in hung]
     shares = np.stack([np.broadcast_to(one, row.shape) for one in found])
     return np.asarray(np.min(shares, axis=0)[0])
 

@@ -126,7 +126,7 @@ def test_every_letter_of_the_mechanism_stands_once(name: str) -> None:
 
 def test_positions_that_are_skipped_have_no_number_and_no_link() -> None:
     whole, part = plan("engine"), plan("engine", 1, (2, 3, 4))
-    texts = [label.text for label in part.labels]
+    texts = [label.text for label in part.labels if not circled(label, part)]
     assert not {"3", "4", "5"} & set(texts)
     assert {"1", "2", "6"} <= set(texts)
     assert len(strokes(part, "thin")) < len(strokes(whole, "thin"))
