@@ -40,7 +40,7 @@ SHORTEST, FLAT = 6.0, 20.0
 """A leader is no shorter, mm, and rises by more degrees than this, or it would be read as a minus."""
 _SOFT, HEAVY = (
     ("thin", "centre", "dashed", "phantom"),
-    ("main", "medium", "joint", "body", "rod", "over"),
+    ("main", "medium", "joint", "body", "rod", "over", "paper"),
 )
 """Pens whose lines give way to letters; pens of lines that no letter may stand on."""
 _LABEL, _CROSSED, _MISREAD = 1000.0, 150.0, 400.0
