@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -42,7 +42,10 @@ class Numbers(NamedTuple):
 
 @dataclass(frozen=True)
 class Drawn:
-    """A board as drawn: the mechanism's, or that of a part which needs none."""
+    """A board as drawn: the mechanism's, or that of a part which needs none.
+
+    ``advice``: what its author is told of sizes that the scene fixes; found when somebody asks.
+    """
 
     project: Project
     given: Mapping[Mark, object]
@@ -53,6 +56,7 @@ class Drawn:
     undrawn: tuple[int, ...]
     sizes: Mapping[str, float]
     reach: Mapping[str, Any]
+    advice: Callable[[], Iterable[str]] = tuple
 
     @property
     def board(self) -> str:

@@ -3,30 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence, Set
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
-from graphic_tmm.fitting.fit import fitted, fitted_part
+from graphic_tmm.fitting.composition import Composition, beside, text
+from graphic_tmm.fitting.fit import fitted_boards
+from graphic_tmm.fitting.formats import formatted
+from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scenes import scene_name
 
 if TYPE_CHECKING:
+    from graphic_tmm.fitting.compose import Composed
     from graphic_tmm.paper.drawing import Sheet
 
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
 
 
-def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> DrawnScene:
+def make(
+    scene: Scene,
+    *,
+    exact: bool = False,
+    wanted: Set[str] | None = None,
+    given: Composition | None = None,
+) -> DrawnScene:
     """Draw a scene: its mechanism, if it has one, and its parts.
 
     All that it calls for is drawn, or of that only what is ``wanted`` (places of a sheet); but whether the rest
-    can be drawn is found out nevertheless.
+    can be drawn is found out nevertheless. ``given``: a composition to draw it by, of which nothing is tried.
 
     Raises
     ------
@@ -35,13 +47,15 @@ def make(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -
     SheetError
         If a scale factor that it fixes draws a plan too small to measure.
     """
-    found = (fitted_part(scene, board, exact=exact, wanted=wanted) for board in own_boards(scene))
-    parts = tuple(part for part in found if part is not None)
-    if not draws_mechanism(scene, parts):
-        return DrawnScene(scene, parts)
-    drawn = fitted(scene, others=parts, exact=exact, wanted=wanted)
-    refuse_tiny(scene, drawn)
-    return DrawnScene(scene, (drawn, *parts))
+    scene = formatted(scene, given)
+    mechanism = draws_mechanism(scene, own_boards(scene))
+    if given is not None and given.sizes:
+        boards = drawn_as(scene, given.sizes, exact=exact, wanted=wanted, mechanism=mechanism)
+    else:
+        boards = fitted_boards(scene, exact=exact, wanted=wanted, mechanism=mechanism)
+    if mechanism:
+        refuse_tiny(scene, boards[0])
+    return DrawnScene(scene, boards)
 
 
 def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:
@@ -66,25 +80,50 @@ def drawings(made: DrawnScene, hand: Hand) -> Iterator[DrawnScene]:
 
 def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:
     """Draw a scene onto its sheets; further sheets follow if those ordered do not hold it."""
-    from graphic_tmm.fitting.compose import compose
+    made, found = composed_sheets(scene)
+    return made, found.sheets
 
-    made = make(scene, wanted=scene.shown)
+
+def composed_sheets(scene: Scene, given: Composition | None = None) -> tuple[DrawnScene, Composed]:
+    """Draw a scene onto its sheets, composed anew or as ``given``; what is told of that is the scene's to tell.
+
+    Raises
+    ------
+    SheetError
+        If a view fits no sheet: the key that makes it so large, and a remedy.
+    """
+    from graphic_tmm.fitting.compose import composed
+
+    made = make(scene, wanted=scene.shown, given=given)
     try:
-        return made, compose(scene, made.boards)
+        found = composed(made.scene, made.boards, given)
     except ViewError as error:
-        raise refusal(scene, error) from error
+        raise refusal(made.scene, error) from error
+    told = replace(made.scene, remarks=(*made.scene.remarks, *found.remarks))
+    return made._replace(scene=told), found
 
 
 def sheet_files(
-    scene: Scene, formats: Sequence[str] = ("svg",)
+    scene: Scene,
+    formats: Sequence[str] = ("svg",),
+    *,
+    strokes: bool = False,
+    given: Composition | None = None,
+    composition: bool = False,
 ) -> tuple[DrawnScene, dict[str, str | bytes]]:
-    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them."""
+    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them.
+
+    ``strokes``: the letters of a DXF as strokes, not as text. ``given``: a composition to draw it by;
+    ``composition``: its own is a file, too.
+    """
     from graphic_tmm.paper.write.dxf import dxf
     from graphic_tmm.paper.write.export import pdf, png
     from graphic_tmm.paper.write.svg import svg
 
-    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": dxf}
-    made, drawn = sheets(scene)
+    lettered = partial(dxf, stroked=strokes)
+    one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": lettered}
+    made, found = composed_sheets(scene, given)
+    drawn = found.sheets
     stem = scene_name(scene.source)
     names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]
     files: dict[str, str | bytes] = {}
@@ -94,4 +133,6 @@ def sheet_files(
         else:
             for name, sheet in zip(names, drawn, strict=True):
                 files[f"{name}.{form}"] = one[form](sheet)
+    if composition:
+        files[beside(scene.source).name] = text(found.composition)
     return made, files

@@ -262,6 +262,17 @@ def test_draw_writes_every_format_asked_for(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+def test_letters_of_a_dxf_are_text_or_strokes_as_is_asked_for(tmp_path: Path) -> None:
+    for options, text in (((), True), (("--strokes",), False)):
+        assert (
+            invoke("draw", "crank-rocker", "-o", str(tmp_path), "-f", "dxf", *options).exit_code
+            == 0
+        )
+        for path in tmp_path.iterdir():
+            assert ("\nTEXT\n" in path.read_text(encoding="utf-8")) is text
+
+
+@pytest.mark.slow
 def test_a_scene_that_is_a_file_of_another_name_names_its_sheet(tmp_path: Path) -> None:
     path = edited(tmp_path).rename(tmp_path / "мой двигатель.toml")
     assert invoke("draw", str(path), "-o", str(tmp_path / "out")).exit_code == 0

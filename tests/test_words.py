@@ -16,13 +16,13 @@ from support.gallery import NAMES, SHEETS, drawn
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.findings import finding
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def _each(a: Span, what: Callable[[float], float]) -> Span:
     return Span(low, high)
 
 
-UNIT = re.compile(r"\d( мм| м| м/с²?| 1/с²?|°)$")
+UNIT = re.compile(r"\d( мм| м| м/с²?| с⁻[¹²]|°)$")
 NUMBER = re.compile(r"(\d+(?:,\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?°?")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
@@ -160,8 +160,8 @@ def agrees(calculation: str) -> bool:
     [
         ("v = ω·l = 50·0,3 = 15 м/с", True),
         ("v = ω·l = 50·0,3 = 15,02 м/с", False),
-        ("x = a = (−53,5)·0,25/(128·0,005) = −20,9 1/с", True),
-        ("x = a = (−53,5)·0,25/(128·0,005) = 20,9 1/с", False),
+        ("x = a = (−53,5)·0,25/(128·0,005) = −20,9 с⁻¹", True),
+        ("x = a = (−53,5)·0,25/(128·0,005) = 20,9 с⁻¹", False),
         ("x = a = 180°·(1,45 − 1)/(1,45 + 1) = 33,06°", True),
         ("x = a = (2·3)²/|1 − 5|/2 = 4,5", True),
         ("x = a = 2,5·10⁻⁷·2 = 5·10⁻⁷", True),

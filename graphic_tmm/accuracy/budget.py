@@ -29,7 +29,7 @@ from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
-from graphic_tmm.fitting.measuring import Trial, needed
+from graphic_tmm.fitting.measuring import sheets_of
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.quantity import Quantity
@@ -218,9 +218,7 @@ def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dic
 
 def _sheets(made: DrawnScene) -> int:
     """Return how many sheets a scene takes."""
-    tried = Trial.of(made.mechanism) if made.mechanism is not None else None
-    others = [one for one in made.boards if one is not made.mechanism]
-    return needed(made.scene, tried, others, {})
+    return sheets_of(made.scene, made.boards)
 
 
 def _told(

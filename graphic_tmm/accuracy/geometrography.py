@@ -92,6 +92,7 @@ SYMBOLS: dict[str, str] = {
     "similar": f"2P1 + 2P3 + {_RAY} + {_RAY}",
     "homologous": f"{_READ} + {_READ} + {_READ} + N1 + {_ANGLE} + {_RAY} + M1 + R1 + M2",
     "carry": f"{_READ} + N1 + {_SLIDE} + M1 + R1 + M2",
+    "detach": f"{_READ} + N1 + {_SLIDE} + M1 + R1 + M2",
     # points that are there already: where lines meet, or one of several
     "meet": FREE,
     "cut": FREE,

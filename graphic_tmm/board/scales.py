@@ -1,6 +1,6 @@
 """The scale factor μ: the only door between millimetres of the sheet and SI; choice of a standard one.
 
-μ_l follows from the scales of ГОСТ 2.302 (1:2 is 0.002 m/mm); other plans take the decades of 1, 2, 2.5, 4, 5.
+μ_l follows from the scales of ГОСТ 2.302 (1:2 is 0.002 m/mm); other plans take the decades of the same figures.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ LENGTHS = tuple(
     sorted([0.001 / n for n in ENLARGEMENTS] + [0.001] + [0.001 * n for n in REDUCTIONS])
 )
 """μ_l of the standard scales of ГОСТ 2.302, m/mm, in order of size."""
-MANTISSAS = (1.0, 2.0, 2.5, 4.0, 5.0)
-"""Mantissas of a standard scale factor: millimetres times these are worked out in the head."""
+MANTISSAS = (1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5)
+"""Mantissas of a standard scale factor: those of the reductions that stand between 1:10 and 1:100."""
 
 
 class Scale(NamedTuple):
@@ -37,10 +37,10 @@ class Scale(NamedTuple):
 
 
 def standard(largest: float, room: float) -> float:
-    """Return the least μ of the decades 1, 2, 2.5, 4, 5 at which ``largest`` (SI) takes ≤ ``room`` mm.
+    """Return the least μ of the decades of `MANTISSAS` at which ``largest`` (SI) takes ≤ ``room`` mm.
 
     >>> standard(5.4, 100.0), standard(216.0, 100.0)
-    (0.1, 2.5)
+    (0.075, 2.5)
     """
     if not (largest > 0 and math.isfinite(largest)):
         return 1.0
@@ -53,7 +53,7 @@ def standard(largest: float, room: float) -> float:
 def standard_length(largest: float, room: float) -> float:
     """Return the least standard μ_l (m/mm) at which ``largest`` metres take ≤ ``room`` mm.
 
-    Outside the range of ГОСТ 2.302 the decades of 1, 2, 2.5, 4, 5 go on.
+    Outside the range of ГОСТ 2.302 the decades of `MANTISSAS` go on.
 
     >>> standard_length(0.9, 250.0)
     0.004

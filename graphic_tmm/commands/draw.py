@@ -28,12 +28,22 @@ from graphic_tmm.language.said import said
     show_default=True,
     help=said("svg, pdf, png, dxf; several with commas."),
 )
+@click.option(
+    "--composition",
+    is_flag=True,
+    help=said(
+        "Write down where the views stand, too: composition.toml, used where it stands beside SCENE."
+    ),
+)
+@click.option("--strokes", is_flag=True, help=said("DXF: letters as strokes, not as text."))
 @hands
 @budgeted
 def draw(
     scene: str | None,
     output: str,
     forms: str,
+    composition: bool,
+    strokes: bool,
     hand: str | None,
     seed: int | None,
     budget: str | None,
@@ -41,6 +51,7 @@ def draw(
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from graphic_tmm.errors import SheetError
     from graphic_tmm.files import write
+    from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.studio import FORMATS, sheet_files
 
     wanted = [form.strip().lower() for form in forms.split(",")]
@@ -52,7 +63,9 @@ def draw(
         )
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
-    made, texts = sheet_files(replace(task, language=asked() or task.language), wanted)
+    given = read_composition(beside(task.source))
+    spoken = replace(task, language=asked() or task.language)
+    made, texts = sheet_files(spoken, wanted, strokes=strokes, given=given, composition=composition)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
-from graphic_tmm.chapter import places
+from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.composition import Composition, Placed, named
+from graphic_tmm.fitting.formats import oversized, room_on, views_of
+from graphic_tmm.fitting.given import restored_sheets
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
-from graphic_tmm.paper.compose.sheets import pack
+from graphic_tmm.paper.compose import sheets
+from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.frame.frame import drawing_area, frame
+from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
 
@@ -18,30 +24,61 @@ LENGTHS = "μ_l"
 """The symbol of the scale factors of which the title block tells the first."""
 
 
+class Composed(NamedTuple):
+    """The sheets of a scene, how they are composed as data, and what a person should know of it."""
+
+    sheets: tuple[Sheet, ...]
+    composition: Composition
+    remarks: tuple[str, ...] = ()
+
+
 def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
-    """Return the sheets of a scene, each order followed by the sheets it spills onto."""
+    """Return the sheets of a scene; see `composed`."""
+    return composed(scene, boards).sheets
+
+
+def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = None) -> Composed:
+    """Return the sheets of a scene, each order followed by the sheets it spills onto; as ``given`` if it is.
+
+    Raises
+    ------
+    ViewError
+        If a view does not fit on an empty sheet.
+    """
 
     def views(place: str, within: Within) -> list[Drawing]:
         whole = views_of(place, scene, boards, True)
         return [part for view in whole for part in settled(view, within)]
 
-    placed_views = laid(scene, views)
-    count = len(placed_views)
-    sheets = []
-    for index, (format, placed) in enumerate(placed_views):
+    wanted, there = _wanted(scene, views)
+    boxes = [outline for order in wanted for outline in order.outlines]
+    names = named(view.name for view in there)
+    laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
+    if laid is None:
+        laid = sheets.composed(wanted)
+        remarks = (*remarks, *oversized(wanted, laid, scene.language))
+    made = []
+    for index, (sheet, places) in enumerate(laid):
+        format = wanted[sheet.order].format
         edge = frame(
             format,
             language=scene.language,
             first=index == 0,
             number=index + 1,
-            count=count,
-            fields=_fields(scene, boards),
+            count=len(laid),
+            fields=_fields(scene, boards, sheet.order),
+            check=scene.print_check,
         )
-        name = f"sheet-{index + 1}" if count > 1 else "sheet"
-        width, height = size_of(format)
+        name = f"sheet-{index + 1}" if len(laid) > 1 else "sheet"
+        placed = [sheets.moved(there[k], boxes[k], at) for k, at in sorted(places.items())]
         drawings = (edge, *placed)
-        sheets.append(Sheet(name, scene.title, format, width, height, drawings, scene.language))
-    return tuple(sheets)
+        made.append(Sheet(name, scene.title, format, *size_of(format), drawings, scene.language))
+    sizes = next((dict(one.sizes) for one in boards if one.board == MECHANISM), {})
+    data = [
+        Placed(s.order, wanted[s.order].format, {names[k]: at for k, at in sorted(places.items())})
+        for s, places in laid
+    ]
+    return Composed(tuple(made), Composition(sizes, tuple(data)), remarks)
 
 
 Views = Callable[[str, Within], Sequence[Drawing]]
@@ -50,39 +87,38 @@ Views = Callable[[str, Within], Sequence[Drawing]]
 
 def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     """Return the sheets ordered, each with the room of its first sheet and of those that follow it."""
+
+    def room(order: SheetOrder, first: bool) -> Room:
+        return room_on(order.format, scene.language, first)
+
     return [
-        (order, (_room(order, scene, k == 0), _room(order, scene, False)))
-        for k, order in enumerate(scene.sheets)
+        (order, (room(order, k == 0), room(order, False))) for k, order in enumerate(scene.sheets)
     ]
 
 
-def laid(scene: Scene, views: Views) -> list[tuple[str, list[Drawing]]]:
-    """Return the views placed, sheet by sheet, with the formats of the sheets."""
-    found: list[tuple[str, list[Drawing]]] = []
+def counted(scene: Scene, views: Views) -> int:
+    """Return how many sheets views take, found fast; raises as `composed`."""
+    wanted, _ = _wanted(scene, views)
+    return len(sheets.shared(wanted))
+
+
+def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawing]]:
+    """Return the orders of a scene's sheets as boxes, and the views of all of them in the same order."""
+    found, there = list[sheets.Order](), list[Drawing]()
     for order, rooms in orders(scene):
         within = rooms[0].within
-        there = [view for place in order.place for view in views(place, within)]
-        found += [(order.format, placed) for placed in pack(there, rooms, order.format)]
-    return found
+        own = [view for place in order.place for view in views(place, within)]
+        found.append(sheets.Order(tuple(Outline.of(view) for view in own), rooms, order.format))
+        there += own
+    return found, there
 
 
-def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) -> list[Drawing]:
-    """Return the views of a place as they are drawn, before any of them comes apart."""
-    chapter, shown = places()[place]
-    if not chapter.board:
-        return shown.plain(scene)
-    there = [one for one in boards if one.board == chapter.board]
-    return [view for one in there for view in shown.draw(one, lettered)]
-
-
-def _room(order: SheetOrder, scene: Scene, first: bool) -> Room:
-    area = drawing_area(order.format, scene.language, first)
-    return Room(area.inner, area.occupied)
-
-
-def _fields(scene: Scene, boards: Sequence[Drawn]) -> dict[str, str]:
-    fields = dict(scene.title_block)
-    fields.setdefault("name", scene.title)
+def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:
+    """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0."""
+    fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
+    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{k + 1:02d}")
+    fields["name"] = order.name or fields.get("name") or scene.title
+    fields["designation"] = order.designation or fields.get("designation") or series
     scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]
     if scales:
         reduction = scales[0].value * 1000.0

@@ -2,36 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.compose import Views, laid, orders, views_of
+from graphic_tmm.errors import ViewError
+from graphic_tmm.fitting.compose import orders
+from graphic_tmm.fitting.formats import views_of
 from graphic_tmm.fitting.scales import Sizes
+from graphic_tmm.fitting.tried import Board
+from graphic_tmm.paper.compose.sheets import Order, shared
+from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Within
+from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.packing import bounds, holds, settled, share
 from graphic_tmm.scene.records import Scene
 
-Cells = dict[tuple[object, ...], list[Drawing]]
-"""The room of the views of a place, by its name, the sheet it stands on and the μ that it depends on."""
 NEAR = 32.0
 """A view that is about so near, mm, to what a sheet holds is measured with its letters. Chosen by eye."""
+WIDE = 0.7
+"""What a view's width counts against its height: sheets that lie are so much higher than wide."""
 
-
-class Trial(NamedTuple):
-    """A drawing of a board that is tried: its μ, its sizes, and how to draw it."""
-
-    board: str
-    scales: Mapping[str, Scale]
-    sizes: Sizes
-    draw: Callable[[], Drawn]
-
-    @classmethod
-    def of(cls, drawn: Drawn) -> Trial:
-        """Return a drawing that is made already."""
-        return cls(drawn.board, drawn.scales, drawn.sizes, lambda: drawn)
+Key = tuple[object, ...]
+Cells = list[Drawing]
+"""The room of views: each a cell alone."""
 
 
 class TooLarge(NamedTuple):
@@ -42,65 +38,163 @@ class TooLarge(NamedTuple):
     share: float
 
 
-def needed(scene: Scene, drawn: Trial | None, others: Sequence[Drawn], cells: Cells) -> int:
-    """Return how many sheets a scene takes: tried with plans that only take the room they will need.
+class Shown(NamedTuple):
+    """A view on a sheet: its place, its cell, what a sheet of its order offers, how high that is (mm)."""
 
-    ``others``: boards that are not tried; ``cells``: what earlier trials of the same scene found, with other μ
-    of the plans; kept up.
+    place: str
+    view: Drawing
+    within: Within
+    height: float
+
+
+class Rooms:
+    """The room that the views of a scene take in sizes that are tried; each is drawn and measured once.
+
+    ``lettered``: with their letters, which takes most of the time; else those are only allowed for.
+    """
+
+    def __init__(self, scene: Scene, boards: Sequence[Board], *, lettered: bool = False) -> None:
+        self.scene, self.lettered = scene, lettered
+        self.boards = {board.name: board for board in boards}
+        self.orders = orders(scene)
+        self._cells: dict[Key, Cells] = {}
+        self._depends: dict[str, tuple[str, ...]] = {}
+        self._counts: dict[Key, float] = {}
+        self._last: dict[str, tuple[Key | None, list[Drawing]]] = {}
+
+    def count(self, sizes: Sizes) -> float:
+        """Return how many sheets the scene takes; without end if one of its views fits none."""
+        return sum(self._sheets(k, sizes) for k in range(len(self.orders)))
+
+    def _sheets(self, number: int, sizes: Sizes) -> float:
+        order, rooms = self.orders[number]
+        key = (number, *(self._key(place, sizes) for place in self._single(order.place)))
+        if key not in self._counts:
+            outlines = [Outline.of(one.view) for one in self._of(number, sizes)]
+            try:
+                self._counts[key] = len(shared([Order(tuple(outlines), rooms, order.format)]))
+            except ViewError:
+                self._counts[key] = math.inf
+        return self._counts[key]
+
+    def too_large(self, sizes: Sizes) -> list[TooLarge]:
+        """Return the views of boards that no sheet holds."""
+        return [
+            TooLarge(one.place, one.view.name, share(one.view, one.within))
+            for one in self.shown(sizes)
+            if places()[one.place][0].board in self.boards and not holds(one.within, one.view)
+        ]
+
+    def near(self, sizes: Sizes) -> bool:
+        """Whether a view is about as large as what a sheet holds: then its letters tell whether it does."""
+        return any(_at_the_edge(one.view, one.within) for one in self.shown(sizes))
+
+    def large(self, size: str, sizes: Sizes) -> float:
+        """Return what share of their sheet's height the views take that depend on a size, at most."""
+        return max((_share(one) for one in self._depending(size, sizes)), default=0.0)
+
+    def views(self, size: str, sizes: Sizes) -> int:
+        """Return how many views depend on a size."""
+        return len(list(self._depending(size, sizes)))
+
+    def _depending(self, size: str, sizes: Sizes) -> Iterator[Shown]:
+        for one in self.shown(sizes):
+            if size in places()[one.place][1].sizes(self.scene, one.view.name):
+                yield one
+
+    def fill(self, size: str, sizes: Sizes) -> float:
+        """Return how full the emptiest order is of which a view depends on a size: boxes by free room."""
+        found = [1.0]
+        for number, (_, rooms) in enumerate(self.orders):
+            views = list(self._of(number, sizes))
+            if any(size in places()[v.place][1].sizes(self.scene, v.view.name) for v in views):
+                taken = sum(_area(bounds(one.view)) for one in views)
+                room = _area(rooms[0].inner) - sum(map(_area, rooms[0].occupied))
+                found.append(taken / (self._sheets(number, sizes) * room))
+        return float(min(found))
+
+    def shown(self, sizes: Sizes) -> Iterator[Shown]:
+        """Yield the views of all sheets."""
+        for number in range(len(self.orders)):
+            yield from self._of(number, sizes)
+
+    def _of(self, number: int, sizes: Sizes) -> Iterator[Shown]:
+        order, rooms = self.orders[number]
+        within, format = rooms[0].within, FORMATS[order.format]
+        height = min(format.height, format.width / WIDE)
+        for place in self._single(order.place):
+            for view in self._room(place, within, sizes):
+                yield Shown(place, view, within, height)
+
+    def _single(self, named: Sequence[str]) -> Iterator[str]:
+        known = places()
+        for place in named:
+            yield from known[place][1].together or (place,)
+
+    def _room(self, place: str, within: Within, sizes: Sizes) -> Cells:
+        key = (within, *self._key(place, sizes))
+        if key not in self._cells:
+            whole = self._views(place, sizes)
+            self._cells[key] = [part for view in whole for part in _parts(view, within)]
+        return self._cells[key]
+
+    def _views(self, place: str, sizes: Sizes) -> list[Drawing]:
+        """Return the views of a place as they are drawn, before any of them comes apart."""
+        board = self.boards.get(places()[place][0].board)
+        drawn = [board.draw(sizes)] if board is not None else []
+        key = (place, *(tuple(sizes[name] for name in board.sizes) if board is not None else ()))
+        if self._last.get(place, (None, []))[0] != key:
+            self._last[place] = (key, views_of(place, self.scene, drawn, self.lettered))
+        return self._last[place][1]
+
+    def _key(self, place: str, sizes: Sizes) -> Key:
+        """Return what the room of a place's views depends on."""
+        chapter, shown = places()[place]
+        board = self.boards.get(chapter.board)
+        if board is None:
+            return (place,)
+        if place not in self._depends:
+            views = self._views(place, sizes)
+            found = [*shown.follows]
+            found += [name for view in views for name in shown.sizes(self.scene, view.name)]
+            self._depends[place] = tuple(n for n in dict.fromkeys(found) if n in board.sizes)
+        return (place, *(board.comes_of(name, sizes) for name in self._depends[place]))
+
+
+def sheets_of(scene: Scene, boards: Sequence[Drawn]) -> int:
+    """Return how many sheets the boards of a scene take.
 
     Raises
     ------
     ViewError
         If a view fits no sheet.
     """
-    return len(laid(scene, _measure(scene, drawn, others, cells)))
+    wanted = []
+    for order, rooms in orders(scene):
+        there = [
+            Outline.of(view)
+            for place in order.place
+            for view in cells(place, scene, boards, rooms[0].within, lettered=True)
+        ]
+        wanted.append(Order(tuple(there), rooms, order.format))
+    return len(shared(wanted))
 
 
-def too_large(scene: Scene, drawn: Trial, cells: Cells) -> list[TooLarge]:
-    """Return the views of a board that no sheet holds; see `needed`."""
-    room = _measure(scene, drawn, (), cells)
-    known = places()
+def cells(
+    place: str, scene: Scene, boards: Sequence[Drawn], within: Within, lettered: bool
+) -> Cells:
+    """Return the room of the views of a place, each as it comes apart where no sheet holds it."""
+    if several := places()[place][1].together:
+        return [view for one in several for view in cells(one, scene, boards, within, lettered)]
+    whole = views_of(place, scene, boards, lettered)
+    return [part for view in whole for part in _parts(view, within)]
+
+
+def _parts(view: Drawing, within: Within) -> Cells:
     return [
-        TooLarge(place, view.name, share(view, within))
-        for order, rooms in orders(scene)
-        for within in (rooms[0].within,)
-        for place in order.place
-        if known[place][0].board == drawn.board
-        for view in room(place, within)
-        if not holds(within, view)
+        Drawing(part.name, part.title, cell=bounds(part), stand=part.stand, foot=part.foot)
+        for part in settled(view, within)
     ]
-
-
-def _measure(scene: Scene, drawn: Trial | None, others: Sequence[Drawn], cells: Cells) -> Views:
-    """Return how the views of a place are measured, for a sheet: each a cell alone."""
-    known = places()
-
-    def room(place: str, within: Within) -> list[Drawing]:
-        if several := known[place][1].together:
-            return [view for one in several for view in room(one, within)]
-        key = (place, within, *_depends(place, drawn))
-        if key not in cells:
-            views = _settled(place, scene, drawn, others, within)
-            cells[key] = [
-                Drawing(view.name, view.title, cell=bounds(view), stand=view.stand, foot=view.foot)
-                for view in views
-            ]
-        return cells[key]
-
-    return room
-
-
-def _settled(
-    place: str, scene: Scene, drawn: Trial | None, others: Sequence[Drawn], within: Within
-) -> list[Drawing]:
-    """Return the views of a place without letters; with them where only they tell whether a sheet holds it."""
-    boards = [*([drawn.draw()] if drawn is not None else []), *others]
-    for lettered in (False, True):
-        whole = views_of(place, scene, boards, lettered)
-        views = [part for view in whole for part in settled(view, within)]
-        if not any(_at_the_edge(view, within) for view in views):
-            break
-    return views
 
 
 def _at_the_edge(view: Drawing, within: Within) -> bool:
@@ -110,24 +204,10 @@ def _at_the_edge(view: Drawing, within: Within) -> bool:
     return smaller and within.share(wide + NEAR, high + NEAR) < 1.0
 
 
-def _depends(place: str, drawn: Trial | None) -> list[object]:
-    """Return what the room of a place's views depends on: the μ of plans, the sizes of all else."""
-    if drawn is None:
-        return []
-    chapter, shown = places()[place]
-    if chapter.board != drawn.board:
-        return []
-    scales = [drawn.scales[name].value for name in shown.follows if name in drawn.scales]
-    return [*scales, *shares(drawn.sizes)]
+def _area(box: tuple[float, float, float, float]) -> float:
+    return (box[2] - box[0]) * (box[3] - box[1])
 
 
-def shares(sizes: Sizes) -> tuple[float, ...]:
-    """Return the sizes that are shares of usual ones; the others are seen in the scale factors."""
-    return tuple(value for name, value in sizes.items() if name not in in_mm())
-
-
-def in_mm() -> frozenset[str]:
-    """Return the names of the sizes that are room in mm, and set a scale factor."""
-    from graphic_tmm.chapter import chapters
-
-    return frozenset(size.name for one in chapters() for size in one.sizes if size.in_mm)
+def _share(shown: Shown) -> float:
+    left, low, right, top = bounds(shown.view)
+    return max(top - low, WIDE * (right - left)) / shown.height

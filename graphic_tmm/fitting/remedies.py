@@ -8,7 +8,8 @@ from graphic_tmm.chapter import MECHANISM, Size, chapters
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.fitting.compose import orders
-from graphic_tmm.fitting.fit import depends, fitted
+from graphic_tmm.fitting.fit import fitted
+from graphic_tmm.fitting.search import depends
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.registry import size_keys

@@ -1,61 +1,39 @@
-"""Axes of a diagram that stands by itself, and its letters."""
+"""What stands along the axes of a graph: the numbers of positions on one level, names with units, distances."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import numpy as np
+import shapely
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import bezier
-from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, Wanted, circle, line
-from graphic_tmm.paper.labels import interrupt, leaders, place
-from graphic_tmm.paper.symbols.kinematic import arrowhead
+from graphic_tmm.board.values import Reals
+from graphic_tmm.paper.drawing import Ink, Label
+from graphic_tmm.paper.finish import Named
+from graphic_tmm.paper.graph_rules import TICK
+from graphic_tmm.paper.labels import CLEAR, HEAVY, HEAVY_HALF, shape
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
 
-OVER = 9.0
-"""How far an axis goes on behind what stands on it, mm."""
-DOT = 0.5
-"""Radius of a point, mm."""
-
-
-ASIDE = 14.0
-"""From the axis of the ordinates to a dimension line, mm."""
-
-
-ROOM = 8.0
-"""Room for letters about it before they have their places, mm; chosen by eye."""
-
-
-def axes(left: float, right: float, low: float, high: float) -> list[Stroke]:
-    """Return thin axes with arrowheads, from ``left`` and ``low`` to `OVER` mm behind ``right``, ``high``."""
-    tips = complex(right + OVER, 0), complex(0, high + OVER)
-    return [
-        line("thin", complex(left, 0), tips[0]),
-        line("thin", complex(0, low), tips[1]),
-        *arrowhead(tips[0], 1 + 0j, pen="thin"),
-        *arrowhead(tips[1], 1j, pen="thin"),
-    ]
-
-
-def finished(
-    name: str,
-    title: str,
-    strokes: Sequence[Stroke | Bezier],
-    wanted: Sequence[Wanted],
-    lettered: bool,
-    cell: tuple[float, float, float, float],
-    figures: Sequence[Label] = (),
-) -> Drawing:
-    """Return a diagram with its letters placed; not ``lettered``: only the room that it will take."""
-    if not lettered:
-        left, low, right, high = cell
-        room = (left - ROOM, low - ROOM, right + OVER + ROOM, high + OVER + ROOM)
-        return Drawing(name, title, tuple(strokes), cell=room)
-    labels = place(wanted, strokes, figures)
-    ink = interrupt([*strokes, *leaders(wanted, labels)], labels)
-    return Drawing(name, title, ink, (*labels, *figures))
+BESIDE = 0.8
+"""Clear width between a number and the perpendicular of its position, mm."""
+FAR = (0.0, 1.0, 2.0, 3.0)
+"""How much farther along the axis a number is tried that a curve is in the way of, mm."""
+BETWEEN = 1.6
+"""Clear width between two numbers at least, mm."""
+EVERY = (1, 2, 5, 10, 20, 50, 100)
+"""Of positions that stand too close for their numbers every second, fifth … bears one."""
+_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 1.0, 0.1
+"""What it costs to stand on a main line, on a thin one, on the number before, past another position; a mm away
+from its own."""
+_OTHER_SIDE, _LOWER = 10.0, 12.0
+"""What it costs that the numbers stand above the axis, or one of them on the other side of it than the rest;
+that all stand on the next level below."""
+DEEPER = (4.5, 9.0)
+"""How far below the first level there are others, mm."""
 
 
 def largest(values: Reals) -> float:
@@ -63,41 +41,108 @@ def largest(values: Reals) -> float:
     return float(np.max(values, initial=0.0, where=np.isfinite(values)))
 
 
-SIZE = 5.0
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
+def on_axis(symbol: str, unit: str) -> str:
+    """Return what an axis is called: its quantity and, if it has one, the unit: V, m/s."""
+    return f"{symbol}, {unit}" if unit else symbol
 
 
-NUMBER = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
+class _Row(NamedTuple):
+    """Numbers on one level, and what it costs that they stand there."""
+
+    labels: tuple[Label, ...]
+    cost: float
 
 
-class Spots:
-    """The numbers of the log while they are inked: the first ``row`` positions."""
+def position_numbers(
+    row: Sequence[Named], others: Sequence[Named], strokes: Iterable[Ink], size: float
+) -> tuple[Label, ...]:
+    """Return the numbers of positions on one level along the base, below it if curves leave room there.
 
-    def __init__(self, construction: Construction, reading: Reading, row: int) -> None:
-        self.construction, self.reading, self.row = construction, reading, row
+    ``row``: the positions that divide the base, with their feet; ``others``: the end of the base, positions
+    beside the row. A number stands beside the perpendicular of its position, where no curve goes. They stand
+    lower, or above the axis, only where curves are in the way, and one alone on the other side only where a
+    curve is in the way of it in all its places. Where they have no room every second, or fifth … position of
+    the row is numbered; of others that stand too close the first.
+    """
+    there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
+    ink = _Inked(strokes)
+    low, high = -TICK - CLEAR - size, TICK + CLEAR
+    rows = [
+        _level(there, (low, high), size, ink),
+        _level(there, (high, low), size, ink, _OTHER_SIDE),
+    ]
+    if rows[0].cost > _OTHER_SIDE:
+        rows += [
+            _level(there, (low - by, high), size, ink, k * _LOWER) for k, by in enumerate(DEEPER, 1)
+        ]
+    return min(rows, key=lambda one: one.cost).labels
 
-    def all(self, mark: Mark) -> Complexes:
-        """Return a mark at the positions of the row, (row,)."""
-        return np.broadcast_to(self.reading[mark][0], (self.reading.positions,))[: self.row]
 
-    def one(self, mark: Mark) -> complex:
-        """Return a mark that is one place."""
-        return complex(self.reading[mark][0, 0])
+def _thinned(row: Sequence[Named], size: float) -> list[Named]:
+    """Return the positions that bear numbers: as many as have room beside each other."""
+    feet = np.sort([one.at.real for one in row if np.isfinite(one.at)])
+    apart = np.diff(feet)
+    pitch = float(np.min(apart, initial=np.inf, where=apart > 1e-6))
+    widest = max((letter(one.text, size=size).width for one in row), default=0.0)
+    every = next((n for n in EVERY if n * pitch >= widest + BETWEEN), EVERY[-1])
+    return [one for k, one in enumerate(row) if k % every == 0]
 
-    def curve(self, mark: Mark) -> Iterator[Bezier]:
-        """Yield a curve as cubic arcs in the main pen."""
-        for controls in bezier(self.reading[mark]):
-            yield Bezier("main", tuple(complex(z) for z in controls), mark.name)
 
-    def dots(self, mark: Mark) -> Iterator[Stroke]:
-        """Yield a point at each position at which the mark is there."""
-        for z in self.all(mark):
-            if np.isfinite(z):
-                yield circle("main", complex(z), DOT, filled=True)
+class _Inked:
+    """What is drawn, main lines and others, where letters look for places."""
 
-    def lines(self, starts: Complexes, ends: Complexes) -> Iterator[Stroke]:
-        """Yield thin lines between two rows of places, but for those too short to see."""
-        for a, b in zip(starts, ends, strict=True):
-            if np.isfinite(a) and np.isfinite(b) and abs(b - a) > 0.3:
-                yield line("thin", complex(a), complex(b))
+    def __init__(self, strokes: Iterable[Ink]) -> None:
+        drawn = [(stroke.pen in HEAVY, shape(stroke)) for stroke in strokes]
+        self.heavy = shapely.STRtree([made for is_heavy, made in drawn if is_heavy])
+        self.light = shapely.STRtree([made for is_heavy, made in drawn if not is_heavy])
+
+    def costs(self, left: Reals, low: Reals, right: Reals, high: Reals) -> Reals:
+        """Return what it costs to stand in frames; arrays of one shape."""
+
+        def met(tree: shapely.STRtree, by: float) -> Reals:
+            frames = shapely.box(left - by, low - by, right + by, high + by).ravel()
+            hits = tree.query(frames, predicate="intersects")[0]
+            return np.bincount(hits, minlength=frames.size).reshape(left.shape).astype(float)
+
+        return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + _LIGHT * met(
+            self.light, CLEAR / 2
+        )
+
+
+def _level(
+    named: Sequence[Named],
+    bases: tuple[float, float],
+    size: float,
+    ink: _Inked,
+    cost: float = 0.0,
+) -> _Row:
+    """Return numbers on a level; ``bases``: its height, and the one for what finds no place there, mm.
+
+    ``cost``: of the level.
+    """
+    ordered = sorted(named, key=lambda one: one.at.real)
+    made = [letter(one.text, size=size) for one in ordered]
+    feet, wide = np.array([one.at.real for one in ordered]), np.array([one.width for one in made])
+    up, down = (np.array([[getattr(m, k)] for m in made]) for k in ("ascent", "descent"))
+    far = np.array(FAR)
+    left = (feet - BESIDE - wide)[:, None] - far, (feet + BESIDE)[:, None] + far
+    starts = np.concatenate(left, axis=1)
+    ends = starts + wide[:, None]
+    passed = (feet > starts[..., None]) & (feet < ends[..., None])
+    own = _FOOT * passed.sum(axis=2) + _FAR * np.tile(far, 2)
+    whole = [
+        own + aside + ink.costs(starts, base - down + 0 * starts, ends, base + up + 0 * starts)
+        for base, aside in zip(bases, (0.0, _OTHER_SIDE), strict=True)
+    ]
+    tried = np.round(np.concatenate(whole, axis=1), 6)
+    labels: list[Label] = []
+    end = -math.inf
+    for k, one in enumerate(ordered):
+        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + BESIDE)
+        best = int(np.argmin(costs))
+        if costs[best] >= _LABEL:
+            continue
+        at = complex(starts[k, best % starts.shape[1]], bases[best // starts.shape[1]])
+        labels.append(Label(one.text, at, size, of=one.of, position=one.position))
+        end, cost = at.real + float(wide[k]), cost + float(costs[best])
+    return _Row(tuple(labels), cost)

@@ -113,7 +113,8 @@ class Stand(NamedTuple):
 
     Views of one ``block`` stand together; ``below``: the block that stands above it. ``kind``: "lead" at the
     upper left, first of its sheet; "row" in rows with its block, "pair" no farther than 25 mm from the view
-    before it; "table" wherever there is room for it; "" in its order.
+    before it; "note" behind the rows of its block, "table" wherever there is room for it, both on any sheet of
+    a set; "" in its order.
     """
 
     block: str = ""

@@ -22,14 +22,16 @@ def finished(view: Drawing, lettered: bool = True) -> Drawing:
     if not view.wanted:
         return view
     if not lettered:
-        left, low, right, top = bounds(view._replace(wanted=()))
-        boxes = [(left, low, right, top), *(_about(one) for one in view.wanted)]
+        boxes = [_about(one) for one in view.wanted]
+        if view.strokes or view.labels or view.cell is not None:
+            boxes.append(bounds(view._replace(wanted=())))
         sides = list(zip(*boxes, strict=True))
         cell = (min(sides[0]), min(sides[1]), max(sides[2]), max(sides[3]))
         return view._replace(cell=cell, wanted=())
     labels = place(view.wanted, view.strokes, view.labels)
-    strokes = interrupt([*view.strokes, *leaders(view.wanted, labels)], labels)
-    return view._replace(strokes=strokes, labels=(*view.labels, *labels), wanted=())
+    whole = (*view.labels, *labels)
+    strokes = interrupt([*view.strokes, *leaders(view.wanted, labels)], whole)
+    return view._replace(strokes=strokes, labels=whole, wanted=())
 
 
 def _about(one: Wanted) -> tuple[float, float, float, float]:

@@ -4,190 +4,235 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
-from typing import TypeGuard
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from graphic_tmm.paper.drawing import Bezier, Label, Stroke, Wanted, line
+from graphic_tmm.board.values import Reals
+from graphic_tmm.paper.clipping import Frame, broken
+from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, line
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.occupied import Line, Occupied, Rect, upright
+from graphic_tmm.paper.raster import Raster
+from graphic_tmm.paper.shapes import box, flat, frame, outline, shape
+
+__all__ = ["box", "flat", "gives_way", "interrupt", "leaders", "place", "shape"]
 
 CLEAR = 0.8
 """Clear space about a label, mm."""
-RINGS = (0.0, 1.2, 3.0, 6.0, 10.0, 15.0)
-"""How much farther than next to its point a label is tried, mm; chosen by eye."""
-DIRECTIONS = 24
-"""Directions in which a label is tried, every 15°; chosen by eye."""
-_HEAVY = ("main", "medium", "joint", "body", "rod", "paper")
-HEAVY_HALF = 0.4
-"""Half the width of a main line, mm."""
-LEADER = 2.2
-"""A label farther than this from the ink of its point, mm, gets a leader line."""
 APART = 0.9
 """Clear space between two labels beyond that, mm."""
-_COST = {"label": 1000.0, "heavy": 36.0, "light": 4.0, "ring": 2.0, "turn": 0.6}
+HEAVY_HALF = 0.4
+"""Half the width of a main line, mm."""
+RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0))
+"""How much farther than next to its point a label is tried, mm; and where all that is dear. Chosen by eye."""
+DIRECTIONS = 24
+"""Directions in which a label is tried, every 15°; chosen by eye."""
+WEIGHED = 16
+"""Of so many of the cheapest places it is found out what their leaders cross."""
+BESIDE = 2.2
+"""A label farther than this from the ink of its point, mm, gets a leader line."""
+SHORTEST, FLAT = 6.0, 20.0
+"""A leader is no shorter, mm, and rises by more degrees than this, or it would be read as a minus."""
+_SOFT, HEAVY = (
+    ("thin", "centre", "dashed", "phantom"),
+    ("main", "medium", "joint", "body", "rod", "over"),
+)
+"""Pens whose lines give way to letters; pens of lines that no letter may stand on."""
+RINGED = "number"
+"""The part of a view that is circles about numbers, and lines to them: no letter may stand on it."""
+_LABEL, _CROSSED, _MISREAD = 1000.0, 150.0, 400.0
+"""What it costs to stand on a label, to cross one with a leader, to have one that is read as a minus."""
+_COSTS = {"heavy": 200.0, "firm": 16.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
+"""What it costs to stand on a line once, to be a millimetre farther, to stand 60° off where it is wanted."""
 
 
-@lru_cache(maxsize=4096)
-def box(label: Label) -> shapely.Polygon:
-    """Return the ink box of a label, turned as the label is."""
-    made = letter(label.text, size=label.size, inclined=label.inclined)
-    start = {"start": 0.0, "middle": -made.width / 2, "end": -made.width}[label.anchor]
-    corners = [
-        complex(start, -made.descent),
-        complex(start + made.width, -made.descent),
-        complex(start + made.width, made.ascent),
-        complex(start, made.ascent),
-    ]
-    turn = complex(math.cos(math.radians(label.turn)), math.sin(math.radians(label.turn)))
-    placed = [label.at + corner * turn for corner in corners]
-    return shapely.Polygon([(z.real, z.imag) for z in placed])
+_DEAR = 30.0
+"""A place that costs more is left for one farther away, if there is a better one."""
+_GRAZED = 0.5
+"""What it costs to come near a line that gives way, of what it costs to stand on it."""
+_TURNS = np.exp(2j * np.pi * np.arange(DIRECTIONS) / DIRECTIONS)
 
 
-def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
-    """Return a stroke as a shape; curves by points near enough for placing."""
-    if isinstance(stroke, Bezier):
-        return shapely.LineString([(z.real, z.imag) for z in flat(stroke.controls)])
-    points: list[complex] = []
-    count = len(stroke.path)
-    for k, (x, y, bulge) in enumerate(stroke.path):
-        points.append(complex(x, y))
-        if bulge and (stroke.closed or k + 1 < count):
-            nx, ny, _ = stroke.path[(k + 1) % count]
-            points += _bow(complex(x, y), complex(nx, ny), bulge)
-    if stroke.closed:
-        points.append(points[0])
-    corners = [(z.real, z.imag) for z in points]
-    return shapely.Polygon(corners) if stroke.filled else shapely.LineString(corners)
+class _Lines(NamedTuple):
+    """Lines of a kind: where they lie, how clear of them a box keeps (mm), what it costs to stand on one.
+
+    ``graze``: the least share of that which it costs to come near one.
+    """
+
+    raster: Raster
+    clear: float
+    cost: float
+    graze: float
 
 
-def flat(controls: Sequence[complex]) -> list[complex]:
-    """Return points along a chain of cubic arcs, eight to an arc."""
-    t = np.linspace(0.0, 1.0, 9)[1:]
-    points = [controls[0]]
-    for k in range(0, len(controls) - 1, 3):
-        a, b, c, d = controls[k : k + 4]
-        points += list(
-            (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d
-        )
-    return points
+class _Boxes(NamedTuple):
+    """The boxes in which a label is tried, mm: left, bottom; their size; what each of them costs by itself."""
 
+    x: Reals
+    y: Reals
+    width: float
+    height: float
+    cost: Reals
 
-def _bow(start: complex, end: complex, bulge: float) -> list[complex]:
-    """Return points inside an arc given by its bulge."""
-    quarter = math.atan(bulge)
-    centre = (start + end) / 2 + (end - start) * 0.5j / math.tan(2 * quarter)
-    count = max(2, math.ceil(abs(4 * quarter) / math.radians(20)))
-    turns = [4 * quarter * k / count for k in range(1, count)]
-    return [centre + (start - centre) * complex(math.cos(t), math.sin(t)) for t in turns]
+    def grown(self, by: float) -> tuple[Reals, Reals, Reals, Reals]:
+        """Return their left, lower, right and upper edges with ``by`` mm more on each side."""
+        x, y, w, h = self.x, self.y, self.width, self.height
+        return x - by, y - by, x + w + by, y + h + by
+
+    def rect(self, k: int) -> Rect:
+        """Return one of them."""
+        left, bottom = float(self.x[k]), float(self.y[k])
+        return Rect(left, bottom, left + self.width, bottom + self.height)
 
 
 def place(
-    wanted: Sequence[Wanted],
-    strokes: Sequence[Stroke | Bezier],
-    taken: Sequence[Label] = (),
+    wanted: Sequence[Wanted], strokes: Sequence[Ink], taken: Sequence[Label] = ()
 ) -> tuple[Label, ...]:
     """Return the labels at their places, in the order wanted; ``taken`` labels stand already."""
-    heavy = [shape(s) for s in strokes if s.pen in _HEAVY]
-    light = [shape(s) for s in strokes if s.pen not in _HEAVY]
-    lines = (shapely.STRtree(heavy), shapely.STRtree(light))
-    boxes = [box(label) for label in taken]
-    placed = []
-    for one in wanted:
-        label, made = _best(one, lines, boxes)
-        placed.append(label)
-        boxes.append(made)
-    return tuple(placed)
+    occupied = Occupied()
+    for label in taken:
+        occupied.letter(*upright(frame(label)))
+    inks = _inks(strokes)
+    return tuple(_placed(one, inks, occupied) for one in wanted)
 
 
-def _best(
-    one: Wanted, lines: tuple[shapely.STRtree, shapely.STRtree], boxes: list[shapely.Polygon]
-) -> tuple[Label, shapely.Polygon]:
+def gives_way(stroke: Ink) -> bool:
+    """Whether a stroke is broken where a letter stands on it; one whose length a page tells is not."""
+    solid = isinstance(stroke, Stroke) and stroke.filled
+    return stroke.pen in _SOFT and not solid and not stroke.data and stroke.part != RINGED
+
+
+def _inks(strokes: Sequence[Ink]) -> list[_Lines]:
+    """Return the lines that letters keep off, by kind."""
+    kinds: dict[str, list[list[complex]]] = {}
+    for stroke in strokes:
+        if stroke.pen != "paper":
+            kept = stroke.pen in HEAVY or stroke.part == RINGED
+            kind = "heavy" if kept else "soft" if gives_way(stroke) else "firm"
+            kinds.setdefault(kind, []).append(outline(stroke))
+    spots = np.array([z for lines in kinds.values() for points in lines for z in points])
+    if not spots.size:
+        return []
+    x, y = spots.real, spots.imag
+    about = (float(x.min()), float(y.min()), float(x.max()), float(y.max()))
+    wide = {"heavy": HEAVY_HALF}
+    return [
+        _Lines(
+            Raster(lines, about),
+            CLEAR / 2 + wide.get(kind, 0.0),
+            _COSTS[kind],
+            _GRAZED if kind == "soft" else 1.0,
+        )
+        for kind, lines in kinds.items()
+    ]
+
+
+def _tried(one: Wanted, rings: Reals, inks: Sequence[_Lines]) -> _Boxes:
+    """Return the boxes in which a label is tried; ``rings``: how much farther than beside its point, mm."""
     made = letter(one.text, size=one.size)
-    width, height = made.width, made.ascent + made.descent
-    turns = np.exp(2j * np.pi * np.arange(DIRECTIONS) / DIRECTIONS)
+    width, height = made.right - made.left, made.ascent + made.descent
+    turns = _TURNS
     reach = 1.0 / np.maximum(2 * np.abs(turns.real) / width, 2 * np.abs(turns.imag) / height)
-    rings = np.array(RINGS)
-    centres = (
-        one.at + turns[None, :] * (one.radius + CLEAR + reach[None, :] + rings[:, None])
-    ).ravel()
+    ways = one.radius + CLEAR + reach[None, :] + rings[:, None]
+    centres = (one.at + turns[None, :] * ways).ravel()
     x, y = centres.real - width / 2, centres.imag - height / 2
-
-    def grown(by: float) -> NDArray[np.object_]:
-        return np.asarray(shapely.box(x - by, y - by, x + width + by, y + height + by))
-
-    tried = grown(CLEAR / 2)
-    cost = np.repeat(rings * _COST["ring"], DIRECTIONS)
+    cost = np.repeat(rings * _COSTS["ring"], DIRECTIONS)
     if one.toward:
         aim = one.toward / abs(one.toward)
-        cost += _COST["turn"] * np.tile(np.abs(turns - aim) ** 2, len(rings)) * 4
-    heavy, light = lines
-    for tree, boxes_tried, weight in (
-        (heavy, grown(CLEAR / 2 + HEAVY_HALF), _COST["heavy"]),
-        (light, tried, _COST["light"]),
-    ):
-        hits = tree.query(boxes_tried, predicate="intersects")[0]
-        cost += weight * np.bincount(hits, minlength=tried.size)
-    if boxes:
-        tree = shapely.STRtree(boxes)
-        hits = tree.query(grown(CLEAR / 2 + APART), predicate="intersects")[0]
-        cost += _COST["label"] * np.bincount(hits, minlength=tried.size)
-    best = int(np.argmin(np.round(cost, 6)))
-    spot = complex(x[best], y[best] + made.descent)
-    label = Label(one.text, spot, one.size, of=one.of, position=one.position)
-    return label, tried[best]
+        cost += _COSTS["turn"] * np.tile(np.abs(turns - aim) ** 2, len(rings))
+    boxes = _Boxes(x, y, width, height, cost)
+    for raster, by, weight, least in inks:
+        w, h = width + 2 * by, height + 2 * by
+        length = raster.length(*boxes.grown(by))
+        chord = math.pi * w * h / (2 * (w + h))  # of a line through a box, in the mean
+        cost += weight * np.where(length > 0, np.maximum(least, length / chord), 0.0)
+    cost += _MISREAD * _misread(one, x, y, width, height)
+    return boxes._replace(cost=np.minimum(cost, 0.9 * _LABEL))
+
+
+def _misread(one: Wanted, x: Reals, y: Reals, width: float, height: float) -> NDArray[np.bool_]:
+    """Return at which places a leader would be read as a minus before or behind its label."""
+    end = np.clip(one.at.real, x, x + width) + 1j * np.clip(one.at.imag, y, y + height)
+    way = end - one.at
+    there = np.abs(way) > one.radius + BESIDE
+    length = np.abs(way) - one.radius - CLEAR / 2
+    level = np.abs(way.imag) <= math.tan(math.radians(FLAT)) * np.abs(way.real)
+    return np.asarray(there & (level | (length < SHORTEST)))
+
+
+def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied) -> Label:
+    """Return a label at the place that costs least, and take it."""
+    found: list[tuple[float, Rect]] = []
+    for rings in RINGS:
+        found.append(_cheapest(one, _tried(one, np.array(rings), inks), occupied))
+        if found[-1][0] <= _DEAR:
+            break
+    _, rect = min(found, key=lambda one: one[0])
+    occupied.letter(rect.grown(CLEAR / 2))
+    line = _leader(one, rect)
+    if line is not None:
+        occupied.leader(line)
+    made = letter(one.text, size=one.size)
+    at = complex(rect.left - made.left, rect.bottom + made.descent)
+    return Label(one.text, at, one.size, of=one.of, position=one.position)
+
+
+def _cheapest(one: Wanted, tried: _Boxes, occupied: Occupied) -> tuple[float, Rect]:
+    """Return what the best of some places costs, and the place."""
+    best, least = 0, math.inf
+    costs = np.round(tried.cost + _LABEL * occupied.letters_at(*tried.grown(CLEAR / 2 + APART)), 6)
+    for k in np.argsort(costs, kind="stable")[:WEIGHED].tolist():
+        cost = float(costs[k])
+        if cost >= least:
+            break
+        rect = tried.rect(k)
+        line = _leader(one, rect)
+        cost += _CROSSED * occupied.leader_at(rect.grown(CLEAR / 2))
+        cost += _CROSSED * (line is not None and occupied.crossed(line))
+        if cost < least:
+            best, least = k, cost
+    return least, tried.rect(best)
+
+
+def _leader(one: Wanted, rect: Rect) -> Line | None:
+    """Return the leader from the ink of a point to its label; None to one beside it."""
+    end = rect.nearest(one.at)
+    away = abs(end - one.at)
+    if away <= one.radius + BESIDE:
+        return None
+    way = (end - one.at) / away
+    return Line(one.at + one.radius * way, end - CLEAR / 2 * way)
 
 
 def leaders(wanted: Sequence[Wanted], labels: Sequence[Label]) -> tuple[Stroke, ...]:
     """Return thin lines from points to those of their labels that found no place beside them."""
     made = []
     for one, label in zip(wanted, labels, strict=True):
-        spot, frame = shapely.Point(one.at.real, one.at.imag), box(label)
-        if frame.distance(spot) > one.radius + LEADER:
-            near = shapely.get_coordinates(shapely.shortest_line(spot, frame))
-            start, end = (complex(x, y) for x, y in near)
-            reach = (end - start) / abs(end - start)
-            ink = line("thin", start + one.radius * reach, end - 0.5 * CLEAR * reach)
+        (rect,) = upright(frame(label))
+        found = _leader(one, rect)
+        if found is not None:
+            ink = line("thin", *found)
             made.append(ink._replace(part="leader", of=one.of, position=one.position))
     return tuple(made)
 
 
-def interrupt(
-    strokes: Sequence[Stroke | Bezier], labels: Sequence[Label]
-) -> tuple[Stroke | Bezier, ...]:
-    """Return the strokes with straight thin lines broken where a label stands on them."""
-    if not labels:
+def interrupt(strokes: Sequence[Ink], labels: Sequence[Label]) -> tuple[Ink, ...]:
+    """Return the strokes with thin lines broken where a label stands on them."""
+    soft = [k for k, stroke in enumerate(strokes) if gives_way(stroke)]
+    if not labels or not soft:
         return tuple(strokes)
-    boxes = [shapely.buffer(box(label), CLEAR / 2, join_style="mitre") for label in labels]
-    tree = shapely.STRtree(boxes)
-    made: list[Stroke | Bezier] = []
-    for stroke in strokes:
-        if not _breakable(stroke):
-            made.append(stroke)
-            continue
-        whole = shape(stroke)
-        hits = np.sort(tree.query(whole, predicate="intersects"))
-        if not hits.size:
-            made.append(stroke)
-            continue
-        left = shapely.difference(whole, shapely.union_all([boxes[k] for k in hits]))
-        for piece in shapely.get_parts(left):
-            if piece.length > CLEAR:
-                ends = [(float(x), float(y), 0.0) for x, y in piece.coords]
-                made.append(stroke._replace(path=tuple(ends)))
+    frames = [frame(label).grown(CLEAR / 2) for label in labels]
+    shapes = np.array([shape(strokes[k]) for k in soft], dtype=object)
+    tree = shapely.STRtree([box(label) for label in labels])
+    hits: dict[int, list[Frame]] = {}
+    for i, j in tree.query(shapes, predicate="dwithin", distance=CLEAR).T.tolist():
+        hits.setdefault(soft[i], []).append(frames[j])
+    made: list[Ink] = []
+    for k, stroke in enumerate(strokes):
+        made += broken(stroke, hits[k], CLEAR) if k in hits else [stroke]
     return tuple(made)
-
-
-def _breakable(stroke: Stroke | Bezier) -> TypeGuard[Stroke]:
-    return (
-        isinstance(stroke, Stroke)
-        and stroke.pen == "thin"
-        and not stroke.filled
-        and not stroke.closed
-        and not stroke.data
-        and all(bulge == 0.0 for _, _, bulge in stroke.path)
-    )

@@ -78,11 +78,11 @@ def free(room: Room) -> list[Box]:
     left, bottom, right, top = room.inner
     found = [(left + GAP, bottom + GAP, right - GAP, top - GAP)]
     for taken in room.occupied:
-        found = _without(found, (taken[0] - GAP, taken[1] - GAP, taken[2] + GAP, taken[3] + GAP))
+        found = without(found, (taken[0] - GAP, taken[1] - GAP, taken[2] + GAP, taken[3] + GAP))
     return found
 
 
-def _without(free: Sequence[Box], taken: Box) -> list[Box]:
+def without(free: Sequence[Box], taken: Box) -> list[Box]:
     """Return the maximal free rectangles that are left when a box is taken."""
     left: list[Box] = []
     for f in free:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
@@ -23,7 +23,7 @@ COLUMN = 12.0
 """A title wider than its view is broken, but never into lines shorter than this, of its height."""
 NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
-STACK = 5.0
+STACK = 4.0
 """Clear height between two diagrams of a stack, mm."""
 
 
@@ -32,21 +32,29 @@ def mu_text(scale: Scale, language: str) -> str:
     return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}"
 
 
-def pole_texts(log: Construction, reading: Reading, view: str, language: str) -> list[str]:
-    """Return the pole distances of a view as they are written: H_V = 20 mm."""
-    found = []
+def pole_figures(log: Construction, reading: Reading, view: str, language: str) -> dict[Mark, str]:
+    """Return the pole distances of a view (Length) as they are dimensioned: H_V = 20."""
+    found = {}
     for pole in log.roles(view, roles.POLE):
         step = log.step(pole)
         if step is not None:
-            distance = step.uses[1]
-            value = number(float(reading[distance][0, 0]), language)
-            found.append(f"{distance.name} = {value} {unit('mm', language)}")
+            found[step.uses[1]] = length_figure(reading, step.uses[1], language)
     return found
+
+
+def length_figure(reading: Reading, length: Mark, language: str) -> str:
+    """Return a length as it is dimensioned on a drawing, with its letter: H_V = 20."""
+    return f"{length.name} = {number(float(reading[length][0, 0]), language)}"
 
 
 def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawing]:
     """Return views that stand in rows, in order, each with its own box; ``below``: under another block."""
     return [view._replace(stand=Stand(block, "row", below)) for view in views]
+
+
+def noted(views: Sequence[Drawing], block: str) -> list[Drawing]:
+    """Return what is said of a block of views, its equations: behind its rows, else where there is room."""
+    return [view._replace(stand=Stand(block, "note")) for view in views]
 
 
 def paired(views: Sequence[Drawing]) -> list[Drawing]:
@@ -57,8 +65,8 @@ def paired(views: Sequence[Drawing]) -> list[Drawing]:
 def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    The first of them is the title, broken where it is much wider than its view; a table has its own above it.
-    Where a sheet is too narrow, all lines are broken, and the view comes apart if it can.
+    The first of them is the title, broken where it is much wider than its view; a table has its own
+    above it. Where a sheet is too narrow, all lines are broken, and the view comes apart if it can.
     """
     left, _, right, _ = bounds(view)
     if view.name.startswith("table"):
@@ -97,13 +105,13 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
     left, low, right, top = bounds(view)
     tabular, middle = view.name.startswith("table"), (left + right) / 2
     at, anchor = (left, "start") if tabular else (middle, "middle")
-    labels, widest = list(view.labels), 0.0
+    labels, widest = list(view.labels), 0.0  # leaning tops reach out at the right
     for text, size in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
-        widest = max(widest, made.width)
+        widest = max(widest, made.right if tabular else 2 * made.right - made.width)
     foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)
@@ -131,31 +139,70 @@ def _outside(head: str) -> bool:
     return head.count("{") == head.count("}")
 
 
-def stacked(name: str, views: Sequence[Drawing]) -> Drawing:
+def _untold(chosen: Sequence[int]) -> Sequence[str]:
+    """Return no caption: each view has its own."""
+    return ()
+
+
+def stacked(
+    name: str,
+    views: Sequence[Drawing],
+    told: Callable[[Sequence[int]], Sequence[str]] = _untold,
+    heights: Heights = HEIGHTS["A4"],
+) -> Drawing:
     """Return drawings one below the other as one, their origins above each other.
 
-    Where no sheet is so high they stand by themselves.
+    Where no sheet is so high as many as fit stand one below the other; all parts are equally wide, so that the
+    origins of those at one edge stand above each other too. ``told``: the lines of the caption of a part, by
+    the indices of its views; see `captioned`.
     """
+    boxes = [bounds(view) for view in views]
+    left, right = min(b[0] for b in boxes), max(b[2] for b in boxes)
+    wide = [
+        view._replace(cell=(left, low, right, high))
+        for view, (_, low, _, high) in zip(views, boxes, strict=True)
+    ]
+
+    def column(chosen: Sequence[int], name: str) -> Drawing:
+        made, lines = _below_another([wide[k] for k in chosen], name), told(chosen)
+        return captioned(made, *lines, heights=heights) if lines else made
+
+    def apart(within: Within) -> list[Drawing]:
+        room = max((high for w, high in within.sizes if w >= right - left), default=0.0)
+        parts: list[list[int]] = []
+        for k in range(len(views)):
+            more = [*parts[-1], k] if parts else []
+            if more and _height(column(more, name)) <= room:
+                parts[-1] = more
+            else:
+                parts.append([k])
+        if len(parts) == 1:
+            parts = [[k] for k in range(len(views))]
+        return [column(part, views[part[0]].name) for part in parts]
+
+    return column(range(len(views)), name)._replace(apart=apart)
+
+
+def _height(view: Drawing) -> float:
+    _, low, _, high = bounds(view)
+    return high - low
+
+
+def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
+    """Return drawings one below the other as one, their origins above each other."""
     moved, top = [], 0.0
     for view in views:
         _, low, _, high = bounds(view)
         moved.append(view.moved(1j * (top - high)))
         top -= high - low + STACK
-    boxes = [bounds(view) for view in moved]
-    cell = (
-        min(b[0] for b in boxes),
-        min(b[1] for b in boxes),
-        max(b[2] for b in boxes),
-        max(b[3] for b in boxes),
-    )
-    strokes = tuple(stroke for view in moved for stroke in view.strokes)
-    labels = tuple(label for view in moved for label in view.labels)
+    left, _, right, _ = bounds(moved[0])
     return Drawing(
         name,
         "; ".join(view.title for view in views),
-        strokes,
-        labels,
-        cell,
-        lambda _: views,
-        views[0].stand,
+        tuple(stroke for view in moved for stroke in view.strokes),
+        tuple(label for view in moved for label in view.labels),
+        (left, top + STACK, right, 0.0),
+        stand=views[0].stand,
+        rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
+        shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
     )

@@ -39,7 +39,7 @@ def scene(parts: Parts, source: str) -> Scene:
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
-    shown = places.attended([sheet.place or usual for sheet in sheets], formats)
+    shown = places.attended([sheet.place or usual for sheet in sheets], formats, asked)
     return Scene(
         source=source,
         title=head.title,
@@ -56,7 +56,8 @@ def scene(parts: Parts, source: str) -> Scene:
         hand=hand.name,
         seed=hand.seed,
         sheets=tuple(replace(one, place=own) for one, own in zip(sheets, shown, strict=True)),
-        title_block={key: text for key, text in vars(block).items() if text},
+        title_block={k: text for k, text in vars(block).items() if text and isinstance(text, str)},
+        print_check=block.print_check,
         task=parts.record("task"),
     )
 

@@ -73,6 +73,11 @@ def texts(doc: Document) -> list[tuple[Place, str]]:
     drawn: list[tuple[Place, str]] = [(("title",), doc.get("title", ""))]
     for key, value in table(doc.get("title_block")).items():
         drawn.append((("title_block", key), value))
+    sheets = doc.get("sheet")
+    for k, sheet in enumerate(sheets if isinstance(sheets, list) else []):
+        drawn.extend(
+            (("sheet", k, key), table(sheet).get(key, "")) for key in ("name", "designation")
+        )
     drawn.extend((("frame", key), key) for key in table(doc.get("frame")) if key != "number")
     for path, link in raw_links(doc):
         drawn.append(((*path, "name"), link.get("name", "")))

@@ -117,14 +117,26 @@ class SheetOrder:
             None,
         ),
     )
+    name: str = key(
+        v.TEXT,
+        "its name; left out: that of the title block, or the title of the scene",
+        "Силовой расчёт",
+        "",
+    )
+    designation: str = key(
+        v.TEXT,
+        "its designation; left out: that of the title block, or ТММ.01.01.000, of the second ТММ.01.02.000 …",
+        "ТММ.01.02.000",
+        "",
+    )
 
 
 @dataclass(frozen=True)
 class TitleBlock:
     """What is written into the title block."""
 
-    designation: str = key(v.TEXT, "", default="")
-    name: str = key(v.TEXT, "", default="")
+    designation: str = key(v.TEXT, "of all sheets that have none of their own", default="")
+    name: str = key(v.TEXT, "of all sheets that have none of their own", default="")
     organisation: str = key(v.TEXT, "", default="")
     drawn_by: str = key(v.TEXT, "", default="")
     checked_by: str = key(v.TEXT, "", default="")
@@ -134,6 +146,9 @@ class TitleBlock:
     letter: str = key(v.TEXT, "", default="")
     mass: str = key(v.TEXT, "", default="")
     scale: str = key(v.TEXT, "", default="")
+    print_check: bool = key(
+        v.SWITCH, "a line of 100 mm above the frame, to lay a ruler on", False, True
+    )
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ class Scene:
     seed: int = 0
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
+    print_check: bool = True
     task: Task | None = None
     remarks: tuple[str, ...] = ()
     told: Mapping[str, int] = field(default_factory=dict)

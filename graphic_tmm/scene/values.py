@@ -302,6 +302,14 @@ _MM: Schema = {
     "anyOf": [{"type": "string"}, {"type": "number"}],
     "description": 'a length on the sheet, "60 mm"',
 }
+
+
+def _switch(value: object, names: Names) -> bool:
+    if isinstance(value, bool):
+        return value
+    raise ValueError(stands(value, said("write true or false")))
+
+
 _LENGTH: Schema = {
     "anyOf": [{"type": "number"}, {"type": "string"}],
     "description": 'a length: metres, "95 mm", a named length, or a sum such as "-OB - 1.25 BC"',
@@ -315,6 +323,7 @@ PAIRS: Schema = {
 }
 _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 
+SWITCH = Kind(_switch, {"type": "boolean"})
 TEXT = Kind(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})
 TITLE = Kind(_title, {"type": "string", "minLength": 1, "maxLength": 200})
 LINK_NUMBER = number(Bound(0, 999, whole=True))

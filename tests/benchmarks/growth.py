@@ -21,9 +21,9 @@ from graphic_tmm.board.values import Number  # isort: skip
 from support.boards import drawn_of
 
 from graphic_tmm.fitting.compose import compose
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import fitted
 
 POSITIONS = tuple(1 << k for k in range(18, 22))
 TRIALS = tuple(1000 << k for k in range(6))

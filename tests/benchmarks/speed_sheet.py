@@ -13,12 +13,12 @@ import svgwrite
 from clock import ROOT, Row, in_turns, show
 
 from graphic_tmm.fitting.compose import compose
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper import labels as places
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
-from graphic_tmm.studio import fitted
 
 WINDROWER = ROOT / "sheets" / "windrower"
 NS = "{http://www.w3.org/2000/svg}"

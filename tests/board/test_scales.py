@@ -97,11 +97,11 @@ def test_a_standard_scale_of_lengths(largest: float, room: float, due: float) ->
 def test_a_standard_scale_fits_and_the_next_finer_does_not(largest: float, room: float) -> None:
     mu = standard(largest, room)
     digits, power = f"{mu:e}".split("e")
-    assert float(digits) in (1.0, 2.0, 2.5, 4.0, 5.0)
+    assert float(digits) in (1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5)
     assert largest / mu <= room * (1 + 1e-11)
     finer = max(
         float(f"{m}e{d}")
-        for m in (1, 2, 2.5, 4, 5)
+        for m in (1, 1.5, 2, 2.5, 4, 5, 7.5)
         for d in (int(power), int(power) - 1)
         if float(f"{m}e{d}") < mu * (1 - 1e-9)
     )

@@ -14,17 +14,17 @@ from support.dxf_read import at, model, opened, scattered, sheet_of
 from support.each import each
 from support.gallery import paper
 
-from graphic_tmm.paper.drawing import Bezier, Stroke, arc, circle, line
+from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke, arc, circle, line
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, slider, stone
 
 
 @each("name, crank", [("crank-rocker", 20.0), ("shaper", 110.0)])
 def test_a_crank_is_as_long_as_its_scale_says(name: str, crank: float) -> None:
-    """The circle of the crank pin, of l/μ_l (``crank``: OA as the scene's file has it, mm)."""
+    """The circle of the crank pin, broken at letters, of l/μ_l (``crank``: OA as the scene has it, mm)."""
     sheet = paper(name)[1][0]
     texts = " ".join(label.text for drawing in sheet.drawings for label in drawing.labels)
     scale = float(re.search(r"μ_l = ([\d.,]+)", texts)[1].replace(",", "."))
-    radii = [made.dxf.radius for made in opened(sheet).modelspace().query("CIRCLE")]
+    radii = [made.dxf.radius for made in opened(sheet).modelspace().query("CIRCLE ARC")]
     assert min(abs(radius - crank / 1000 / scale) for radius in radii) < 1e-6
 
 
@@ -92,6 +92,8 @@ def test_an_arrowhead_is_solid_and_a_dot_is_filled() -> None:
         circle("main", 20j, 1, filled=True),
     )
     assert (head.dxftype(), dot.dxftype()) == ("SOLID", "HATCH")
+    ((edge,),) = [path.edges for path in dot.paths]
+    assert (at(edge.center), edge.radius, edge.end_angle - edge.start_angle) == (20j, 1.0, 360.0)
 
 
 def outlines(entities) -> list[list[complex]]:
@@ -127,6 +129,21 @@ def test_signs_are_blocks_that_lie_where_their_strokes_do() -> None:
     made, due = outlines(parts), outlines(plain)
     assert [len(ends) for ends in made] == [len(ends) for ends in due]
     for ends, others in zip(made, due, strict=True):
+        assert max(abs(a - b) for a, b in zip(ends, others, strict=True)) < 1e-5
+
+
+def test_a_sign_is_moved_with_its_drawing() -> None:
+    drawing = Drawing("plan", "План", fixed_pivot(50 + 50j, 30.0)).moved(10 + 70j)
+    document = opened(Sheet("s", "t", "A4", 210, 297, (drawing,)))
+    signs = list(document.modelspace())
+    assert [(sign.dxf.name, at(sign.dxf.insert)) for sign in signs] == [
+        ("SUPPORT", 60 + 120j),
+        ("PAIR", 60 + 120j),
+    ]
+    found = [e for sign in signs for e in sign.virtual_entities()]
+    bare = fixed_pivot(60 + 120j, 30.0)
+    due = opened(sheet_of(*(stroke._replace(symbol=None) for stroke in bare))).modelspace()
+    for ends, others in zip(outlines(found), outlines(due), strict=True):
         assert max(abs(a - b) for a, b in zip(ends, others, strict=True)) < 1e-5
 
 

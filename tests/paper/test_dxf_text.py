@@ -72,18 +72,20 @@ def test_a_run_of_text_stands_where_our_letters_stand(
 
 
 def test_indices_are_smaller_text_and_bars_are_lines_of_one_group() -> None:
-    """v is 5/10 h wide, the index begins 1.5/10 h behind it, 3/10 h lower; A of 7 mm is 4.9 mm wide."""
-    document = opened(sheet_of(labels=(Label(r"\bar{v}_{A}", 50 + 50j, 10, inclined=False),)))
+    """v is 5/10 h wide, the index begins 1.5/10 h behind it, 3/10 h lower; B and A are 4.2 and 4.9 mm."""
+    document = opened(sheet_of(labels=(Label(r"\bar{v}_{BA}", 50 + 50j, 10, inclined=False),)))
     found = {entity.dxftype(): entity for entity in document.modelspace()}
     v, index = document.modelspace().query("TEXT")
     bar = found["LWPOLYLINE"]
-    assert (v.dxf.text, v.dxf.height) == ("v", 10.0)
-    assert (index.dxf.text, index.dxf.height) == ("A", 7.0)
+    assert (v.dxf.text, v.dxf.height, v.get_align_enum().name) == ("v", 10.0, "CENTER")
+    assert tuple(v.dxf.align_point)[:2] == pytest.approx((52.5, 50), abs=1e-5)
+    assert (index.dxf.text, index.dxf.height, index.get_align_enum().name) == ("BA", 7.0, "FIT")
     assert tuple(index.dxf.insert)[:2] == pytest.approx((50 + 5 + 1.5 - 0.7, 47), abs=1e-5)
-    assert tuple(index.dxf.align_point)[:2] == pytest.approx((56.5 + 4.9 + 0.7, 47), abs=1e-5)
+    end = 56.5 + 4.2 + 1.4 + 4.9 + 0.7
+    assert tuple(index.dxf.align_point)[:2] == pytest.approx((end, 47), abs=1e-5)
     (group,) = [group for _, group in document.groups]
     assert set(group) == {v, index, bar}
-    assert group.dxf.description == "v_A"
+    assert group.dxf.description == "v_BA"
 
 
 def test_inclined_letters_lean_by_15_degrees_and_raised_ones_stand_farther_right() -> None:
@@ -91,6 +93,8 @@ def test_inclined_letters_lean_by_15_degrees_and_raised_ones_stand_farther_right
     a, n = document.modelspace()
     style = document.styles.get(a.dxf.style)
     assert (a.dxf.oblique, style.dxf.oblique, style.dxf.height) == (15.0, 15.0, 0.0)
+    assert document.header["$TEXTSTYLE"] == a.dxf.style
+    assert (style.dxf.font, style.get_extended_font_data()[0]) == ("isocpeur.ttf", "ISOCPEUR")
     upright = opened(sheet_of(labels=(Label("a^n", 50 + 50j, 10, inclined=False),)))
     rise = n.dxf.insert.y - 50
     shifted = n.dxf.insert.x - list(upright.modelspace())[1].dxf.insert.x

@@ -221,11 +221,42 @@ def test_the_check_line_is_100_mm_and_crosses_nothing(
     ]
     assert len(crossing) == 2
     for tick in crossing:
-        assert tick.path[0][1] == tick.path[1][1]
-        assert tick.path[0][1] in (b, d)
-    assert max(a, c) < drawing_area(format, language, first).inner.left
-    texts = {label.text for label in drawing.labels if label.turn == 90}
+        assert tick.path[0][0] == tick.path[1][0]
+        assert tick.path[0][0] in (a, c)
+    inner = drawing_area(format, language, first).inner
+    assert inner.left < min(a, c) < max(a, c) < inner.right
+    assert min(b, d) > inner.top
+    texts = {label.text for label in drawing.labels if label.at.imag > inner.top}
     assert {"0", "100 мм" if language == "ru" else "100 mm"} <= texts
+
+
+@each("format, language, first", SHEETS)
+def test_the_check_line_can_be_left_out(format: str, language: str, first: bool) -> None:
+    number = 1 if first else 2
+    whole = made(format, language, first)
+    bare = frame(
+        format,
+        language=language,
+        first=first,
+        number=number,
+        count=3,
+        fields=FILLED,
+        check=False,
+    )
+    assert set(bare.strokes) < set(whole.strokes)
+    assert set(bare.labels) < set(whole.labels)
+    assert (len(whole.strokes) - len(bare.strokes), len(whole.labels) - len(bare.labels)) == (3, 3)
+    assert not any(stroke.data for stroke in bare.strokes)
+
+
+@each("format, language, first", SHEETS)
+def test_every_sheet_tells_its_name_and_designation(
+    format: str, language: str, first: bool
+) -> None:
+    """Of the form for following sheets, too; broken into lines where they are long."""
+    told = " ".join(words(made(format, language, first)))
+    for field in ("designation", "name"):
+        assert all(word in told for word in FILLED[field].split())
 
 
 def test_column_26_bears_the_designation_upside_down() -> None:

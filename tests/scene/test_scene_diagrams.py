@@ -66,6 +66,12 @@ def test_every_key_arrives_in_mm_and_si(tmp_path: Path) -> None:
         (['point = "B"', 'H_S = "20 mm"'], "diagrams.H_S", "it has no pole"),
         (['point = "B"', 'start = "velocity"', 'H_V = "20 mm"'], "diagrams.H_V", "write mu_V"),
         (['point = "B"', 'H_V = "0 mm"'], "diagrams.H_V", "60 mm"),
+        (['point = "B"', 'integral = "none"'], "diagrams.integral", "laid off, not integrated"),
+        (
+            ['point = "B"', 'start = "velocity"', 'integral = "none"', 'H_S = "20 mm"'],
+            "diagrams.H_S",
+            "nothing is integrated",
+        ),
         (['point = "B"', 'H_V = "-5 mm"'], "diagrams.H_V", "60 mm"),
         (['point = "B"', 'mu_t = "0.1 m/mm"'], "diagrams.mu_t", "s/mm"),
         (['point = "B"', "H = 20"], "diagrams.H", "H_S"),

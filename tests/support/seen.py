@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from functools import cached_property
+from itertools import pairwise
 
 import shapely
 
@@ -59,17 +60,26 @@ class Seen:
         structure = KINEMATICS.on(self.work).structure
         crank = self.mechanism.by_number[structure.driver].points
         radius = abs(crank[structure.pin] - crank[structure.pivot]) / self.mu
-        (found,) = {
-            complex(round((x1 + x2) / 2, 6), round((y1 + y2) / 2, 6))
-            for (x1, y1, b1), (x2, y2, _) in (
-                s.path for s in self.strokes("thin") if s.closed and len(s.path) == 2
-            )
-            if b1 == 1.0 and abs(math.hypot(x2 - x1, y2 - y1) / 2 - radius) < 1e-6
-        }
+        centres = [
+            centre for centre, size in self.arcs("thin") if abs(size - radius) < 1e-6 * radius
+        ]
+        (found,) = {complex(round(z.real, 5), round(z.imag, 5)) for z in centres}
         return found - self.mechanism.frame.points[structure.pivot] / self.mu
 
     def strokes(self, *pens: str) -> list[Stroke]:
         return [s for s in self.view.strokes if isinstance(s, Stroke) and s.pen in pens]
+
+    def arcs(self, *pens: str) -> list[tuple[complex, float]]:
+        """Centres and radii of the arcs of pens: a circle is broken where a letter stands on it."""
+        found = []
+        for stroke in self.strokes(*pens):
+            ends = [*stroke.path, *stroke.path[:1]] if stroke.closed else stroke.path
+            for (x1, y1, bulge), (x2, y2, _) in pairwise(ends):
+                if bulge:
+                    a, b, turn = complex(x1, y1), complex(x2, y2), 4 * math.atan(bulge)
+                    centre = (b - a * cmath.exp(1j * turn)) / (1 - cmath.exp(1j * turn))
+                    found.append((centre, abs(a - centre)))
+        return found
 
     def lines(self, *pens: str) -> list[tuple[complex, complex]]:
         """The straight lines of pens, seen from the frame's axes (mm)."""

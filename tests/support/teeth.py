@@ -80,7 +80,7 @@ class Pair(NamedTuple):
 
 def pair(order: GearTask, **options: Any) -> Pair:
     project = record(Scene("", "T", "en").asking(gears=order), GEARS.chapter)
-    fitting = Fitting(project, {}, {}, dict(project.given))
+    fitting = Fitting(project, {GEARS.chapter: 1.0}, {}, dict(project.given))
     given = {**project.given, **gear_scales(fitting)}
     return Pair(project, given, execute(project.construction, given, **options))
 

@@ -55,6 +55,15 @@ def carry(pole: Point, of: Point, image: Point, times: Number, *, quarters: int 
     return Point(pole + (image - of) * times * 1j**quarters)
 
 
+@operation()
+def detach(point: Point, mu_l: Number, mu: Number) -> Point:
+    """Carry {point} over to the figure of the detached links, which has a scale {mu} of its own: mark {it}.
+
+    Directions are kept, so lines of action are drawn parallel.
+    """
+    return Point(point * (mu_l / mu))
+
+
 @formula
 def per_times(mu: Number, times: Number) -> Number:
     """{mu}/{times}"""

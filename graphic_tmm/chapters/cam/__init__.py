@@ -59,8 +59,13 @@ def _limits(drawn: Drawn, language: str) -> tuple[str, ...]:
 
 def _told(key: str) -> Size:
     name = {"cam.mu_l": CAM.chapter, "cam.base": GRAPHS}[key]
-    return Size(name, fixed=lambda scene: key if key in scene.told else "")
+    return Size(
+        name, cap=CAPS[key], step=1.25, fixed=lambda scene: key if key in scene.told else ""
+    )
 
+
+CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
+"""What share of a sheet's height what a key sizes may take."""
 
 CHAPTER = Chapter(
     name=CAM.chapter,

@@ -98,6 +98,8 @@ def draw_convexity(draft: Draft, order: CamTask, diagrams: Diagrams, of: FlatFol
             draft.draw(phase_end, "e", own, at=first, free=True),
             draft.draw(phase_end, "e", own, at=last, free=True),
         ]
+    for a, b in zip(ends[1::2], ends[2::2], strict=False):
+        draft.figure("outline", "between", a, b)
     return Convexity(
         VIEW, mu, motion, tuple(points), tuple(curves), tuple(ends), limit, origin, cut, least, r0,
         radius, radii,

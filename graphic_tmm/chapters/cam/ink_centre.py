@@ -4,29 +4,26 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
-from graphic_tmm.chapters.cam.ink_numbers import (
-    LEAST,
-    OVER,
-    SIZE,
-    SMALL,
-    Numbers,
-    arrow_axis,
-    finished,
-    numbered,
-    segments,
-)
+from graphic_tmm.chapters.cam.ink_letters import OVER, arrow_axis, numbered
+from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, reached, straight
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
+from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.seen import Rule, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import hatching
 
+LEAST = 0.3
+"""What is shorter has no dimension, mm."""
 BELOW = 30.0
 """How far the limits of the region go on below the point where they meet, mm."""
 ABOVE = 12.0
@@ -53,114 +50,155 @@ class CentreNames(NamedTuple):
 
 
 def draw_centre_ink(
+    construction: Construction,
     reading: Reading,
     cam: Cam,
     names: CentreNames,
     title: str,
-    *,
-    lettered: bool = True,
+    heights: Heights,
 ) -> Drawing:
     """Return the S–dS/dφ diagram of a translating roller with the region of allowed centres."""
     made = cam.centre
     assert isinstance(made, Centre)
-    ink, out = Numbers(reading, cam), complex(-cam.sense)
-    points = ink.all(made.points)
-    side = (points * np.conj(out)).real
-    near, far = float(np.nanmin(side, initial=0.0)), float(np.nanmax(side, initial=0.0))
-    top = float(np.nanmax(points.imag, initial=0.0))
-    strokes: list[Ink] = segments(ink.all(made.roller), points)
-    for mark in made.curves:
-        strokes += ink.curve(mark)
-    strokes += ink.dots(points)
-    strokes += arrow_axis(out * (near - OVER), out * (far + OVER))
-    strokes += arrow_axis(0j, complex(0, top + OVER))
-    wanted = [
-        Wanted(names.up, complex(0, top + OVER), SIZE, 1.5, -out),
-        Wanted(names.out, out * (far + OVER), SIZE, 1.5, -1j),
-        Wanted("B_{0}", 0j, SMALL, 1.0, -out - 1j),
-    ]
-    centre, least = ink.one(made.centre), ink.one(made.least_centre)
-    low = _region(ink, cam, made, strokes)
-    figures = _radii(strokes, wanted, (centre, least), names, out, (near, far))
-    foot = min(centre.imag, least.imag) - 3.0 if np.isfinite(centre) else low
-    aside = centre.real if np.isfinite(centre) else 0.0
-    strokes.append(line("centre", complex(aside, 8.0), complex(aside, foot)))
-    _angles(ink, cam, made, strokes, wanted, names.limits)
-    wanted += numbered(names.positions, points, points - 0.5j * top)
-    return finished(VIEW, title, strokes, wanted, figures, lettered)
-
-
-def _region(ink: Numbers, cam: Cam, made: Centre, strokes: list[Ink]) -> float:
-    """Ink the tangents and hatch the region between them; return how low it reaches."""
-    assert made.apex is not None
-    apex, bottom = ink.one(made.apex), 0.0
-    for mark, phase in zip(made.limits, cam.diagrams.turn.phases, strict=True):
-        limit = ink.reading[mark]
-        spot, way = complex(limit.at[0, 0]), complex(limit.along[0, 0])
-        if not (np.isfinite(spot) and np.isfinite(apex)):
-            continue
-        deepest = [z.imag - ABOVE for z in (ink.one(made.least_centre), ink.one(made.centre))]
-        bottom = min([apex.imag - BELOW, *(y for y in deepest if math.isfinite(y))])
-        foot = spot + way * ((bottom - spot.imag) / way.imag)
-        strokes.append(line("main", foot, spot + ABOVE * way))
-        strokes += hatching(foot, apex, -1 if phase.sign * cam.sense < 0 else 1)
-    return bottom
-
-
-def _radii(
-    strokes: list[Ink],
-    wanted: list[Wanted],
-    centres: tuple[complex, complex],
-    names: CentreNames,
-    out: complex,
-    reach: tuple[float, float],
-) -> list[Label]:
-    """Ink the chosen centre and the least one, the dimensions of their radii on either side."""
-    centre, least = centres
-    figures = []
-    rows = (
-        (least, names.least, "O_{min}", -out, -reach[0]),
-        (centre, names.r0, "O", out, reach[1]),
+    ink = _Region(CamInk(construction, reading, cam, VIEW, heights), made)
+    traces = figure(ink.on.seen, showing(_rules(ink)))
+    radii = list(_dimensions(ink, names))
+    strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
+    strokes += [stroke for found, _ in radii for stroke in found]
+    return Drawing(
+        VIEW,
+        title,
+        tuple(strokes),
+        tuple(label for _, label in radii if label is not None),
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=tuple(_letters(ink, names)),
+        numbers=tuple(enumerate(names.positions)),
     )
-    for spot, text, letter, way, room in rows:
-        if not np.isfinite(spot):
-            continue
-        big = letter == "O"
-        strokes.append(
-            circle("joint" if big else "main", spot, 1.2 if big else 0.7, filled=not big)
-        )
-        wanted.append(Wanted(letter, spot, SIZE if big else SMALL, 1.4, way))
-        if abs(spot.real) > LEAST:  # a radius that leans is lettered along itself
-            if big:
-                strokes.append(line("thin", spot, 0j))
-                wanted.append(Wanted(text, 0.45 * spot, SMALL, 0.5, out))
-                low = complex(0, spot.imag)
-                ends = (low, spot) if spot.real > 0 else (spot, low)
-                made = dimension(*ends, -(ABOVE + ASIDE), names.offset)
-                strokes += [line("thin", 0j, low), *made.strokes]
-                figures.append(made.label)
-            continue
-        left = 1.0 if (1j * (0j - spot) * np.conj(way)).real > 0 else -1.0
-        made = dimension(spot, 0j, left * (min(room, 40.0) + ASIDE), text)
-        strokes += made.strokes
-        figures.append(made.label)
-    return figures
 
 
-def _angles(
-    ink: Numbers,
-    cam: Cam,
-    made: Centre,
-    strokes: list[Ink],
-    wanted: list[Wanted],
-    texts: tuple[str, str],
-) -> None:
-    """Ink the allowed pressure angles where the limits cut the line of the centres."""
-    for limit, mark, text in zip(made.limits, made.ends, texts, strict=True):
-        spot, way = ink.one(mark), complex(ink.reading[limit].along[0, 0])
-        if not np.isfinite(spot):
+class _Region:
+    """The places of the diagram, mm; ``out``: to which side dS/dφ of the rise is laid off."""
+
+    def __init__(self, on: CamInk, made: Centre) -> None:
+        self.on, self.made, self.out = on, made, complex(-on.cam.sense)
+        self.points = on.all(made.points)
+        side = (self.points * np.conj(self.out)).real
+        self.near = float(np.nanmin(side, initial=0.0))
+        self.far = float(np.nanmax(side, initial=0.0))
+        self.top = float(np.nanmax(self.points.imag, initial=0.0))
+        assert made.apex is not None
+        self.apex = on.one(made.apex)
+        self.centre, self.least = on.one(made.centre), on.one(made.least_centre)
+        self.bottom = self._bottom()
+
+    def _bottom(self) -> float:
+        """How low the region is drawn."""
+        if not finite(self.apex):
+            return 0.0
+        deepest = [z.imag - ABOVE for z in (self.least, self.centre) if finite(z)]
+        return min([0.0, self.apex.imag - BELOW, *deepest])
+
+    @property
+    def foot(self) -> complex:
+        """How far the line of the centres goes down."""
+        if not finite(self.centre):
+            return 1j * self.bottom
+        return complex(self.centre.real, min(self.centre.imag, self.least.imag) - 3.0)
+
+
+def _rules(ink: _Region) -> dict[Mark, Rule]:
+    """What stays of the steps: the curve with what was laid off to it, the limits, the line of the centres."""
+    made = ink.made
+    rules: dict[Mark, Rule] = {made.points: reached, **dict.fromkeys(made.curves, curve())}
+    for mark in made.limits:
+        spot, way = ink.on.seen.line(mark, 0)
+        if finite(spot, ink.apex):
+            rules[mark] = straight("main", _down(ink, mark), spot + ABOVE * way)
+    down = ink.on.used(made.ends[0])
+    rules[down] = straight("centre", complex(ink.foot.real, 8.0), ink.foot)
+    return rules
+
+
+def _down(ink: _Region, limit: Mark) -> complex:
+    """Where a limit of the region ends below."""
+    spot, way = ink.on.seen.line(limit, 0)
+    return spot + way * ((ink.bottom - spot.imag) / way.imag)
+
+
+def _axes(ink: _Region) -> Iterator[Ink]:
+    yield from arrow_axis(ink.out * (ink.near - OVER), ink.out * (ink.far + OVER))
+    yield from arrow_axis(0j, complex(0, ink.top + OVER))
+
+
+def _bodies(ink: _Region) -> Iterator[Ink]:
+    """The hatching of the region, the allowed pressure angles, the chosen centre and the least one."""
+    made, cam = ink.made, ink.on.cam
+    assert made.apex is not None
+    for mark, end, phase in zip(made.limits, made.ends, cam.diagrams.turn.phases, strict=True):
+        spot, way = ink.on.seen.line(mark, 0)
+        if finite(spot, ink.apex):
+            side = -1 if phase.sign * cam.sense < 0 else 1
+            strokes = hatching(_down(ink, mark), ink.apex, side)
+            yield from body(strokes, "hatching", [mark, made.apex])
+        at = ink.on.one(end)
+        if finite(at, way):
+            bow = arc("thin", at, ANGLE, 90.0, math.degrees(cmath.phase(way / 1j)))
+            yield from body([bow], "dimension", [mark, end])
+    if finite(ink.least):
+        dot = circle("main", ink.least, 0.7, filled=True)
+        yield from body([dot], "point", [made.least_centre])
+    if finite(ink.centre):
+        yield from body([circle("joint", ink.centre, 1.2)], "pivot", [made.centre])
+
+
+def _dimensions(ink: _Region, names: CentreNames) -> Iterator[tuple[tuple[Ink, ...], Label | None]]:
+    """The dimensions of both radii on either side, that of an offset; a radius that leans is a line."""
+    made = ink.made
+    rows = (
+        (made.least_centre, ink.least, names.least, -ink.out, -ink.near),
+        (made.centre, ink.centre, names.r0, ink.out, ink.far),
+    )
+    for mark, spot, text, way, room in rows:
+        if not finite(spot):
             continue
-        sweep = math.degrees(cmath.phase(way / 1j))
-        strokes.append(arc("thin", spot, ANGLE, 90.0, sweep))
-        middle = spot + cmath.rect(ANGLE, math.radians(90.0 + sweep / 2))
-        wanted.append(Wanted(text, middle, SMALL, 0.5, middle - spot))
+        if abs(spot.real) <= LEAST:
+            left = 1.0 if (-1j * spot * np.conj(way)).real > 0 else -1.0
+            size = dimension(spot, 0j, left * (min(room, 40.0) + ASIDE), text)
+            strokes, label = list[Ink](size.strokes), size.label
+        elif mark == made.centre:
+            low = complex(0, spot.imag)
+            ends = (low, spot) if spot.real > 0 else (spot, low)
+            size = dimension(*ends, -(ABOVE + ASIDE), names.offset)
+            strokes = [line("thin", spot, 0j), line("thin", 0j, low), *size.strokes]
+            label = size.label
+        else:
+            continue
+        of = (mark, made.lowest)
+        told = tuple(body(strokes, "dimension", of))
+        yield told, label._replace(of=tuple(one.slot for one in of))
+
+
+def _letters(ink: _Region, names: CentreNames) -> Iterator[Wanted]:
+    """The letters of axes and points, the allowed angles, a radius that leans, the numbers of positions."""
+    made, point, small = ink.made, ink.on.heights.point, ink.on.heights.number
+    yield Wanted(names.up, complex(0, ink.top + OVER), point, 1.5, -ink.out)
+    yield Wanted(names.out, ink.out * (ink.far + OVER), point, 1.5, -1j)
+    yield Wanted("B_{0}", 0j, small, 1.0, -ink.out - 1j, (made.lowest.slot,))
+    rows = (
+        (made.least_centre, ink.least, "O_{min}", small, -ink.out),
+        (made.centre, ink.centre, "O", point, ink.out),
+    )
+    for mark, spot, letter, size, way in rows:
+        if finite(spot):
+            yield Wanted(letter, spot, size, 1.4, way, (mark.slot,))
+    if finite(ink.centre) and abs(ink.centre.real) > LEAST:
+        yield Wanted(names.r0, 0.45 * ink.centre, small, 0.5, ink.out, (made.centre.slot,))
+    for limit, mark, text in zip(made.limits, made.ends, names.limits, strict=True):
+        spot, way = ink.on.one(mark), ink.on.seen.line(limit, 0)[1]
+        if finite(spot, way):
+            turn = math.radians(90.0) + cmath.phase(way / 1j) / 2
+            middle = cmath.rect(ANGLE, turn)
+            yield Wanted(text, spot + middle, small, 0.5, middle, (mark.slot, limit.slot))
+    toward = ink.points - 0.5j * ink.top
+    yield from numbered(ink.on, names.positions, made.points, ink.points, toward)

@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.chapters.cam.centre import VIEW
 from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
-from graphic_tmm.chapters.cam.ink_numbers import (
-    LEAST,
-    OVER,
-    SIZE,
-    SMALL,
-    Numbers,
-    arrow_axis,
-    finished,
-    numbered,
-    segments,
-)
+from graphic_tmm.chapters.cam.ink_letters import OVER, arrow_axis, numbered
+from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, reached, straight
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
+from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
+from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.rules import segment
+from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
 
+LEAST = 0.3
+"""What is shorter has no dimension, mm."""
 BEYOND = 14.0
 """How far the line at 45° goes on behind its ends, mm."""
 ANGLE = 14.0
@@ -32,57 +32,120 @@ ASIDE, APART = 12.0, 9.0
 
 
 def draw_convexity_ink(
-    reading: Reading, cam: Cam, names: CentreNames, title: str, *, lettered: bool = True
+    construction: Construction,
+    reading: Reading,
+    cam: Cam,
+    names: CentreNames,
+    title: str,
+    heights: Heights,
 ) -> Drawing:
     """Return S over d²S/dφ² with the line at 45° that touches it from below, and the radii cut off."""
     made = cam.centre
     assert isinstance(made, Convexity)
-    ink = Numbers(reading, cam)
-    spots = np.full(cam.diagrams.turn.positions, np.nan + np.nan * 1j)
-    strokes: list[Ink] = []
-    for mark, curve, (_, first, last) in zip(
-        made.points, made.curves, cam.diagrams.stretches, strict=True
+    ink = _Convexity(CamInk(construction, reading, cam, VIEW, heights), made)
+    traces = figure(ink.on.seen, showing(_rules(ink)))
+    radii = list(_dimensions(ink, names))
+    strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
+    strokes += [stroke for found, _ in radii for stroke in found]
+    return Drawing(
+        VIEW,
+        title,
+        tuple(strokes),
+        tuple(label for _, label in radii),
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=tuple(_letters(ink, names)),
+        numbers=tuple(enumerate(names.positions)),
+    )
+
+
+class _Convexity:
+    """The places of the diagram, mm; ``centre`` of the cam, as far below the origin as r0 is long."""
+
+    def __init__(self, on: CamInk, made: Convexity) -> None:
+        self.on, self.made = on, made
+        self.spots = np.full(len(on.seen.positions), np.nan + np.nan * 1j)
+        for mark, (_, first, last) in zip(made.points, on.cam.diagrams.stretches, strict=True):
+            part, own = slice(first, last + 1), on.all(mark)
+            there = np.isfinite(self.spots[part])
+            self.spots[part] = np.where(there, self.spots[part], own[part])
+        self.left = float(np.nanmin(self.spots.real))
+        self.right = float(np.nanmax(self.spots.real))
+        self.top = float(np.nanmax(self.spots.imag))
+        self.cut = on.one(made.cut)
+        self.low = min(0.0, self.cut.imag) - OVER
+        self.centre = complex(0, -on.length(made.radius))
+        self.least = -1j * on.length(made.least) / on.length(made.mu)
+
+
+def _rules(ink: _Convexity) -> dict[Mark, Rule]:
+    """What stays of the steps: the curves with what was laid off to them, the line at 45°, where it cuts."""
+    made, rules = ink.made, dict[Mark, Rule]()
+    for mark, own, (_, first, last) in zip(
+        made.points, made.curves, ink.on.cam.diagrams.stretches, strict=True
     ):
-        part = slice(first, last + 1)
-        spots[part] = np.where(np.isfinite(spots[part]), spots[part], ink.all(mark)[part])
-        strokes += ink.curve(curve)
-        strokes += ink.dots(ink.all(mark)[part])
-        own = ink.all(mark)[part]
-        strokes += segments(own - own.real, own)
-    ends = [ink.one(mark) for mark in made.outline]
-    for a, b in zip(ends[1::2], ends[2::2], strict=False):
-        if np.isfinite(a) and np.isfinite(b) and abs(b - a) > LEAST:
-            strokes.append(line("main", a, b))
-    left, right = float(np.nanmin(spots.real)), float(np.nanmax(spots.real))
-    top, cut = float(np.nanmax(spots.imag)), ink.one(made.cut)
-    low = min(0.0, cut.imag) - OVER
-    strokes += arrow_axis(complex(left - OVER), complex(right + OVER))
-    strokes += arrow_axis(complex(0, low), complex(0, top + OVER))
-    wanted = [
-        Wanted(names.up, complex(0, top + OVER), SIZE, 1.5, 1 + 0j),
-        Wanted(names.out, complex(right + OVER), SIZE, 1.5, -1j),
-    ]
-    figures = []
-    if np.isfinite(cut):
-        limit = reading[made.limit]
-        spot, way = complex(limit.at[0, 0]), complex(limit.along[0, 0])
-        strokes.append(line("main", spot - BEYOND * way, cut + BEYOND * way))
-        strokes.append(arc("thin", cut, ANGLE, 90.0, 45.0))
-        wanted.append(Wanted("45°", cut + ANGLE * (-0.38 + 0.92j), SMALL, 0.5, -0.38 + 0.92j))
-        strokes.append(circle("main", cut, 0.7, filled=True))
-        radius = ink.length(made.radius)
-        centre = complex(0, -radius)
-        strokes.append(line("centre", complex(0, low), centre - 6j))
-        strokes.append(circle("joint", centre, 1.2))
-        wanted.append(Wanted("O", centre, SIZE, 1.8, 1 + 0j))
-        least = -1j * 1000.0 * ink.length(made.least) / (1000.0 * ink.length(made.mu))
-        for end, text, offset in (
-            (centre, names.r0, -(ASIDE + APART)),
-            (least, names.least, -ASIDE),
-        ):
-            if abs(end) > LEAST:
-                drawn = dimension(end, 0j, offset, text)
-                strokes += drawn.strokes
-                figures.append(drawn.label)
-    wanted += numbered(names.positions, spots, spots - 0.5j * top)
-    return finished(VIEW, title, strokes, wanted, figures, lettered)
+        rules |= {mark: _within(first, last), own: curve()}
+    if finite(ink.cut):
+        spot, way = ink.on.seen.line(made.limit, 0)
+        rules[made.limit] = straight("main", spot - BEYOND * way, ink.cut + BEYOND * way)
+    return rules
+
+
+def _within(first: int, last: int) -> Rule:
+    """Return the rule of a point that is laid off from the axis in the positions of a stretch."""
+
+    def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        if first <= k <= last:
+            yield from reached(seen, step, k)
+
+    return laid
+
+
+def _axes(ink: _Convexity) -> Iterator[Ink]:
+    yield from arrow_axis(complex(ink.left - OVER), complex(ink.right + OVER))
+    yield from arrow_axis(complex(0, ink.low), complex(0, ink.top + OVER))
+
+
+def _bodies(ink: _Convexity) -> Iterator[Ink]:
+    """The jumps between the stretches, the 45°, the point cut off, the centre of the cam."""
+    made = ink.made
+    for jump in ink.on.figures("outline"):
+        a, b = (ink.on.one(mark) for mark in jump.marks)
+        yield from body(segment("main", a, b), "curve", jump.marks)
+    if not finite(ink.cut):
+        return
+    yield from body([arc("thin", ink.cut, ANGLE, 90.0, 45.0)], "dimension", [made.limit, made.cut])
+    yield from body([circle("main", ink.cut, 0.7, filled=True)], "point", [made.cut])
+    line_ = line("centre", complex(0, ink.low), ink.centre - 6j)
+    yield from body([line_], "axis", [made.radius])
+    yield from body([circle("joint", ink.centre, 1.2)], "pivot", [made.radius])
+
+
+def _dimensions(ink: _Convexity, names: CentreNames) -> Iterator[tuple[tuple[Ink, ...], Label]]:
+    """The dimensions of r0 and of the least radius."""
+    made = ink.made
+    for mark, end, text, offset in (
+        (made.radius, ink.centre, names.r0, -(ASIDE + APART)),
+        (made.least, ink.least, names.least, -ASIDE),
+    ):
+        if finite(ink.cut, end) and abs(end) > LEAST:
+            size = dimension(end, 0j, offset, text)
+            strokes = tuple(body(size.strokes, "dimension", [mark]))
+            yield strokes, size.label._replace(of=(mark.slot,))
+
+
+def _letters(ink: _Convexity, names: CentreNames) -> Iterator[Wanted]:
+    made, point, small = ink.made, ink.on.heights.point, ink.on.heights.number
+    yield Wanted(names.up, complex(0, ink.top + OVER), point, 1.5, 1 + 0j)
+    yield Wanted(names.out, complex(ink.right + OVER), point, 1.5, -1j)
+    if finite(ink.cut):
+        way = -0.38 + 0.92j
+        yield Wanted(
+            "45°", ink.cut + ANGLE * way, small, 0.5, way, (made.limit.slot, made.cut.slot)
+        )
+        yield Wanted("O", ink.centre, point, 1.8, 1 + 0j, (made.radius.slot,))
+    for mark, (_, first, last) in zip(made.points, ink.on.cam.diagrams.stretches, strict=True):
+        row = np.arange(len(ink.spots))
+        own = np.where((row >= first) & (row <= last), ink.on.all(mark), np.nan)
+        toward = own - 0.5j * ink.top
+        yield from numbered(ink.on, names.positions, mark, own, toward)

@@ -77,7 +77,7 @@ def record(bench: Bench) -> Cam | None:
         return None
     order = replace(order, base=order.base * bench.sizes.get(GRAPHS, 1.0))
     share = bench.sizes.get(CAM.chapter, 1.0)
-    if bench.usual is not None and share < 1.0:
+    if bench.usual is not None and share != 1.0:
         mu = float(bench.usual.reading[CAM.on(bench.usual).profile.mu][0, 0])
         order = replace(order, mu_l=standard_length(mu / share, 1.0))
     made = draw_cam(bench.draft, order)

@@ -23,6 +23,8 @@ from graphic_tmm.chapters.cam.operations import inward_normal, phase_end, slew, 
 from graphic_tmm.chapters.cam.rocker import Lever
 
 VIEW = "cam profile"
+THEORETICAL, WORKING = "theoretical", "working"
+"""What contours are called as bodies of the plan."""
 
 
 @dataclass(frozen=True)
@@ -87,14 +89,22 @@ def draw_profile(
         inward_normal, "(n)", placed.points, placed.paths, centre.pressure, sense=sense
     )
     paces = [centre.pace] * len(diagrams.stretches)
-    theoretical = _contour(draft, diagrams, origin, placed.points, normals, paces, sense)
+    theoretical = _contour(
+        draft, THEORETICAL, diagrams, origin, (placed.points, normals), paces, sense
+    )
     radius = draft.draw(to_board, "R", roller)
+    draft.figure("roller", "", placed.points, radius)
+    if isinstance(path, Lever):
+        assert placed.feet is not None
+        draft.figure("lever", "", placed.feet, placed.points)
+    else:
+        draft.figure("guide", "", *(() if placed.feet is None else (placed.feet,)), placed.points)
     contacts = draft.draw(lay_off, "K", normals, radius)
     paces = [
         draft.draw(f.equidistant_pace, "p", centre.pace, radius, turning)
         for turning in centre.turning
     ]
-    working = _contour(draft, diagrams, origin, contacts, normals, paces, sense)
+    working = _contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
     return Profile(
         VIEW, centre.mu, origin, placed.feet, placed.guides, normals, radius, theoretical, working
     )
@@ -112,7 +122,8 @@ def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: in
     contacts = draft.draw(lay_off, "K", faces, velocity)
     normals = draft.draw(parallel, "(n)", contacts, paths, sense=-1)
     paces = [draft.draw(f.convex, "p", radius) for radius in of.radii]
-    working = _contour(draft, diagrams, origin, contacts, normals, paces, sense)
+    draft.figure("face", "", middles, contacts)
+    working = _contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
     return Profile(VIEW, of.mu, origin, middles, faces, normals, None, None, working)
 
 
@@ -155,15 +166,18 @@ def _rocker(
 
 def _contour(
     draft: Draft,
+    name: str,
     diagrams: Diagrams,
     origin: Mark,
-    points: Mark,
-    normals: Mark,
+    on: tuple[Mark, Mark],
     paces: Sequence[Mark],
     sense: int,
 ) -> Contour:
-    """Draw the profile of every stretch and the circles of the dwells."""
-    turn = diagrams.turn
+    """Draw the profile of every stretch and the circles of the dwells; tell them as a body in their order.
+
+    ``on``: the points through which it runs and the normals there.
+    """
+    turn, (points, normals) = diagrams.turn, on
     curves = []
     for pace, (phase, first, last) in zip(paces, diagrams.stretches, strict=True):
         step = diagrams.steps[0 if phase is turn.rise else 1]
@@ -175,4 +189,7 @@ def _contour(
         end = draft.draw(phase_end, f"{points.letter}_e", points, at=at, free=True)
         far = draft.draw(measure, f"O{end.name}", origin, end)
         circles.append(draft.draw(strike, f"(O{end.name})", origin, far))
+    rising = sum(phase is turn.rise for phase, _, _ in diagrams.stretches)
+    order = (*curves[:rising], circles[0], *curves[rising:], circles[1])
+    draft.figure("contour", name, *order)
     return Contour(points, tuple(curves), circles[0], circles[1], -sense)

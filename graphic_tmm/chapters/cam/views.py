@@ -10,24 +10,30 @@ from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
-from graphic_tmm.chapters.cam.ink_graphs import CamNames, draw_cam_graph
+from graphic_tmm.chapters.cam.ink_graphs import RULES
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
+from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.paper.views import captioned, stacked
+from graphic_tmm.paper.views import captioned, pole_figures, stacked
 from graphic_tmm.readers.result_table import (
-    SIZE,
     result_table,
 )
 
 LIMITED = ("cam pressure",)
+RADII = "cam radii"
+"""What the diagram of curvature is called of a flat face: it shows the radius."""
 
 
 def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -40,7 +46,7 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         _profile(drawn, made, names, lettered),
         _centre(drawn, made, names, lettered),
         *limits,
-        result_table(PLAN, rows, names, language, upright=True),
+        result_table(PLAN, rows, names, language, upright=True, heights=heights(drawn.scene, PLAN)),
         _results(drawn),
     ]
 
@@ -51,39 +57,54 @@ def _one(drawn: Drawn, mark: Mark) -> float:
 
 def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> list[Drawing]:
     """Return the diagrams of motion one below the other, those of pressure angle and curvature beside them."""
-    language = drawn.scene.language
-    words, order = captions(language), made.order
-    ends, at = [], 0.0
-    for k, angle in enumerate((order.rise, order.upper_dwell, order.fall, order.lower_dwell)):
-        at += angle
-        if angle > 0.0:
-            ends.append((f"φ_{{{k + 1}}} = {number(angle, language)}°", at))
+    language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
+    words, high = captions(language), heights(drawn.scene, PLAN)
+    charts = {chart.view: chart for chart in made.charts}
     first: list[Drawing] = []
     second: list[Drawing] = []
-    axes = dict.fromkeys(f.view for f in drawn.construction.figures if f.kind == "axes")
-    for view in axes:
-        symbol = words.get(f"symbol {view}", words["symbol cam"])
-        levels = []
-        if view in LIMITED:
-            mu = made.pressure.chart.mu if made.pressure is not None else None
-            back = order.pressure_return or order.pressure
-            if mu is not None:
-                scale = _one(drawn, mu)
-                levels = [
-                    (order.pressure / scale, f"[α] = {number(order.pressure, language)}°"),
-                    (-back / scale, f"[α] = {number(back, language)}°"),
-                ]
-        graph = draw_cam_graph(
-            drawn.construction,
-            drawn.reading,
-            view,
-            CamNames(names, symbol, "φ", ends if view == "cam S" else (), levels),
-            _title(view, language),
-            lettered=lettered,
+    for view in dict.fromkeys(f.view for f in log.figures if f.kind == "axes"):
+        called = RADII if view == CURVATURE and made.pressure is None else view
+        symbol = words.get(f"symbol {called}", words["symbol cam"])
+        title = _title(called, language)
+        of = charts[view].unit if view in charts else ""
+        told = Names(
+            names,
+            on_axis(symbol, unit(of, language)),
+            on_axis("φ", "°"),
+            lengths=pole_figures(log, reading, view, language),
+            levels=_limits(drawn, made) if view in LIMITED else (),
+            spans=_phases(drawn, made) if view == "cam S" else (),
         )
-        shown = captioned(graph, _title(view, language), _scale(drawn, view))
+        graph = draw_graph(
+            log, reading, view, reading.positions, told, title, heights=high, rules=RULES
+        )
+        shown = captioned(finished(graph, lettered), title, _scale(drawn, view), heights=high)
         (first if view in ("cam S", "cam dS", "cam ddS") else second).append(shown)
     return [stacked("cam-diagrams", first)] + ([stacked("cam-limits", second)] if second else [])
+
+
+def _limits(drawn: Drawn, made: Cam) -> list[Level]:
+    """Return the limits of the pressure angle, for the rise and for the return."""
+    if made.pressure is None:
+        return []
+    order, language = made.order, drawn.scene.language
+    scale, back = _one(drawn, made.pressure.chart.mu), order.pressure_return or order.pressure
+    return [
+        Level(sign * angle / scale, f"[α] = {number(angle, language)}°")
+        for sign, angle in ((1, order.pressure), (-1, back))
+    ]
+
+
+def _phases(drawn: Drawn, made: Cam) -> list[Span]:
+    """Return the phases of the turn with their angles."""
+    order, whole = made.order, _one(drawn, made.diagrams.base.length)
+    found, at = [], 0.0
+    for k, angle in enumerate((order.rise, order.upper_dwell, order.fall, order.lower_dwell), 1):
+        ends = (at * whole / 360.0, (at + angle) * whole / 360.0)
+        if angle > 0.0:
+            found.append(Span(*ends, f"φ_{{{k}}} = {number(angle, drawn.scene.language)}°"))
+        at += angle
+    return found
 
 
 def _title(view: str, language: str) -> str:
@@ -108,22 +129,33 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
     language = drawn.scene.language
     words = captions(language)
     limits = [made.order.pressure, made.order.pressure_return or made.order.pressure]
+    high, metre = heights(drawn.scene, PLAN), unit("m", language)
+    flat = isinstance(made.centre, Convexity)
     told = CentreNames(
         names,
-        "S",
-        "dS/dφ",
+        f"S, {metre}",
+        f"d^2S/dφ^2, {metre}" if flat else f"dS/dφ, {metre}",
         f"r_{{0min}} = {_mm(drawn, made.least)}",
         f"r_{{0}} = {_mm(drawn, made.r0)}",
         (f"{number(limits[0], language)}°", f"{number(limits[1], language)}°"),
+        _offset(drawn, made),
     )
-    title = words["cam centre"]
-    if isinstance(made.centre, Convexity):
-        view = draw_convexity_ink(drawn.reading, made, told, title, lettered=lettered)
+    title, on = words["cam centre"], (drawn.construction, drawn.reading, made)
+    if flat:
+        view = draw_convexity_ink(*on, told, title, high)
     else:
         draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
-        view = draw(drawn.reading, made, told, title, lettered=lettered)
+        view = draw(*on, told, title, high)
     lines = [f"r_{{0min}} = {_mm(drawn, made.least)}, r_{{0}} = {_mm(drawn, made.r0)}"]
-    return captioned(view, title, _lengths(drawn, made), *lines)
+    view = finished(view, lettered)
+    return captioned(view, title, _lengths(drawn, made), *lines, heights=high)
+
+
+def _offset(drawn: Drawn, made: Cam) -> str:
+    """Return the offset of the guide with its value."""
+    offset = getattr(made.order.follower, "offset", 0.0)
+    language = drawn.scene.language
+    return f"e = {fixed(1000.0 * abs(offset), 1, language)} {unit('mm', language)}"
 
 
 def _lengths(drawn: Drawn, made: Cam) -> str:
@@ -137,10 +169,14 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
     roller = "r"
     if made.roller is not None:
         roller = f"r = {_mm(drawn, made.roller.radius)}"
-    told = ProfileNames(names, "r_{0}", roller, _("theoretical"), _("working"))
+    r0, high = f"r_{{0}} = {_mm(drawn, made.r0)}", heights(drawn.scene, PLAN)
+    told = ProfileNames(
+        names, r0, roller, _("theoretical"), _("working"), offset=_offset(drawn, made)
+    )
     title = words["cam profile"]
-    view = draw_profile_ink(drawn.reading, made, told, title, lettered=lettered)
-    return captioned(view, title, _lengths(drawn, made))
+    on = (drawn.construction, drawn.reading, made)
+    view = finished(draw_profile_ink(*on, told, title, high), lettered)
+    return captioned(view, title, _lengths(drawn, made), heights=high)
 
 
 def _results(drawn: Drawn) -> Drawing:
@@ -152,4 +188,13 @@ def _results(drawn: Drawn) -> Drawing:
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
     heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
-    return table("table-cam-results", words["cam"], heads, rows, size=SIZE, align=align)
+    high = heights(drawn.scene, PLAN)
+    return table(
+        "table-cam-results",
+        words["cam"],
+        heads,
+        rows,
+        size=high.number,
+        title_size=high.title,
+        align=align,
+    )

@@ -59,7 +59,8 @@ def _starts(scene: Scene) -> Iterator[tuple[str, Scene]]:
     for start in ("displacement", "velocity"):
         other = order
         if start != order.start:
-            other = replace(order, start=start, S=STANDARD, V=STANDARD, a=STANDARD)
+            other = replace(order, start=start, integral="drawn")
+            other = replace(other, S=STANDARD, V=STANDARD, a=STANDARD)
         yield start, ASKED.put(scene, other)
 
 
@@ -81,7 +82,9 @@ def _farther(project: Project, times: float) -> dict[Mark, object]:
     """Return the distances of the poles, or the scales that they follow from."""
     made, given, found = DIAGRAMS.on(project), project.given, dict[Mark, object]()
     for symbol, change in _finer(made.order.start, times).items():
-        chart = made.charts[symbol]
+        chart = made.charts.get(symbol)
+        if chart is None:
+            continue
         if chart.chosen:
             found[chart.mu] = np.asarray(given[chart.mu]) * change
         for distance in distances(given, VIEWS[symbol]):

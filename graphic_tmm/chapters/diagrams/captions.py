@@ -8,6 +8,7 @@ from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
     "diagrams": said("Diagrams"),
+    "diagrams of": said("Kinematic diagrams of {point}"),
     "diagram S": said("Displacement diagram of {point}"),
     "diagram V": said("Velocity diagram of {point}"),
     "diagram a": said("Acceleration diagram of {point}"),

@@ -197,8 +197,9 @@ def _from_velocity(
     charts = {"V": _chart(draft, "V", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
     charts["a"], _, _ = _derivative(draft, "a", axes, at, curve, order)
-    charts["S"] = _integral(draft, axes, curve, order)
-    return {symbol: charts[symbol] for symbol in ("S", "V", "a")}
+    if order.integral == "drawn":
+        charts = {"S": _integral(draft, axes, curve, order), **charts}
+    return charts
 
 
 def _derivative(

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _START = v.choice("displacement", "velocity", перемещение="displacement", скорость="velocity")
 _OVER = v.choice("time", "angle", время="time", угол="angle")
+_INTEGRAL = v.choice("drawn", "none", строится="drawn", нет="none")
 _METHOD = v.choice("chords", "tangents", хорды="chords", касательные="tangents")
 
 
@@ -25,7 +26,8 @@ class KinematicTask:
     """Kinematic diagrams of a point that slides on the frame.
 
     ``start``: what is taken from the plans, "displacement" (differentiated twice) or "velocity"
-    (differentiated once, integrated once). ``over``: "time" or "angle". ``method``: "chords" or "tangents".
+    (differentiated once, and integrated once unless ``integral`` is "none"). ``over``: "time" or "angle".
+    ``method``: "chords" or "tangents".
     The base is ``base`` mm long, or so long that 1 mm is ``mu_along`` (s or rad).
     """
 
@@ -78,6 +80,12 @@ class KinematicTask:
             fixes="size",
         ),
     )  # fmt: skip
+    integral: str = key(
+        _INTEGRAL,
+        "whether displacements are found from velocities by integration",
+        "drawn",
+        "drawn",
+    )
 
 
 ASKED: Asked[KinematicTask] = Asked("diagrams")
@@ -117,6 +125,21 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
             key=f"mu_{first}",
         )
         yield Found(("diagrams", f"H_{first}"), says)
+    yield from _without_integral(asked)
+
+
+def _without_integral(asked: Said) -> Iterator[Found]:
+    """What contradicts the wish that nothing is integrated."""
+    if asked.integral == "none" and asked.start == "displacement":
+        says = said(
+            'the displacements are laid off, not integrated; write start = "velocity", or leave it out'
+        )
+        yield Found(("diagrams", "integral"), says)
+        return
+    for name in ("mu_S", "H_S"):
+        if asked.integral == "none" and getattr(asked, name) is not None:
+            says = said("nothing is integrated, so {key} scales nothing; leave it out", key=name)
+            yield Found(("diagrams", name), says)
 
 
 SECTIONS = (

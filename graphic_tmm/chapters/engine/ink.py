@@ -4,28 +4,42 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.engine.plan import Engine
-from graphic_tmm.chapters.forces.ink_polygons import LEAST, spot
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
-from graphic_tmm.paper.labels import interrupt, leaders, place
+from graphic_tmm.board.operations.instruments import lay_off, measure_along
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
+from graphic_tmm.chapters.engine.plan import VIEW, Engine
+from graphic_tmm.chapters.forces.ink_polygons import LEAST
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
+from graphic_tmm.paper.rules import drawn_line, segment
+from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turning_pair
 
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SMALL = 2.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-MARGIN = 7.0
-"""Room for letters about it before they have their places, mm; chosen by eye."""
+TRACELESS = frozenset({"measure"})
+"""Operations of an engine that leave no trace: the arm OB is read off the plan of positions."""
+REACH = 8.0
+"""How far the axis of the rotating vectors goes on behind them, mm."""
+
+
+class _Force:
+    """A vector of a force: its step, its ends, its letter."""
+
+    def __init__(self, step: Step, start: Mark, end: Mark, letter: str) -> None:
+        self.step, self.start, self.end, self.letter = step, start, end, letter
 
 
 def draw_triangles(
+    construction: Construction,
     reading: Reading,
     made: Engine,
     pivot: Mark,
@@ -33,82 +47,146 @@ def draw_triangles(
     name: str,
     title: str,
     mu: float,
-    *,
-    lettered: bool = True,
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the mechanism of one position with the triangles P′ = Q + N at B and Q = K + T at A."""
-    t, unit = made.triangles, made.order.unit
-    marks = (pivot, t.at_a, t.at_b, t.end_p, t.end_q, t.end_qa, t.end_t)
-    o, a, b, p, q, qa, end_t = (spot(reading, mark, index) for mark in marks)
-    strokes: list[Stroke | Bezier] = [line("thin", o, a, b), *fixed_pivot(o)]
-    guide = complex(reading[made.guide].along[0, 0])
-    angle = math.degrees(cmath.phase(guide))
-    strokes += [*slider(b, angle, pin=False), *turning_pair(a), *turning_pair(b)]
-    wanted = [
-        Wanted(markup(pivot.letter), o, SIZE, 2.2),
-        Wanted(markup(t.at_a.letter), a, SIZE, 2.2, a - o),
-        Wanted(markup(t.at_b.letter), b, SIZE, 2.2, 1j * guide),
+    seen = Seen(construction, reading, (VIEW,), (index,))
+    forces, t = _forces(seen, made), made.triangles
+    o, a, b = (seen.point(mark, index) for mark in (pivot, t.at_a, t.at_b))
+    traces = figure(seen, _manner(seen, forces, mu, made.order.unit))
+    way = complex(reading[made.guide].along[0, 0])
+    angle = math.degrees(cmath.phase(way))
+    strokes = [
+        *body(segment("thin", o, a), "link", [pivot, t.at_a], index),
+        *body(segment("thin", a, b), "link", [t.at_a, t.at_b], index),
+        *body(fixed_pivot(o), "pivot", [pivot]),
+        *body(slider(b, angle, pin=False), "guide", [t.at_b], index),
+        *body([*turning_pair(a)], "pair", [t.at_a], index),
+        *body([*turning_pair(b)], "pair", [t.at_b], index),
+        *traces.staying,
     ]
-    for start, end, letter, pen in (
-        (b, p, "P′", "over"),
-        (q, p, "N", "over"),
-        (b, q, "Q", "over"),
-        (a, qa, "Q", "over"),
-        (a, end_t, "T", "over"),
-        (end_t, qa, "K", "over"),
-    ):
-        if abs(end - start) < LEAST:
-            continue
-        strokes += told_arrow(start, end, pen, letter, mu, unit)
-        out = 1j * (end - start)
-        wanted.append(
-            Wanted(f"\\bar{{{letter[0]}}}{letter[1:]}", (start + end) / 2, SMALL, 0.8, out)
-        )
-    if not lettered:
-        x, y = (
-            [z.real for z in (o, a, b, p, q, qa, end_t)],
-            [z.imag for z in (o, a, b, p, q, qa, end_t)],
-        )
-        m = MARGIN
-        return Drawing(name, title, cell=(min(x) - m, min(y) - m, max(x) + m, max(y) + m))
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    pins = ((pivot, o, 0j), (t.at_a, a, a - o), (t.at_b, b, 1j * way))
+    wanted = [
+        Wanted(markup(mark.letter), spot, heights.point, 2.2, toward, (mark.slot,), index)
+        for mark, spot, toward in pins
+        if finite(spot)
+    ]
+    for force in forces.values():
+        start, end = (seen.point(mark, index) for mark in (force.start, force.end))
+        if finite(start, end) and abs(end - start) >= LEAST:
+            letter = f"\\bar{{{force.letter[0]}}}{force.letter[1:]}"
+            out, of = 1j * (end - start), (force.step.it.slot,)
+            middle = (start + end) / 2
+            wanted.append(Wanted(letter, middle, heights.number, 0.8, out, of, index))
+    return Drawing(
+        name, title, tuple(strokes), rubbed=traces.rubbed, shows=(VIEW,), wanted=tuple(wanted)
+    )
+
+
+def _forces(seen: Seen, made: Engine) -> dict[Mark, _Force]:
+    """Return the vectors by the mark of the step that laid them off or measured them."""
+    t = made.triangles
+    ends = {t.end_p: (t.at_b, "P′"), t.end_qa: (t.at_a, "Q")}
+    found = {
+        mark: _Force(seen.by_mark[mark], start, mark, letter)
+        for mark, (start, letter) in ends.items()
+    }
+    measured: dict[tuple[Mark, ...], str] = {
+        (t.end_q, t.end_p): "N",
+        (t.at_b, t.end_q): "Q",
+        (t.at_a, t.end_t): "T",
+        (t.end_t, t.end_qa): "K",
+    }
+    for step in seen.steps:
+        letter = measured.get(step.uses[:2]) if step.op is measure_along else None
+        if letter is not None:
+            found[step.it] = _Force(step, step.uses[0], step.uses[1], letter)
+    return found
+
+
+def _manner(seen: Seen, forces: dict[Mark, _Force], mu: float, unit: str) -> Manner:
+    """Return how the triangles are inked: as vectors; the lines that they were found by do not stay."""
+
+    def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        one = forces[step.it]
+        start, end = seen.point(one.start, k), seen.point(one.end, k)
+        if finite(start, end) and abs(end - start) >= LEAST:
+            yield from told_arrow(start, end, "over", one.letter, mu, unit)
+
+    rules = {lay_off.name: vector, measure_along.name: vector}
+    return Manner(rules, lambda _, step: step.it in forces)
 
 
 def draw_rotating(
+    construction: Construction,
     reading: Reading,
     made: Engine,
     index: int,
     name: str,
     title: str,
     mu: float,
-    *,
-    lettered: bool = True,
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the rotating vectors of first and second order in one position with their projections."""
-    found = made.harmonics
-    centre = spot(reading, found.origin, index)
-    along = complex(reading[found.axis].along[0, 0])
-    ends = [spot(reading, mark, index) for mark in found.ends]
-    reach = max((abs(z - centre) for z in ends), default=0.0)
-    strokes: list[Stroke | Bezier] = [
-        line("centre", centre - along * (reach + 8.0), centre + along * (reach + 8.0)),
-        *(circle("thin", centre, abs(z - centre)) for z in ends if abs(z - centre) >= LEAST),
+    seen, found = Seen(construction, reading, (HARMONICS,), (index,)), made.harmonics
+    centre = seen.point(found.origin, index)
+    ends = [seen.point(mark, index) for mark in found.ends]
+    traces = figure(seen, _turning(seen, made, index, mu))
+    strokes = [*traces.staying, *body(pole(centre), "pole", [found.origin])]
+    for mark, end in zip(found.ends, ends, strict=True):
+        if finite(end) and abs(end - centre) >= LEAST:
+            strokes += body([circle("thin", centre, abs(end - centre))], "path", [mark])
+    wanted = [Wanted("O", centre, heights.point, 1.2, -1j, (found.origin.slot,))]
+    for mark, end, letter in zip(found.ends, ends, ("m·ω^{2}·R", "m·ω^{2}·R·λ"), strict=True):
+        if finite(end) and abs(end - centre) >= LEAST:
+            toward, of = end - centre, (mark.slot,)
+            wanted.append(Wanted(letter, end, heights.number, 1.0, toward, of, index))
+    orders = dict(zip(found.ends, ("I", "II"), strict=True))
+    feet = [
+        Named(_foot(seen, step, index), orders[step.uses[1]], (step.it.slot,), index)
+        for step in seen.steps
+        if step.op is measure_along
     ]
-    wanted = [Wanted("O", centre, SIZE, 1.2, -1j)]
-    letters = ("m·ω^{2}·R", "m·ω^{2}·R·λ")
-    for end, letter, order in zip(ends, letters, ("I", "II"), strict=True):
-        if abs(end - centre) < LEAST:
-            continue
-        strokes += told_arrow(centre, end, "main", order, mu, "N")
-        foot = centre + along * ((end - centre) * along.conjugate()).real
-        strokes.append(line("thin", end, foot))
-        wanted.append(Wanted(letter, end, SMALL, 1.0, end - centre))
-        if abs(foot - centre) >= LEAST:
-            wanted.append(Wanted(order, foot, SMALL, 1.0, -1j))
-    strokes += pole(centre)
-    if not lettered:
-        r = reach + 20.0
-        return Drawing(name, title, cell=(-r, -r, r, r))
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    feet = [one for one in shared(feet) if abs(one.at - centre) >= LEAST]
+    wanted += [one._replace(toward=-1j) for one in lettered(feet, heights.number)]
+    return Drawing(
+        name, title, tuple(strokes), rubbed=traces.rubbed, shows=(HARMONICS,), wanted=tuple(wanted)
+    )
+
+
+def _foot(seen: Seen, step: Step, k: int) -> complex:
+    """Return the projection of what was measured along an axis."""
+    start, end = (seen.point(mark, k) for mark in step.uses[:2])
+    _, along = seen.line(step.uses[2], k)
+    return start + along * ((end - start) * along.conjugate()).real
+
+
+def _turning(seen: Seen, made: Engine, index: int, mu: float) -> Manner:
+    """Return how the rotating vectors are inked: with the perpendiculars to the axis that project them."""
+    found = made.harmonics
+    centre = seen.point(found.origin, index)
+    ends = [abs(seen.point(mark, index) - centre) for mark in found.ends]
+    reach = max((size for size in ends if finite(size)), default=0.0) + REACH
+
+    def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        end = seen.point(step.it, k)
+        if finite(end) and abs(end - centre) >= LEAST:
+            yield from told_arrow(centre, end, "main", step.it.name, mu, "N")
+
+    def projected(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        yield from segment("thin", seen.point(step.uses[1], k), _foot(seen, step, k))
+
+    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        at, along = seen.line(step.it, k)
+        if step.it != found.axis:
+            yield from drawn_line(seen, step, k)
+        elif finite(at, along):
+            yield line("centre", at - along * reach, at + along * reach)
+
+    rules: dict[str, Rule] = {step.op.name: drawn for step in seen.steps if step.it.kind is Line}
+    rules |= {lay_off.name: vector, measure_along.name: projected}
+
+    def stays(_: Seen, step: Step) -> bool:
+        return step.it == found.axis or step.op in (lay_off, measure_along)
+
+    return Manner(rules, stays)

@@ -24,24 +24,25 @@ SCALE_KEYS = {VIEW: "mu_F_engine", HARMONICS: "mu_F_harmonics"} | {
 """What the scale factors are called where machines read them."""
 
 
-def reach(project: Project, doubts: Doubts) -> dict[Mark, float]:
-    """Return the largest force of the triangles and of the rotating vectors (N), by their μ."""
+def reach(project: Project, doubts: Doubts) -> dict[str, float]:
+    """Return the largest force of the triangles and of the rotating vectors (N), by view."""
     made = ENGINE.on(project)
     force, vector = made.values["P′"], made.harmonics.ends[0]
     reading = unscaled(project, doubts, [force, vector])
-    largest = {made.mu: np.abs(reading[force]), made.harmonics.mu: np.abs(reading[vector])}
+    largest = {VIEW: np.abs(reading[force]), HARMONICS: np.abs(reading[vector])}
     return {
-        mu: float(np.max(size, initial=0.0, where=np.isfinite(size)))
-        for mu, size in largest.items()
+        view: float(np.max(size, initial=0.0, where=np.isfinite(size)))
+        for view, size in largest.items()
     }
 
 
 def engine_scales(fitting: Fitting) -> dict[Mark, object]:
     """Return μ_F of an engine's force triangles and of its rotating vectors: standard ones."""
-    share, known = fitting.sizes["engine"], fitting.reach[ENGINE.chapter]
+    made, share = ENGINE.on(fitting), fitting.sizes["engine"]
+    known: dict[str, float] = fitting.reach[ENGINE.chapter]
     found: dict[Mark, object] = {
-        mu: standard(largest, room * share)
-        for (mu, largest), room in zip(known.items(), (TRIANGLE, VECTOR), strict=True)
+        made.mu: standard(known[VIEW], TRIANGLE * share),
+        made.harmonics.mu: standard(known[HARMONICS], VECTOR * share),
     }
     return fitting.shorter("graphs", [("engine.base", VIEW, roles.BASE)]) | found
 

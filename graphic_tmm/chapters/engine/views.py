@@ -13,17 +13,17 @@ from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked
-from graphic_tmm.readers.result_table import (
-    SIZE,
-    result_table,
-)
+from graphic_tmm.readers.result_table import result_table
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -50,12 +50,17 @@ def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     _, rows = speaking(language), engine_columns(drawn)
-    forces = result_table("engine", rows, project.names, language)
+    high = heights(drawn.scene, "engine diagrams")
+    forces = result_table("engine", rows, project.names, language, heights=high)
     carried = _(
         "the frame carries P (P and −P close in it); the bearings carry Q = K + T; "
         "the foundation carries P_{in} and the couple N·OB, which equals M"
     ).split("; ")
-    return [*_diagrams(drawn, made, lettered), captioned(forces, *carried), _results(drawn)]
+    return [
+        *_diagrams(drawn, made, lettered),
+        captioned(forces, *carried, heights=high),
+        _results(drawn),
+    ]
 
 
 def _shown(drawn: Drawn) -> list[int]:
@@ -66,24 +71,29 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     _, words, scale = speaking(language), captions(language), drawn.scales[VIEW]
     plans = KINEMATICS.on(drawn)
-    pivot = plans.positions.point(plans.structure.pivot)
+    pivot, high = plans.positions.point(plans.structure.pivot), heights(drawn.scene, ENGINE.chapter)
     views = [
-        draw_triangles(
-            drawn.reading,
-            made,
-            pivot,
-            place,
-            f"engine-{project.names[place]}",
-            f"{_('Force triangles')}, {words['position']} {project.names[place]}",
-            scale.value,
-            lettered=lettered,
+        finished(
+            draw_triangles(
+                drawn.construction,
+                drawn.reading,
+                made,
+                pivot,
+                place,
+                f"engine-{project.names[place]}",
+                f"{_('Force triangles')}, {words['position']} {project.names[place]}",
+                scale.value,
+                high,
+            ),
+            lettered,
         )
         for place in _shown(drawn)
     ]
     titles = [view.title for view in views]
     told = f"{mu_text(scale, language)}; {SUMS}"
     shown = [
-        captioned(view, escape(title), told) for view, title in zip(views, titles, strict=True)
+        captioned(view, escape(title), told, heights=high)
+        for view, title in zip(views, titles, strict=True)
     ]
     return in_rows(shown, VIEW)
 
@@ -97,16 +107,16 @@ def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
     )
     at = f"{words['position']} {escape(project.names[place])}"
     title = f"{_('Inertia forces of first and second order')}, {at}"
-    view = draw_rotating(
-        drawn.reading, made, place, "rotating", title, scale.value, lettered=lettered
-    )
-    return captioned(view, title, mu_text(scale, language))
+    high = heights(drawn.scene, ENGINE.chapter)
+    log, reading = drawn.construction, drawn.reading
+    view = draw_rotating(log, reading, made, place, "rotating", title, scale.value, high)
+    return captioned(finished(view, lettered), title, mu_text(scale, language), heights=high)
 
 
 def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     """Return the diagrams over the turn in two columns."""
     project, language = drawn.project, drawn.scene.language
-    words = captions(language)
+    words, high = captions(language), heights(drawn.scene, "engine diagrams")
     names = [escape(name) for name in project.names]
     views = []
     for chart in made.charts:
@@ -114,16 +124,15 @@ def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
         letters = [words[f"engine {k}"] for k in made.curves[view]]
         curves = dict(zip(chart.ordinates, letters, strict=True))
         title = words[f"view engine {symbol}"]
-        graph = draw_graph(
-            project.construction,
-            drawn.reading,
-            view,
-            project.count,
-            Names(names, words[f"engine {symbol}"], "φ", curves if len(curves) > 1 else {}),
-            title,
-            lettered=lettered,
+        up = on_axis(words[f"engine {symbol}"], unit(chart.unit, language))
+        told = Names(
+            names, up, on_axis("φ", unit("rad", language)), curves if len(curves) > 1 else {}
         )
-        views.append(captioned(graph, title, mu_text(drawn.scales[view], language)))
+        graph = draw_graph(
+            project.construction, drawn.reading, view, project.count, told, title, heights=high
+        )
+        scale = mu_text(drawn.scales[view], language)
+        views.append(captioned(finished(graph, lettered), title, scale, heights=high))
     half = (len(views) + 1) // 2
     return [stacked("engine-diagrams-1", views[:half]), stacked("engine-diagrams-2", views[half:])]
 
@@ -136,12 +145,13 @@ def _results(drawn: Drawn) -> Drawing:
         for name, (value, of) in single(engine_results(drawn)).items()
     ]
     heads = [words["value"], words["results"], words["unit"]]
-    align = ["left", "centre", "left"]
+    align, high = ["left", "centre", "left"], heights(drawn.scene, "engine diagrams")
     return table(
         "table-lumping",
         _("The rod's mass lumped"),
         heads,
         rows,
-        size=SIZE,
+        size=high.number,
+        title_size=high.title,
         align=align,
     )

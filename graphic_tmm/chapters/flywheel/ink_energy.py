@@ -1,18 +1,36 @@
-"""The indicator diagram and the energy–mass curve in ink: what the log drew, from where to where."""
+"""The energy–mass curve in ink: its points and numbers, its tangents with their angles, the segment ab."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import cmath
+import math
+from collections.abc import Iterator, Sequence
 
-import numpy as np
+import shapely
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
+from graphic_tmm.board.operations.curve import bezier
+from graphic_tmm.board.operations.instruments import lay_off
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
-from graphic_tmm.paper.axes import ASIDE, DOT, NUMBER, OVER, SIZE, Spots, axes, finished, largest
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
-from graphic_tmm.paper.symbols.dimensions import dimension
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
+from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.graph import ASIDE
+from graphic_tmm.paper.graph_rules import OVER, axis, dot, ruled
+from graphic_tmm.paper.labels import flat
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
+from graphic_tmm.paper.rules import stays as usual
+from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.symbols.dimensions import angular, dimension
+
+ON = 10.0
+"""How far a tangent goes on behind the point in which it touches, mm."""
+ARC = 26.0
+"""The radius of the arc of an angle, mm; chosen by eye."""
+OUT = 4.0
+"""So far from the curve it is tried on which side of it a number has more room, mm."""
 
 
 def draw_energy_mass_ink(
@@ -21,43 +39,103 @@ def draw_energy_mass_ink(
     made: EnergyMass,
     names: Sequence[str],
     title: str,
-    figure: str,
-    *,
-    along: str = "J_{red}",
-    lettered: bool = True,
+    figures: tuple[str, str, str],
+    axes: tuple[str, str] = ("ΔT", "J_{red}"),
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the energy–mass curve, its two tangents and the segment ab.
 
-    ``figure``: the length of the segment; ``along``: the letter of the base.
+    ``figures``: of the segment and of the tangents' angles; ``axes``: what ordinates and base are called.
     """
-    ink = Spots(construction, reading, len(names))
-    points = ink.all(made.points)
-    right, low, high = largest(points.real), -largest(-points.imag), largest(points.imag)
-    strokes: list[Stroke | Bezier] = []
+    seen = Seen(construction, reading, (ENERGY_MASS,), range(len(names)))
+    high, low, right = _extent(seen, made)
+    traces = figure(seen, _manner(seen, made, (high, low, right)))
+    strokes, labels = [*traces.staying], []
+    small, large = heights.number, heights.point
     wanted = [
-        Wanted("ΔT", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
-        Wanted(along, complex(right + OVER, 0), SIZE, 1.5, -1j),
+        Wanted(axes[0], complex(0, high + OVER), large, 1.5, -1 + 0j),
+        Wanted(axes[1], complex(right + OVER, 0), large, 1.5, -1j),
     ]
-    for tangent, mark in zip(made.tangents, made.ends, strict=True):
-        spot, foot = complex(reading[tangent].at[0, 0]), ink.one(mark)
-        if np.isfinite(spot) and np.isfinite(foot):
-            way = (spot - foot) / abs(spot - foot)
-            strokes.append(line("main", foot, spot + 10.0 * way))
-            strokes.append(circle("main", spot, DOT, filled=True))
-            wanted.append(Wanted(mark.name, foot, SIZE, 1.0, -1 + 0j))
-            low, high = min(low, foot.imag), max(high, foot.imag)
-    strokes += axes(0.0, right, min(low, 0.0), max(high, 0.0))
-    wanted[0] = wanted[0]._replace(at=complex(0, max(high, 0.0) + OVER))
-    strokes += ink.curve(made.curve)
-    strokes += ink.dots(made.points)
-    ends = [ink.one(mark) for mark in made.ends]
-    made_figures = [dimension(ends[1], ends[0], ASIDE, figure)] if np.isfinite(ends).all() else []
-    strokes += [stroke for one in made_figures for stroke in one.strokes]
-    there = points[np.isfinite(points)]
-    middle = complex(there.mean()) if there.size else 0j
-    for name, spot in zip(names, points, strict=True):
-        if np.isfinite(spot):
-            wanted.append(Wanted(name, complex(spot), NUMBER, 0.8, complex(spot) - middle))
-    cell = (-ASIDE, min(low, 0.0), right, max(high, 0.0))
-    figures = [one.label for one in made_figures]
-    return finished(ENERGY_MASS, title, strokes, wanted, lettered, cell, figures)
+    ends = [seen.point(mark, 0) for mark in made.ends]
+    if finite(*ends):
+        ab = dimension(ends[1], ends[0], ASIDE, figures[0])
+        strokes += body(ab.strokes, "dimension", [made.segment])
+        labels.append(ab.label._replace(of=(made.segment.slot,)))
+    for mark, angle, end, text in zip(made.ends, made.angles, ends, figures[1:], strict=True):
+        if finite(end):
+            wanted.append(Wanted(mark.name, end, large, 1.0, -1 + 0j, (mark.slot,)))
+            turn = seen.number(angle, 0)
+            strokes += body(angular(end, 0.0, turn, ARC), "dimension", [angle, mark])
+            middle = cmath.rect(1.0, math.radians(turn / 2))
+            spot = end + ARC * middle
+            wanted.append(Wanted(text, spot, small, 0.8, middle, (angle.slot, mark.slot)))
+    wanted += _numbers(seen, made, names, small)
+    return Drawing(
+        ENERGY_MASS,
+        title,
+        tuple(strokes),
+        tuple(labels),
+        rubbed=traces.rubbed,
+        shows=(ENERGY_MASS,),
+        wanted=tuple(wanted),
+    )
+
+
+def _extent(seen: Seen, made: EnergyMass) -> tuple[float, float, float]:
+    """Return how high, how low and how far right curve and tangents reach, mm, the origin included."""
+    spots = [0j, *(seen.point(made.points, k) for k in seen.positions)]
+    spots = [spot for spot in spots if finite(spot)]
+    right = max(spot.real for spot in spots)
+    heights = [spot.imag for mark in made.ends if finite(spot := seen.point(mark, 0))]
+    heights += [spot.imag for spot in spots]
+    return max(heights), min(heights), right
+
+
+def _manner(seen: Seen, made: EnergyMass, extent: tuple[float, float, float]) -> Manner:
+    """Return how the curve is inked: what carried its points over is rubbed out."""
+    high, low, right = extent
+    along, up = (seen.by_mark[made.chart.ordinates[0]].uses[2], seen.by_mark[made.segment].uses[2])
+    axes = {along: (0j, complex(right + OVER, 0)), up: (1j * low, 1j * (high + OVER))}
+    feet = dict(zip(made.tangents, made.ends, strict=True))
+
+    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        if step.it in axes:
+            yield from axis(*axes[step.it])
+        elif step.it in feet:
+            yield from _tangent(seen, step.it, feet[step.it])
+        else:
+            yield from ruled(seen, step, k)
+
+    def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        yield from dot(seen.point(step.it, k))
+
+    def stays(seen: Seen, step: Step) -> bool:
+        lasting = step.it in axes or step.it in feet or step.it == made.points
+        return lasting or (step.op is not lay_off and usual(seen, step))
+
+    by_line = {step.op.name: drawn for step in seen.steps if step.it.kind is Line}
+    return Manner({**by_line, lay_off.name: laid}, stays)
+
+
+def _tangent(seen: Seen, tangent: Mark, end: Mark) -> Iterator[Ink]:
+    """A tangent, from the axis on behind the point in which it touches."""
+    spot, foot = seen.line(tangent, 0)[0], seen.point(end, 0)
+    if finite(spot, foot) and spot != foot:
+        yield line("main", foot, spot + ON * (spot - foot) / abs(spot - foot))
+        yield from dot(spot)
+
+
+def _numbers(seen: Seen, made: EnergyMass, names: Sequence[str], size: float) -> Iterator[Wanted]:
+    """The numbers of the positions, outwards of the loop: square to the curve, where there is more room."""
+    curve = seen.reading[made.curve]
+    flats = [flat([complex(z) for z in run]) for run in bezier(curve)]
+    ink = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in run]) for run in flats])
+    ways = curve.tangents[0]
+    for k, name in enumerate(names):
+        spot, way = seen.point(made.points, k), complex(ways[k])
+        if finite(spot):
+            out = 1j * way / abs(way) if finite(way) and way else 1j
+            sides = [OUT * out, -OUT * out]
+            room = [ink.distance(shapely.Point((spot + s).real, (spot + s).imag)) for s in sides]
+            toward = sides[0] if room[0] >= room[1] - 1e-6 else sides[1]
+            yield Wanted(name, spot, size, 0.8, toward, (made.points.slot,), k)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import shapely
 
+from graphic_tmm.board.record import Mark
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
+from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension, shelf
 from graphic_tmm.paper.symbols.hatching import hatched
 
@@ -46,8 +49,10 @@ class Sizes(NamedTuple):
     stud: float = 0.016
 
 
-def draw_flywheel(sizes: Sizes, reduction: float, title: str, language: str) -> Drawing:
-    """Return the sketch at 1 : ``reduction``.
+def draw_flywheel(
+    sizes: Sizes, reduction: float, title: str, language: str, marks: Sequence[Mark] = ()
+) -> Drawing:
+    """Return the sketch at 1 : ``reduction``; ``marks``: of the log, which its sizes were read from.
 
     Raises
     ------
@@ -74,10 +79,13 @@ def draw_flywheel(sizes: Sizes, reduction: float, title: str, language: str) -> 
             )
         )
     draft = _Sketch(sizes, 1000.0 / reduction)
-    strokes = [*draft.section(), *draft.view()]
     dimensions = draft.dimensions(language)
-    strokes += [stroke for made in dimensions for stroke in made.strokes]
-    labels = tuple(made.label for made in dimensions)
+    strokes = [
+        *body([*draft.section(), *draft.view()], "rim", marks),
+        *body([s for made in dimensions for s in made.strokes], "dimension", marks),
+    ]
+    of = tuple(mark.slot for mark in marks)
+    labels = tuple(made.label._replace(of=of) for made in dimensions)
     return Drawing("flywheel", title, tuple(strokes), labels)
 
 

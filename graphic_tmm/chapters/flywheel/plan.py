@@ -214,7 +214,7 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
     curve_of_work = graphs.along_rays(draft, axes, found, pole.point, at, source)
-    straight = draft.draw(join, "(A′)", axes.origin, found.end)
+    straight = draft.draw(join, "(A′)", axes.origin, found.end, role=roles.STRAIGHT)
     lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
     other = draft.draw(meet, "A′", straight, lines)
     ahead = order.constant == "resisting"

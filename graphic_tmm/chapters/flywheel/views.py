@@ -8,6 +8,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.flywheel.captions import graph_title
+from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
@@ -25,17 +26,17 @@ from graphic_tmm.language import symbols
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.paper.views import captioned, mu_text, pole_texts, stacked
-from graphic_tmm.readers.result_table import (
-    SIZE,
-    result_table,
-)
+from graphic_tmm.paper.views import captioned, length_figure, mu_text, pole_figures, stacked
+from graphic_tmm.readers.result_table import result_table
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -46,30 +47,17 @@ def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made = FLYWHEEL.of(drawn)
     if made is None:
         return []
-    language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
-    words = captions(language)
-    names = [escape(name) for name in drawn.names[: drawn.project.count]]
+    language = drawn.scene.language
     views = indicator_views(drawn, lettered, FLYWHEEL.chapter)
     views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
-        segment = number(_value(drawn, made.energy_mass.segment), language)
-        found = draw_energy_mass_ink(
-            log,
-            reading,
-            made.energy_mass,
-            names,
-            words["energy-mass"],
-            segment,
-            along=symbols.symbol("J_r", language),
-            lettered=lettered,
-        )
-        scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
-        angles = [_angle(drawn, mark) for mark in made.energy_mass.angles]
-        views.append(captioned(found, words["energy-mass"], ", ".join(scales), ", ".join(angles)))
+        views.append(_energy_mass(drawn, made.energy_mass, lettered))
     if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
         views.append(_sketch(drawn, made))
     rows = tuple(flywheel_columns(drawn))
-    return [*views, result_table(PLAN, rows, drawn.names, language), _results(drawn)]
+    high = heights(drawn.scene, PLAN)
+    told = result_table(PLAN, rows, drawn.names, language, heights=high)
+    return [*views, told, _results(drawn)]
 
 
 def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
@@ -79,40 +67,53 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
     sides = (_("A_{drv}"), _("A_{res}"))
     found, straight = sides if made.order.constant == "resisting" else reversed(sides)
     works = dict(zip(made.sides, (found, straight), strict=True))
+    equal = _("{driving} = {resisting} over the cycle", driving=sides[0], resisting=sides[1])
     curves = {
         mark: symbols.symbol(mark.name, language)
         for chart in made.charts
         if chart.view == VIEWS["energy"]
         for mark in chart.ordinates
     }
+    log, reading, phi = project.construction, drawn.reading, made.base.mu
+    names, high = [escape(name) for name in project.names], heights(drawn.scene, PLAN)
+    along = on_axis("φ", unit(phi.unit.removesuffix("/mm"), language))
     views = []
-    for key, symbol in (("moment", "M"), ("work", "A"), ("energy", "T")):
+    for key, symbol, of in (("moment", "M", "N·m"), ("work", "A", "J"), ("energy", "T", "J")):
         view = VIEWS[key]
         title = graph_title(key, made.order.constant, _)
         letters = Names(
-            [escape(name) for name in project.names],
-            symbol,
-            "φ",
+            names,
+            on_axis(symbol, unit(of, language)),
+            along,
             {"energy": curves, "work": works}.get(key, {}),
-            {made.segment: number(_value(drawn, made.segment), language)},
+            pole_figures(log, reading, view, language)
+            | {made.segment: length_figure(reading, made.segment, language)},
         )
-        graph = draw_graph(
-            project.construction,
-            drawn.reading,
-            view,
-            project.count,
-            letters,
-            title,
-            lettered=lettered,
-        )
-        phi = made.base.mu
+        graph = draw_graph(log, reading, view, project.count, letters, title, heights=high)
         scales = [
             mu_text(drawn.scales[view], language),
             f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
-            *pole_texts(project.construction, drawn.reading, view, language),
         ]
-        views.append(captioned(graph, title, ", ".join(scales)))
+        told = [", ".join(scales), *([equal] if key == "work" else [])]
+        views.append(captioned(finished(graph, lettered), title, *told, heights=high))
     return views
+
+
+def _energy_mass(drawn: Drawn, second: EnergyMass, lettered: bool) -> Drawing:
+    """Return the energy–mass curve with its caption."""
+    language, reading, high = drawn.scene.language, drawn.reading, heights(drawn.scene, PLAN)
+    title = captions(language)["energy-mass"]
+    names = [escape(name) for name in drawn.names[: drawn.project.count]]
+    least, most = (_angle(drawn, mark) for mark in second.angles)
+    figures = (length_figure(reading, second.segment, language), least, most)
+    axes = (
+        on_axis("ΔT", unit("J", language)),
+        on_axis(symbols.symbol("J_r", language), unit("kg·m²", language)),
+    )
+    log = drawn.construction
+    found = draw_energy_mass_ink(log, reading, second, names, title, figures, axes, high)
+    scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
+    return captioned(finished(found, lettered), title, ", ".join(scales), heights=high)
 
 
 def _value(drawn: Drawn, mark: Mark) -> float:
@@ -136,10 +137,12 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
     large, room = 1000 * max(outer, width), SKETCH * drawn.sizes["sketch"]
     reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
     title = _("Sketch of the flywheel")
-    drawing = draw_flywheel(sizes, reduction, title, language)
+    marks = (rim.outer, rim.inner, rim.width)
+    drawing = draw_flywheel(sizes, reduction, title, language, marks)
     told = rim_too_wide(drawn, language)
     scale = f"1:{number(reduction, language)}"
-    return captioned(drawing, title, scale, *(told.split(": ") if told else ()))
+    lines, high = told.split(": ") if told else (), heights(drawn.scene, PLAN)
+    return captioned(drawing, title, scale, *lines, heights=high)
 
 
 def _results(drawn: Drawn) -> Drawing:
@@ -158,4 +161,13 @@ def _results(drawn: Drawn) -> Drawing:
         )
     heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
-    return table("table-results", words["flywheel"], heads, rows, size=SIZE, align=align)
+    high = heights(drawn.scene, PLAN)
+    return table(
+        "table-results",
+        words["flywheel"],
+        heads,
+        rows,
+        size=high.number,
+        title_size=high.title,
+        align=align,
+    )

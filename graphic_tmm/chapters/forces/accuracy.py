@@ -49,8 +49,9 @@ def _by_passes(scene: Scene, passes: tuple[int, ...] = PASSES) -> Iterator[tuple
 
 
 def _kept(project: Project) -> tuple[Mark, ...]:
-    """Return how many times the lever is larger than the plan."""
-    return (FORCES.on(project).lever.times,)
+    """Return how many times the lever is larger than the plan, and to what scale groups are drawn."""
+    made = FORCES.on(project)
+    return (made.lever.times, *(figure.mu for figure in made.figures))
 
 
 def _whole(scene: Scene) -> Scene:

@@ -21,7 +21,10 @@ CAPTIONS: dict[str, str] = {
 
 
 def called(view: str, speech: Speech) -> str:
-    """Return what the figure or polygon of a group or a link is called, and its pass; "" for other views."""
+    """Return what the figure, the polygon or the equations of a group or a link are called, and its pass.
+
+    "" for other views.
+    """
     kind, _, name = view.partition(" ")
     if kind not in _TITLES or not name:
         return ""
@@ -34,6 +37,7 @@ def called(view: str, speech: Speech) -> str:
 _TITLES = {
     "group": (said("Group {name}"), said("Link {name}")),
     "forces": (said("Force polygon of group {name}"), said("Force polygon of link {name}")),
+    "equations": (said("Equations of group {name}"), said("Equations of link {name}")),
 }
-"""The figure and the polygon of a group, and those of a link."""
+"""The figure, the polygon and the equations of a group, and those of a link."""
 _PASS = said(", pass {number}")

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, square
 from graphic_tmm.board.operations.statics import balancing, reversed_
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.forces.loads import Force
-from graphic_tmm.chapters.forces.moments import Acting, Moments
+from graphic_tmm.chapters.forces.detached import Detached
+from graphic_tmm.chapters.forces.loads import Acting, Force
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.kinematics.bodies import Body
 
@@ -28,20 +27,23 @@ class Driver(NamedTuple):
 class Driven(NamedTuple):
     """The driving link as solved: the balancing force (N) or moment (N·m), the frame's reaction, the polygon.
 
-    ``force``: the balancing force as it is drawn, None for a moment.
+    ``force``: the balancing force as it is drawn, None for a moment; ``arm``: of it (Length).
+    ``total``: the sum of moments that it balances (N·m); ``figure``: the link as detached.
     """
 
     balance: Mark
     force: Force | None
     reaction: Reaction
     polygon: Polygon
+    total: Mark
+    arm: Mark
+    figure: Detached
 
 
 def solve_driver(
-    draft: Draft,
+    figure: Detached,
     driver: Driver,
     acting: Acting,
-    moments: Moments,
     views: Views,
     frame: int,
     kind: str,
@@ -51,20 +53,22 @@ def solve_driver(
 
     ``tried``: the number of a pass that others follow.
     """
-    number = driver.body.link.number
-    draft.open(views.figure)
-    draft.say(f"I({number})")
+    number, draft = driver.body.link.number, figure.draft
+    draft.open(figure.view)
     forces = acting.forces.get(number, [])
     couples = acting.couples.get(number, [])
-    total = moments.sum(driver.pivot, forces, couples, f"ΣM_{number}")
+    total = figure.sum(driver.pivot, forces, couples, f"ΣM_{number}")
     if total is None:
         total = draft.take(Number, f"ΣM_{number}", 0.0, "N·m")
     sides = [(force.letter, force.line, force.value) for force in forces]
+    arm = figure.length(driver.pivot, driver.pin)
     force, raised = None, f"^{{({tried})}}" if tried else ""
     if kind == "force":
         letter = f"P_b{raised}"
-        balance = draft.draw(balancing, letter, total, driver.arm, unit="N")
-        line = draft.draw(square, f"({letter})", driver.pin, driver.body.axis, sense=1)
+        balance = draft.draw(balancing, letter, total, arm, figure.mu, unit="N")
+        line = draft.draw(
+            square, f"({letter})", figure.point(driver.pin), driver.body.axis, sense=1
+        )
         force = Force(letter, number, driver.pin, line, balance)
         sides.append((letter, line, balance))
     else:
@@ -83,4 +87,7 @@ def solve_driver(
         force,
         reaction,
         Polygon(views.polygon, chain.mu, (*chain.sides, (name, end, start))),
+        total,
+        arm,
+        figure,
     )

@@ -1,218 +1,345 @@
-"""A detached group in ink: its links in one position, loads at their points to scale, arms, reactions.
+"""A detached group in ink: its links in one position, loads at their points, arms, reactions to be found.
 
-Loads are drawn to the scale of the group's polygon; what is not known yet, the reactions of the outer pairs,
-only by direction.
+Points, lines of action and arms are to the figure's own scale factor of lengths. The arrows of forces are not:
+they show points, directions and which of two is larger.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.statics import arm
+from graphic_tmm.board.operations.instruments import lay_off, parallel
+from graphic_tmm.board.operations.statics import action, arm
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
-from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.forces.ink_polygons import LEAST, bar, spot
-from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force
-from graphic_tmm.chapters.kinematics.ink_positions import HEAVY, PositionsInk
+from graphic_tmm.board.values import Line, Point
+from graphic_tmm.chapters.forces.detached import Detached
+from graphic_tmm.chapters.forces.ink_arrows import (
+    LEAST,
+    Arrows,
+    Told,
+    arm_shows,
+    drawn_arm,
+    drawn_on,
+    length_of,
+    pricks,
+    turning,
+)
+from graphic_tmm.chapters.forces.ink_polygons import bar
+from graphic_tmm.chapters.forces.loads import VIEW as LOADS
+from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.ink_positions import HEAVY
+from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, circle, line
-from graphic_tmm.paper.labels import interrupt, leaders, place
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.figure import Manner, figure
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.symbols.arrows import arrow, told_arrow
-from graphic_tmm.paper.symbols.kinematic import round_arrow
+from graphic_tmm.paper.seen import Seen, finite
 
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
 SHOWN = 18.0
 """Length of the arrow of a reaction that is not known yet, mm."""
-ROUND = 9.0
-"""Radius of the arrow of a couple, mm."""
-NEARLY = 0.985
-"""Arrows from one point whose directions agree so far (cosine) would lie on each other."""
-MARGIN = 8.0
-"""Room for letters about it before they have their places, mm; chosen by eye."""
 
 
 class Reactive(NamedTuple):
-    """A reaction to be found: its letter, the point where it acts, its vector on the polygon."""
+    """A reaction to be found: its letter, the point where it acts, its vector on the polygon.
+
+    ``value``, ``arm``, ``link``: of a component found by moments, its size (N), its arm about the closing point
+    and the link on which it acts.
+    """
 
     letter: str
     at: Mark
     tail: Mark
     head: Mark
+    value: Mark | None = None
+    arm: Mark | None = None
+    link: int = 0
 
 
-class Detached(NamedTuple):
-    """What a figure shows: its links, forces and couples on them, reactions, the scale of its forces (N/mm).
+class Shown(NamedTuple):
+    """What a figure shows: its links, forces and couples on them, reactions.
 
-    ``circles``: friction circles, their pins and radii (m).
+    ``circles``: friction circles, their pins and radii (m). ``balance``: of the driving link, the line and
+    the arm of the force that balances it.
     """
 
+    figure: Detached
     links: tuple[int, ...]
     forces: Sequence[Force]
     couples: Sequence[Couple]
     reactions: Sequence[Reactive]
-    mu: float
     circles: Sequence[tuple[Mark, Mark]] = ()
+    balance: tuple[Mark, Mark] | None = None
 
 
 def draw_group(
     construction: Construction,
     reading: Reading,
     reaches: Mapping[Figure, Reach],
-    shown: Detached,
+    shown: Shown,
     index: int,
     name: str,
     title: str,
-    mu_l: Mark,
+    factors: tuple[Mark, int],
     language: str,
-    *,
-    lettered: bool = True,
+    high: Heights,
 ) -> Drawing:
     """Return a detached group, or the driving link, in one position.
 
-    ``language``: of the sheet.
+    ``factors``: μ_l of the plan of positions, and to how many decimals the ruler tells a length. ``language``:
+    of the sheet; ``high``: how high its letters are.
     """
-    ink = PositionsInk(construction, reading, reaches, [index])
-    links = [str(number) for number in shown.links]
-    strokes: list[Stroke | Bezier] = []
-    for link in links:
-        strokes += ink.lines(link, index, HEAVY)
-    strokes += ink.symbols(links, index)
-    drawing = _Loads(reading, index, shown.mu, language)
+    mu_l, decimals = factors
+    view = shown.figure.view
+    seen = Seen(construction, reading, (view,), [index])
+    rules = {
+        op: _nothing for op in dict.fromkeys(s.op.name for s in seen.steps) if _drawn(op, seen)
+    }
+    rules |= {arm.name: drawn_arm, parallel.name: drawn_on, action.name: drawn_on}
+
+    # of the passes of friction the last one stays
+    lines = {shown.figure.lines.get(force.line) for force in shown.forces}
+
+    def stays(seen: Seen, step: Step) -> bool:
+        if step.it.kind is Point or not {step.it, *step.uses} & lines:
+            return False
+        return arm_shows(seen, step, index)
+
+    traces = figure(seen, Manner(rules, stays))
+    times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
+    bodies = _Bodies(construction, reading, reaches, shown, index, times)
+    loads = _Loads(seen, shown, index, high, language)
     for force in shown.forces:
-        drawing.force(force)
+        loads.force(force)
     for reaction in shown.reactions:
-        drawing.reaction(reaction)
-    for couple in shown.couples:
-        drawing.couple(couple, _middle(ink, couple, index))
-    drawing.arms(construction, shown.forces)
-    for pin, radius in shown.circles:
-        rho = float(reading[radius][0, 0]) / float(reading[mu_l][0, 0])
-        strokes.append(circle("thin", spot(reading, pin, index), rho))
-    strokes += drawing.strokes
-    wanted = [*ink.letters(links, index), *drawing.wanted]
-    if not lettered:
-        spots = [z for stroke in strokes if isinstance(stroke, Stroke) for z in _ends(stroke)]
-        x, y = [z.real for z in spots], [z.imag for z in spots]
-        cell = (min(x) - MARGIN, min(y) - MARGIN, max(x) + MARGIN, max(y) + MARGIN)
-        return Drawing(name, title, cell=cell)
-    smaller = [one._replace(size=SIZE) for one in wanted]
-    labels = place(smaller, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(smaller, labels)], labels), labels)
+        loads.reaction(reaction)
+    for link in shown.links:
+        loads.couples(link, *bodies.ends(str(link)))
+    circles = [
+        circle("thin", seen.point(shown.figure.point(pin), index), rho)._replace(
+            of=(shown.figure.points[pin].slot, radius.slot), position=index
+        )
+        for pin, radius in shown.circles
+        for rho in [seen.number(radius, index) / seen.number(shown.figure.mu, index)]
+    ]
+    above = _Above(construction, reading, shown, index)
+    displaced = loads.displaced(above, times)
+    strokes = (*bodies.strokes(), *circles, *loads.arrows.strokes, *displaced, *traces.staying)
+    drawn = (*strokes, *traces.rubbed)
+    rubbed = (*traces.rubbed, *pricks(seen, drawn, index), *pricks(above, drawn, index, times))
+    wanted = (*bodies.letters(high), *loads.arrows.wanted, *loads.arms(traces.staying, decimals))
+    return Drawing(
+        name, title, strokes, rubbed=rubbed, shows=(view, LOADS), wanted=(*wanted, *loads.offs)
+    )
 
 
-def _ends(stroke: Stroke) -> Iterable[complex]:
-    return (complex(x, y) for x, y, _ in stroke.path)
+def _drawn(op: str, seen: Seen) -> bool:
+    """Whether an operation leaves lines of forces: those are drawn as arrows."""
+    return any(step.op.name == op and step.it.kind is Line for step in seen.steps)
 
 
-def _middle(ink: PositionsInk, couple: Couple, index: int) -> complex:
-    """Return about where a couple is drawn: in the middle of its link, off its pins."""
-    name = str(couple.link)
-    pins = [*ink.spots(name, index), *(bar.foot for bar in ink.bars(name, index))]
-    if len(pins) < 2:
-        return pins[0] if pins else 0j
-    far = max(((a, b) for a in pins for b in pins), key=lambda ends: abs(ends[1] - ends[0]))
-    return far[0] + 0.5 * (far[1] - far[0])
+def _nothing(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    yield from ()
+
+
+class _Above(Seen):
+    """Of the loads those steps on which what acts on a figure depends."""
+
+    def __init__(
+        self, construction: Construction, reading: Reading, shown: Shown, index: int
+    ) -> None:
+        super().__init__(construction, reading, (LOADS,), [index])
+        self.shown = shown
+
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """These steps, in the order in which they were done."""
+        wanted = [mark for f in self.shown.forces for mark in (f.line, f.value, f.point)]
+        wanted += [couple.value for couple in self.shown.couples]
+        there = {step.it: step for step in super().steps}
+        found = set[Mark]()
+        while wanted:
+            mark = wanted.pop()
+            if mark in there and mark not in found:
+                found.add(mark)
+                wanted += there[mark].uses
+        return tuple(step for mark, step in there.items() if mark in found)
+
+
+class _Bodies:
+    """The links of a figure: those of the plan of positions, drawn to another scale."""
+
+    def __init__(
+        self,
+        construction: Construction,
+        reading: Reading,
+        reaches: Mapping[Figure, Reach],
+        shown: Shown,
+        index: int,
+        times: float,
+    ) -> None:
+        figures = [one for one in construction.figures if one.view == POSITIONS]
+        marks = dict.fromkeys(mark for one in figures for mark in one.marks)
+        values = {mark.slot: _larger(reading[mark], times) for mark in marks}
+        larger = {one: reach.times(times) for one, reach in reaches.items()}
+        self.ink = LinksInk(construction, Reading(values, reading.positions), larger)
+        self.names = [str(number) for number in shown.links]
+        self.points, self.index = shown.figure.points, index
+
+    def strokes(self) -> Iterator[Ink]:
+        """The links, and what slides on them; they stand on the points of the figure."""
+        found = [s for name in self.names for s in self.ink.lines(name, self.index, HEAVY)]
+        found += self.ink.symbols(self.names, self.index)
+        own = {of.slot: mark.slot for of, mark in self.points.items()}
+        for stroke in found:
+            of = tuple(own[slot] for slot in stroke.of if slot in own)
+            yield stroke._replace(of=of or tuple(own.values()))
+
+    def letters(self, high: Heights) -> list[Wanted]:
+        """The letters of the points of the links."""
+        marks = dict.fromkeys(
+            mark
+            for name in self.names
+            for told in self.ink.of(name, "link", "centre")
+            for mark in told.marks
+        )
+        named = [
+            Named(self.ink.at(m, self.index), markup(m.name), (self.points[m].slot,), self.index)
+            for m in marks
+            if m in self.points
+        ]
+        return lettered(shared(named), high.point, 2.2)
+
+    def ends(self, name: str) -> tuple[complex, complex]:
+        """Between which of its points couples on a link are drawn: those farthest apart."""
+        pins = [*self.ink.spots(name, self.index)]
+        pins += [one.foot for one in self.ink.bars(name, self.index)]
+        if len(pins) < 2:
+            return (pins[0], pins[0]) if pins else (0j, 0j)
+        return max(((a, b) for a in pins for b in pins), key=lambda ends: abs(ends[1] - ends[0]))
+
+
+def _larger(value: Any, times: float) -> Any:
+    if isinstance(value, Line):
+        return value._replace(at=value.at * times)
+    return value * times if np.iscomplexobj(value) else value
 
 
 class _Loads:
-    """Arrows and arms while they are drawn; arrows from one point do not lie on each other."""
+    """What acts on a figure while it is drawn."""
 
-    def __init__(self, reading: Reading, index: int, mu: float, language: str) -> None:
-        self.reading, self.index, self.mu, self.language = reading, index, mu, language
-        self.strokes: list[Stroke] = []
-        self.wanted: list[Wanted] = []
-        self.taken: list[tuple[complex, complex]] = []
+    def __init__(self, seen: Seen, shown: Shown, index: int, high: Heights, language: str) -> None:
+        self.seen, self.shown, self.index = seen, shown, index
+        self.high, self.language = high, language
+        self.arrows = Arrows(index, high.point)
+        self.offs: list[Wanted] = []
+        sizes = [abs(seen.number(force.value, index)) for force in shown.forces]
+        self.largest = max((size for size in sizes if finite(size)), default=0.0)
 
-    def line_of(self, mark: Mark) -> tuple[complex, complex]:
-        value: Line = self.reading[mark]
-        at, along = (complex(p[0, self.index if p.shape[1] > 1 else 0]) for p in value)
-        return at, along
-
-    def named(self, letter: str) -> str:
+    def called(self, letter: str) -> str:
         """Return what a letter of the log is called in the language of the sheet."""
         return symbol(letter, self.language)
 
-    def free(self, at: complex, way: complex) -> bool:
-        """Whether no arrow goes from a place in that direction yet."""
-        return not any(
-            abs(z - at) < LEAST and (way * d.conjugate()).real > NEARLY for z, d in self.taken
-        )
-
-    def put(self, at: complex, vector: complex, letter: str, pen: str, *, told: bool) -> None:
-        """Draw an arrow from its point, or to it where another goes there already."""
-        if not abs(vector) >= LEAST:
-            return
-        way = vector / abs(vector)
-        start = at
-        if not self.free(at, way) and self.free(at, -way):
-            start = at - vector
-        self.taken.append((at, way if start == at else -way))
-        if told:
-            self.strokes += told_arrow(start, start + vector, pen, letter, self.mu, "N")
-        else:
-            self.strokes += arrow(start, start + vector, pen)
-        end = start + vector if start == at else start
-        self.wanted.append(Wanted(bar(self.named(letter)), end, SIZE, 1.5, end - at))
+    def at(self, mark: Mark) -> Mark:
+        """Return where a point of the plan of positions stands in the figure."""
+        return self.shown.figure.points.get(mark, mark)
 
     def force(self, force: Force) -> None:
-        """A load, to scale, at its point."""
-        at, along = self.line_of(force.line)
-        value = spot(self.reading, force.value, self.index).real
-        self.put(at, along * value / self.mu, force.letter, "over", told=True)
+        """A load at its point, along its line of action, as long as is usual."""
+        k, size = self.index, self.seen.number(force.value, self.index)
+        _, along = self.seen.line(force.line, k)
+        point = self.at(force.point)
+        line_of = self.shown.figure.lines.get(force.line, force.line)
+        of = (point.slot, force.line.slot, line_of.slot, force.value.slot)
+        more = (("link", str(force.link)), ("arm", turning(self._arm(force), size)))
+        told = Told(force.letter, abs(size), "N", tuple(dict.fromkeys(of)), more)
+        way = along * (-1 if size < 0 else 1)
+        length = length_of(size, self.largest)
+        self.arrows.put(
+            self.seen.point(point, k), way, length, bar(self.called(force.letter)), told
+        )
+
+    def _arm(self, force: Force) -> float:
+        """Return the arm of a force about the point of the figure, mm; 0 of one through it.
+
+        That of the balancing force is the crank.
+        """
+        if self.shown.balance is not None and force.line == self.shown.balance[0]:
+            return self.seen.number(self.shown.balance[1], self.index)
+        own = self.shown.figure.lines.get(force.line)
+        for step in self.seen.steps:
+            if step.op is arm and step.uses[1] == own:
+                return self.seen.number(step.it, self.index)
+        return 0.0
 
     def reaction(self, reaction: Reactive) -> None:
-        """A reaction by its direction only."""
-        tail, head = (spot(self.reading, m, self.index) for m in (reaction.tail, reaction.head))
-        if abs(head - tail) >= LEAST:
-            way = (head - tail) / abs(head - tail) * SHOWN
-            at = spot(self.reading, reaction.at, self.index)
-            self.put(at, way, reaction.letter, "thin", told=False)
-
-    def couple(self, couple: Couple, at: complex) -> None:
-        """A couple as a round arrow."""
-        value = spot(self.reading, couple.value, self.index).real
-        if not math.isfinite(value) or value == 0.0:
+        """A reaction to be found, by its direction; of one found by moments its size and its arm are told."""
+        k = self.index
+        tail, head = self.seen.point(reaction.tail, k), self.seen.point(reaction.head, k)
+        if not abs(head - tail) >= LEAST:
             return
-        sweep = math.copysign(210.0, value)
-        self.strokes += round_arrow(at, ROUND, 120.0 if value > 0 else 60.0, sweep)
-        top = at + ROUND * 1j
-        self.wanted.append(Wanted(markup(self.named(couple.letter)), top, SIZE, 2.0, 1j))
+        point = self.at(reaction.at)
+        of = [point.slot, reaction.tail.slot, reaction.head.slot]
+        size, more = float("nan"), tuple[tuple[str, str], ...]()
+        if reaction.value is not None and reaction.arm is not None:
+            signed = self.seen.number(reaction.value, k)
+            size, about = abs(signed), -self.seen.number(reaction.arm, k)
+            more = (("link", str(reaction.link)), ("arm", turning(about, signed)))
+            of.append(reaction.value.slot)
+        told = Told(reaction.letter, size, "N", tuple(of), more)
+        way = (head - tail) / abs(head - tail)
+        called = bar(self.called(reaction.letter))
+        self.arrows.put(self.seen.point(point, k), way, SHOWN, called, told, "thin")
 
-    def displaced(self, centre: Mark, step: Step) -> None:
+    def couples(self, link: int, start: complex, end: complex) -> None:
+        """The couples on a link."""
+        own = [couple for couple in self.shown.couples if couple.link == link]
+        values = [self.seen.number(couple.value, self.index) for couple in own]
+        told = [
+            (
+                markup(self.called(one.letter)),
+                Told(one.letter, value, "N·m", (one.value.slot,), (("link", str(link)),)),
+            )
+            for one, value in zip(own, values, strict=True)
+        ]
+        self.arrows.couples(start, end, told)
+
+    def arms(self, drawn: Sequence[Ink], decimals: int) -> Iterator[Wanted]:
+        """The letters of the arms that were drawn, and their mm."""
+        slots = {slot for stroke in drawn for slot in stroke.of}
+        for step in self.seen.steps:
+            if step.op is arm and step.it.slot in slots:
+                about = self.seen.point(step.uses[0], self.index)
+                at, along = self.seen.line(step.uses[1], self.index)
+                foot = at + ((about - at) * along.conjugate()).real * along
+                mm = abs(self.seen.number(step.it, self.index))
+                text = f"{markup(self.called(step.it.name))} = {fixed(mm, decimals, self.language)}"
+                out = 1j * (foot - about)
+                size = self.high.number
+                yield Wanted(text, (about + foot) / 2, size, 0.8, out, (step.it.slot,), self.index)
+
+    def displaced(self, loads: Seen, times: float) -> Iterator[Ink]:
         """How far a force that stands for a force and a couple lies off the mass centre."""
-        a, b = spot(self.reading, centre, self.index), spot(self.reading, step.it, self.index)
-        if abs(b - a) >= LEAST:
-            self.strokes.append(line("thin", a, b))
-            letter = markup(self.named(step.uses[1].name))
-            self.wanted.append(Wanted(letter, (a + b) / 2, 2.5, 0.8, 1j * (b - a)))
-
-    def arms(self, construction: Construction, forces: Sequence[Force]) -> None:
-        """The arms that were measured about the group's point, with the lines of action drawn on to them."""
-        lines = {force.line for force in forces}
-        points = {force.point for force in forces if force.image is None}
-        steps = {step.it: step for step in construction.steps}
-        for step in construction.steps:
-            if step.it in points and step.it.view == VIEW:
-                self.displaced(steps[step.uses[0]].uses[0], step)
-            if step.op is not arm or step.uses[1] not in lines:
+        k = self.index
+        for step in loads.steps:
+            if step.op is not lay_off:
                 continue
-            about = spot(self.reading, step.uses[0], self.index)
-            at, along = self.line_of(step.uses[1])
-            reach = ((about - at) * along.conjugate()).real
-            foot = at + reach * along
-            if not abs(foot - about) >= 2.0 or along == 0:  # also where it is not there
-                continue
-            further = foot + along * math.copysign(3.0, reach)
-            self.strokes.append(line("thin", at, further))
-            self.strokes.append(line("thin", about, foot))
-            letter = markup(self.named(step.it.name))
-            middle = (about + foot) / 2
-            self.wanted.append(Wanted(letter, middle, 2.5, 0.8, 1j * (foot - about)))
+            across, by = step.uses
+            a, b = times * loads.line(across, k)[0], times * loads.point(step.it, k)
+            if finite(a, b) and abs(b - a) >= LEAST:
+                of = (across.slot, loads.by_mark[across].uses[1].slot, by.slot, step.it.slot)
+                yield line("thin", a, b)._replace(of=of, position=k)
+                text, way = markup(self.called(by.name)), 1j * (b - a)
+                number = Wanted(text, (a + b) / 2, self.high.number, 0.8, way, (by.slot,), k)
+                self.offs.append(number)

@@ -1,174 +1,184 @@
-"""Zhukovsky's lever in ink: the turned plan, forces at the image points, arms about the pole."""
+"""Zhukovsky's lever in ink: the turned plan with all its points, forces at their images, couples, arms.
+
+The plan, the lines of action and the arms are to scale; the arrows of forces are not.
+"""
 
 from __future__ import annotations
 
-import cmath
 import math
+from collections.abc import Iterator
 from itertools import combinations
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.statics import arm
-from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.forces.ink_polygons import LEAST, bar, spot
-from graphic_tmm.chapters.forces.lever import Lever
+from graphic_tmm.board.operations.instruments import parallel, square
+from graphic_tmm.board.operations.statics import arm, carry
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.forces.ink_arrows import (
+    LEAST,
+    Arrows,
+    Told,
+    action,
+    arm_shows,
+    drawn_arm,
+    drawn_on,
+    length_of,
+    pricks,
+    turning,
+)
+from graphic_tmm.chapters.forces.ink_polygons import bar
+from graphic_tmm.chapters.forces.lever import VIEW, Lever
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, line
-from graphic_tmm.paper.finish import TOGETHER
-from graphic_tmm.paper.labels import interrupt, leaders, place
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
+from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
-from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.kinematic import pole
 
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SMALL = 2.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-LONGEST = 45.0
-"""Length of the arrow of the largest force on the lever, mm."""
-SHORTEST = 8.0
-"""Of the smallest one: the lever shows points and lines of action, sizes are written."""
-MARGIN = 8.0
-"""Room for letters about it before they have their places, mm; chosen by eye."""
+BALANCE = "P_{bl}"
+"""The letter of what balances the lever at the crank pin."""
+TOGETHER = 1.0
+"""Arms whose feet are nearer than this, mm, lie on one another, and share a letter."""
 
 
 def draw_lever_ink(
     construction: Construction,
     reading: Reading,
     lever: Lever,
-    balance: tuple[str, float, complex] | None,
     index: int,
     name: str,
     title: str,
+    decimals: int,
     language: str,
-    *,
-    lettered: bool = True,
+    high: Heights,
 ) -> Drawing:
     """Return the lever in one position.
 
-    ``balance``: the balancing force's letter, its size (N) and its direction at the crank pin's image.
+    ``decimals``: to how many the ruler tells a length. ``language``: of the sheet; ``high``: how high its
+    letters are.
     """
-    ink = _Ink(reading, index, language)
-    at_pole = ink.at(lever.pole)
-    strokes: list[Stroke | Bezier] = []
-    images = {m: ink.at(m) for marks in lever.images.values() for m in marks}
-    images = {m: z for m, z in images.items() if cmath.isfinite(z)}
-    for z in images.values():
-        if abs(z - at_pole) >= LEAST:
-            strokes.append(line("medium", at_pole, z))
+    seen = Seen(construction, reading, (VIEW,), [index])
+    lines = {force.line for force in lever.forces}
+    rules = {carry.name: _ray, parallel.name: drawn_on, square.name: drawn_on, arm.name: drawn_arm}
+
+    def stays(seen: Seen, step: Step) -> bool:
+        return step.it.kind is Point or arm_shows(seen, step, index)
+
+    traces = figure(seen, Manner(rules, stays))
+    ink = _Loads(seen, lever, index, language, high)
+    for force, arm_ in zip(lever.forces, ink.measured(), strict=True):
+        _, along = seen.line(force.line, index)
+        own = (force.point.slot, force.line.slot, force.value.slot)
+        ink.force(force.letter, force.point, along, force.value, own, arm_)
+    way = seen.point(lever.pin, index) - seen.point(lever.pole, index)
+    if abs(way) >= LEAST:  # it acts square to the segment of the crank pin
+        of, at = (lever.pin.slot, lever.force.slot), 1j * way / abs(way)
+        ink.force(BALANCE, lever.pin, at, lever.force, of, lever.segment, "rod")
+    ink.couples()
+    sides = _sides(seen, lever, index)
+    strokes = (*traces.staying, *sides, *ink.arrows.strokes)
+    strokes += tuple(body(pole(seen.point(lever.pole, index)), "pole", [lever.pole]))
+    rubbed = (*traces.rubbed, *pricks(seen, (*strokes, *traces.rubbed), index))
+    wanted = (*_letters(seen, lever, index, high), *ink.arrows.wanted, *ink.arms(lines, decimals))
+    return Drawing(name, title, strokes, rubbed=rubbed, shows=(VIEW,), wanted=wanted)
+
+
+def _ray(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The vector from the pole to an image."""
+    a, b = seen.point(step.uses[0], k), seen.point(step.it, k)
+    if finite(a, b) and abs(b - a) >= LEAST:
+        yield line("medium", a, b)
+
+
+def _sides(seen: Seen, lever: Lever, k: int) -> Iterator[Ink]:
+    """The images of the links: lines between the images of each."""
+    at_pole, done = seen.point(lever.pole, k), set[frozenset[Mark]]()
     for marks in lever.images.values():
-        for one, other in combinations(marks, 2):
-            ends = images.get(one, at_pole), images.get(other, at_pole)
-            if min(abs(ends[0] - ends[1]), *(abs(z - at_pole) for z in ends)) >= LEAST:
-                strokes.append(line("medium", *ends))
-    wanted = _letters(images, lever.pole, at_pole)
-    sizes = [abs(ink.number(f.value)) for f in lever.forces] + (
-        [abs(balance[1])] if balance else []
-    )
-    largest = max((s for s in sizes if math.isfinite(s)), default=0.0)
-    for force in lever.forces:
-        start, along = ink.line_of(force.line)
-        letter = symbol(force.letter, language)
-        ink.force(letter, start, along * _shown(ink.number(force.value), largest), strokes, wanted)
-    if balance is not None:
-        letter, size, way = balance
-        ink.force(letter, ink.at(lever.pin), way * _shown(size, largest), strokes, wanted, "main")
-    ink.arms(construction, lever, at_pole, strokes, wanted)
-    strokes += pole(at_pole)
-    if not lettered:
-        spots = [*images.values(), *(one.at for one in wanted)]
-        x, y = [z.real for z in spots], [z.imag for z in spots]
-        cell = (min(x) - MARGIN, min(y) - MARGIN, max(x) + MARGIN, max(y) + MARGIN)
-        return Drawing(name, title, cell=cell)
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+        for pair in combinations(marks, 2):
+            ends = [seen.point(mark, k) for mark in pair]
+            apart = [abs(ends[0] - ends[1]), *(abs(z - at_pole) for z in ends)]
+            if frozenset(pair) not in done and min(apart) >= LEAST:
+                yield from body([line("medium", *ends)], "link", pair, k)
+            done.add(frozenset(pair))
 
 
-def _shown(size: float, largest: float) -> float:
-    """Return the length of an arrow, signed: it grows with the force, but a small one is seen too."""
-    if not (math.isfinite(size) and largest > 0.0) or size == 0.0:
-        return 0.0
-    return math.copysign(SHORTEST + (LONGEST - SHORTEST) * abs(size) / largest, size)
+def _letters(seen: Seen, lever: Lever, k: int, high: Heights) -> list[Wanted]:
+    marks = [lever.pole, *(step.it for step in seen.steps if step.op is carry)]
+    named = [Named(seen.point(m, k), markup(m.name), (m.slot,), k) for m in marks]
+    return lettered(shared(named), high.point, away_from=seen.point(lever.pole, k))
 
 
-def _letters(images: dict[Mark, complex], pole_mark: Mark, at_pole: complex) -> list[Wanted]:
-    groups: list[tuple[complex, list[str]]] = [(at_pole, [pole_mark.name])]
-    for mark, z in images.items():
-        if mark == pole_mark:
-            continue
-        near = next((names for at, names in groups if abs(at - z) < TOGETHER), None)
-        text = markup(mark.name)
-        if near is None:
-            groups.append((z, [text]))
-        elif text not in near:
-            near.append(text)
-    return [Wanted(", ".join(names), z, SIZE, 1.0, z - at_pole) for z, names in groups]
+class _Loads:
+    """What acts on the lever in one position while it is drawn."""
 
-
-class _Ink:
-    """The lever in one position while it is inked."""
-
-    def __init__(self, reading: Reading, index: int, language: str) -> None:
-        self.reading, self.index, self.language = reading, index, language
-
-    def at(self, mark: Mark) -> complex:
-        return spot(self.reading, mark, self.index)
-
-    def number(self, mark: Mark) -> float:
-        return self.at(mark).real
-
-    def line_of(self, mark: Mark) -> tuple[complex, complex]:
-        value: Line = self.reading[mark]
-        at, along = (complex(p[0, self.index if p.shape[1] > 1 else 0]) for p in value)
-        return at, along
+    def __init__(self, seen: Seen, lever: Lever, index: int, language: str, high: Heights) -> None:
+        self.seen, self.lever, self.index = seen, lever, index
+        self.language, self.high = language, high
+        self.arrows = Arrows(index, high.point)
+        sizes = [
+            seen.number(mark, index) for mark in (*(f.value for f in lever.forces), lever.force)
+        ]
+        self.largest = max((abs(size) for size in sizes if math.isfinite(size)), default=0.0)
 
     def force(
         self,
         letter: str,
-        at: complex,
-        vector: complex,
-        strokes: list[Stroke | Bezier],
-        wanted: list[Wanted],
-        pen: str = "medium",
+        point: Mark,
+        along: complex,
+        value: Mark,
+        of: tuple[int, ...],
+        arm: Mark,
+        pen: str = "over",
     ) -> None:
-        """An arrow at its image point; where one goes that way already it comes from the other side."""
-        if not abs(vector) >= LEAST:  # also where it is not there
-            return
-        same = any(abs(one.at - at - vector) < 3.0 for one in wanted)
-        start = at - vector if same else at
-        strokes += arrow(start, start + vector, pen)
-        end = start if same else start + vector
-        wanted.append(Wanted(bar(letter), end, SIZE, 1.5, end - at))
+        """An arrow at its image."""
+        size = self.seen.number(value, self.index)
+        more = ("arm", turning(self.seen.number(arm, self.index), size))
+        told = Told(letter, abs(size), "N", of, (more,))
+        way = -along if size < 0 else along
+        called = bar(symbol(letter, self.language))
+        at, length = self.seen.point(point, self.index), length_of(size, self.largest)
+        self.arrows.put(at, way, length, called, told, pen)
 
-    def arms(
-        self,
-        construction: Construction,
-        lever: Lever,
-        at_pole: complex,
-        strokes: list[Stroke | Bezier],
-        wanted: list[Wanted],
-    ) -> None:
-        """Arms about the pole and lines of action drawn on to their feet; arms on one another share a line."""
-        lines = {force.line: force.letter for force in lever.forces}
-        feet: list[tuple[complex, list[str]]] = []
-        for step in construction.steps:
+    def measured(self) -> list[Mark]:
+        """Return the arms of the forces, in their order."""
+        arms = {step.uses[1]: step.it for step in self.seen.steps if step.op is arm}
+        return [arms[force.line] for force in self.lever.forces]
+
+    def couples(self) -> None:
+        """The converted couples, each at the segment by which it was converted."""
+        segments: dict[tuple[Mark, Mark], list[tuple[str, Told]]] = {}
+        for one in self.lever.couples:
+            value = self.seen.number(one.value, self.index)
+            told = Told(one.letter, value, "N·mm", (one.value.slot,))
+            called = markup(symbol(one.letter, self.language))
+            segments.setdefault(one.ends, []).append((called, told))
+        for ends, found in segments.items():
+            start, end = (self.seen.point(mark, self.index) for mark in ends)
+            self.arrows.couples(start, end, found)
+
+    def arms(self, lines: set[Mark], decimals: int) -> Iterator[Wanted]:
+        """The letters and the mm of the arms; those on one another share a line of lettering."""
+        feet: list[tuple[complex, complex, list[Step]]] = []
+        for step in self.seen.steps:
             if step.op is not arm or step.uses[1] not in lines:
                 continue
-            at, along = self.line_of(step.uses[1])
-            reach = ((at_pole - at) * along.conjugate()).real
-            foot = at + reach * along
-            if along == 0 or not abs(foot - at_pole) >= 2.0:
+            if not arm_shows(self.seen, step, self.index):
                 continue
-            strokes.append(line("thin", at, foot + along * math.copysign(3.0, reach)))
-            letter = markup(symbol(step.it.name, self.language))
-            near = next((names for z, names in feet if abs(z - foot) < 1.0), None)
+            about, _, foot = action(self.seen, step, self.index)
+            near = next((steps for _, z, steps in feet if abs(z - foot) < TOGETHER), None)
             if near is None:
-                feet.append((foot, [letter]))
+                feet.append((about, foot, [step]))
             else:
-                near.append(letter)
-        for foot, names in feet:
-            strokes.append(line("thin", at_pole, foot))
-            middle = (at_pole + foot) / 2
-            wanted.append(Wanted(" = ".join(names), middle, SMALL, 0.8, 1j * (foot - at_pole)))
+                near.append(step)
+        for about, foot, steps in feet:
+            names = [markup(symbol(step.it.name, self.language)) for step in steps]
+            mm = abs(self.seen.number(steps[0].it, self.index))
+            text = " = ".join([*names, fixed(mm, decimals, self.language)])
+            of = tuple(step.it.slot for step in steps)
+            at, way = (about + foot) / 2, 1j * (foot - about)
+            yield Wanted(text, at, self.high.number, 0.8, way, of, self.index)

@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.operations.instruments import lay_off, measure, meet
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.forces.ink_arrows import LEAST, pricks
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, line
-from graphic_tmm.paper.labels import interrupt, leaders, place
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
+from graphic_tmm.paper.figure import Manner, figure
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.rules import BEYOND, drawn_line
+from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
 
-SIZE = 3.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-SMALL = 2.5
-"""Sizes of lettering, mm (ГОСТ 2.304)."""
-LEAST = 0.5
-"""A side shorter than this, mm, is a point."""
-BEYOND = 4.0
-"""How far the line of an unknown force goes on behind the vertex, mm."""
-MARGIN = 8.0
-"""Room for letters about it before they have their places, mm; chosen by eye."""
+__all__ = ["LEAST", "bar", "draw_polygon", "spot", "whole"]
 
 
 def bar(letter: str) -> str:
@@ -47,7 +45,69 @@ def whole(reading: Reading, polygon: Polygon, reactions: Sequence[Reaction], ind
     return all(cmath.isfinite(spot(reading, mark, index)) for mark in ends)
 
 
+class _Sides:
+    """The sides of a polygon by the steps that drew them, and its reactions by those that measured them."""
+
+    def __init__(
+        self, seen: Seen, polygon: Polygon, reactions: Sequence[Reaction], mu: float
+    ) -> None:
+        self.seen, self.mu = seen, mu
+        ends = {(tail, head) for _, tail, head in polygon.sides}
+        self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
+        self.laid = {head: letter for letter, _, head in polygon.sides}
+        self.found = [side for side in polygon.sides if side[2] not in self.own]
+        self.first = polygon.sides[0][1]
+
+    @property
+    def own(self) -> Mapping[Mark, Step]:
+        """The steps that laid a side off, by its head."""
+        return {step.it: step for step in self.seen.steps if step.op is lay_off}
+
+    def side(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        """A known side, laid off; its arrow."""
+        start = seen.by_mark[step.uses[0]].uses[0]
+        letter = self.laid.get(step.it)
+        if letter is not None:
+            yield from self.arrow(letter, start, step.it, k, "main")
+
+    def measured(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        """A reaction across the polygon; another one is a side, or was measured of one."""
+        reaction = self.across.get(step.it)
+        if reaction is not None:
+            yield from self.arrow(reaction.letter, reaction.tail, reaction.head, k, "medium")
+
+    def met(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        """The sides of unknown size, once their lines have met; these go on a little behind the vertex."""
+        lines = {seen.by_mark[use].uses[0]: use for use in step.uses}
+        for letter, tail, head in self.found:
+            begun = tail if head == step.it else head
+            of = (lines.get(begun, step.it).slot, step.it.slot)
+            for stroke in self.arrow(letter, tail, head, k, "main"):
+                yield stroke._replace(of=of)
+            start, top = seen.point(begun, k), seen.point(step.it, k)
+            if finite(start, top) and abs(top - start) >= LEAST:
+                way = (top - start) / abs(top - start)
+                yield line("thin", top, top + BEYOND * way)._replace(of=of)
+
+    def closing(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        """The side that closes a polygon without unknown lines: the frame's reaction, as measured."""
+        for letter, tail, head in self.found:
+            yield from self.arrow(letter, tail, head, k, "main")
+
+    def arrow(self, letter: str, tail: Mark, head: Mark, k: int, pen: str) -> Iterator[Ink]:
+        """The arrow of a side, unless it is a point."""
+        a, b = self.seen.point(tail, k), self.seen.point(head, k)
+        if finite(a, b) and abs(b - a) >= LEAST:
+            yield from told_arrow(a, b, pen, letter, self.mu, "N")
+
+
+def _stays(seen: Seen, step: Step) -> bool:
+    """Whether what a step leaves is there at the end: the lines are covered by the sides found on them."""
+    return step.op in (lay_off, measure, meet)
+
+
 def draw_polygon(
+    construction: Construction,
     reading: Reading,
     polygon: Polygon,
     reactions: Sequence[Reaction],
@@ -56,68 +116,47 @@ def draw_polygon(
     title: str,
     mu: float,
     language: str,
-    *,
-    lettered: bool = True,
+    high: Heights,
 ) -> Drawing:
-    """Return a polygon of forces in one position; the last two sides were unknown.
+    """Return a polygon of forces in one position; the last sides were unknown.
 
     ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``language``:
-    of the sheet.
+    of the sheet; ``high``: how high its letters are.
     """
-    strokes: list[Stroke | Bezier] = []
-    corners = [spot(reading, tail, index) for _, tail, _ in polygon.sides]
+    seen = Seen(construction, reading, (polygon.view,), [index])
+    sides = _Sides(seen, polygon, reactions, mu)
+    closes = not any(step.op is meet for step in seen.steps)
+    rules = {
+        lay_off.name: sides.side,
+        measure.name: sides.closing if closes else sides.measured,
+        meet.name: sides.met,
+    }
+    lines = {step.op.name: drawn_line for step in seen.steps if step.it.kind is Line}
+    traces = figure(seen, Manner({**lines, **rules}, _stays))
+    rubbed = (*traces.rubbed, *pricks(seen, (*traces.staying, *traces.rubbed), index))
+    corners = [seen.point(tail, index) for _, tail, _ in polygon.sides]
     middle = complex(np.mean(corners))
-    wanted = list[Wanted]()
-    sides = {(tail, head) for _, tail, head in polygon.sides}
-    across = [(r.letter, r.tail, r.head) for r in reactions if (r.tail, r.head) not in sides]
-    for drawn, pen in ((polygon.sides, "main"), (across, "medium")):
-        for letter, tail, head in drawn:
-            a, b = spot(reading, tail, index), spot(reading, head, index)
-            if abs(b - a) < LEAST:
-                continue
-            strokes += told_arrow(a, b, pen, letter, mu, "N")
-            wanted.append(_label(symbol(letter, language), a, b, middle))
-    strokes += [line("thin", *ends) for ends in _beyond(reading, polygon, index)]
-    wanted += _numbers(reading, polygon, index, middle)
-    if not lettered:
-        x, y = [z.real for z in corners], [z.imag for z in corners]
-        cell = (min(x) - MARGIN, min(y) - MARGIN, max(x) + MARGIN, max(y) + MARGIN)
-        return Drawing(name, title, cell=cell)
-    labels = place(wanted, strokes)
-    return Drawing(name, title, interrupt([*strokes, *leaders(wanted, labels)], labels), labels)
+    drawn = [*polygon.sides, *((r.letter, r.tail, r.head) for r in sides.across.values())]
+    wanted = [
+        _label(symbol(letter, language), tail, head, seen, middle, high)
+        for letter, tail, head in drawn
+        if abs(seen.point(head, index) - seen.point(tail, index)) >= LEAST
+    ]
+    numbers = [
+        Named(seen.point(mark, index), mark.name, (mark.slot,), index)
+        for mark in dict.fromkeys(mark for _, tail, head in polygon.sides for mark in (tail, head))
+    ]
+    wanted += lettered(shared(numbers, LEAST), high.number, away_from=middle)
+    shows = (polygon.view,)
+    return Drawing(name, title, traces.staying, rubbed=rubbed, shows=shows, wanted=tuple(wanted))
 
 
-def _label(letter: str, a: complex, b: complex, middle: complex) -> Wanted:
-    at = (a + b) / 2
-    out = 1j * (b - a) / abs(b - a)
+def _label(
+    letter: str, tail: Mark, head: Mark, seen: Seen, middle: complex, high: Heights
+) -> Wanted:
+    (index,) = seen.positions
+    a, b = seen.point(tail, index), seen.point(head, index)
+    at, out = (a + b) / 2, 1j * (b - a) / abs(b - a)
     if ((at - middle) * out.conjugate()).real < 0:
         out = -out
-    return Wanted(bar(letter), at, SIZE, 1.0, out)
-
-
-def _beyond(reading: Reading, polygon: Polygon, index: int) -> list[tuple[complex, complex]]:
-    """Return the ends of unknown sides, drawn a little on behind the vertex in which they met."""
-    found = []
-    for _, tail, head in polygon.sides[-2:]:
-        a, b = spot(reading, tail, index), spot(reading, head, index)
-        if abs(b - a) >= LEAST and len(polygon.sides) > 2:
-            way = (b - a) / abs(b - a) * BEYOND
-            found.append((b, b + way) if head != polygon.sides[0][1] else (a, a - way))
-    return found
-
-
-def _numbers(reading: Reading, polygon: Polygon, index: int, middle: complex) -> list[Wanted]:
-    """The numbers of the vertices in the order drawn; vertices in one place share a label."""
-    places: list[tuple[complex, list[str]]] = []
-    for mark in dict.fromkeys(mark for _, tail, head in polygon.sides for mark in (tail, head)):
-        at = spot(reading, mark, index)
-        near = next((names for z, names in places if abs(z - at) < LEAST), None)
-        if near is None:
-            places.append((at, [mark.name]))
-        else:
-            near.append(mark.name)
-    return [Wanted(", ".join(names), at, SMALL, 1.0, _out(at - middle)) for at, names in places]
-
-
-def _out(way: complex) -> complex:
-    return cmath.rect(1.0, cmath.phase(way)) if way else 1j
+    return Wanted(bar(letter), at, high.point, 1.0, out, (tail.slot, head.slot), index)

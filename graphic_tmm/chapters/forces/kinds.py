@@ -24,12 +24,6 @@ _RESISTING = (
 )
 
 
-def _switch(value: object, names: Names) -> bool:
-    if isinstance(value, bool):
-        return value
-    raise ValueError(stands(value, said("write true, or leave the effect out")))
-
-
 def _direction(value: object, names: Names) -> float | str:
     if value in _RESISTING:
         return AGAINST
@@ -103,7 +97,6 @@ def _links(value: object, names: Names) -> tuple[int, ...]:
     return tuple(value)
 
 
-SWITCH = Kind(_switch, {"type": "boolean"})
 FORCE = Kind(lambda value, names: quantities.parse(value, "force"), v.SCALE, unit="force")
 MOMENT = Kind(
     lambda value, names: quantities.parse(value, "moment"),

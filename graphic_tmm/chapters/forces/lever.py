@@ -1,4 +1,4 @@
-"""Zhukovsky's lever: the turned velocity plan as a rigid lever about its pole, with every load at its image.
+"""Zhukovsky's lever: the whole turned velocity plan as a rigid lever about its pole, every load at its image.
 
 A force is carried parallel to the image of its point of application; a couple on a link as its moment converted
 to the plan, M·ab/l, or as a pair of forces at the ends of the link's segment. The lever is in equilibrium.
@@ -52,11 +52,20 @@ class Turning(NamedTuple):
     value: Mark
 
 
+class Converted(NamedTuple):
+    """A couple on the lever: its letter, the couple (N·m) and what it becomes (N·mm), its segment's ends."""
+
+    letter: str
+    couple: Mark
+    value: Mark
+    ends: tuple[Mark, Mark]
+
+
 class Lever(NamedTuple):
     """The lever as drawn: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
-    ``balance``: N at the crank pin, or N·m; ``moments``: of all loads; ``segment``: of the crank pin, as read
-    (Length).
+    ``balance``: N at the crank pin, or N·m; ``moments``: of all loads, ``total``: their sum (N·mm), ``force``:
+    what at the crank pin balances it (N); ``segment``: of the crank pin, as read (Length).
     """
 
     pole: Mark
@@ -68,6 +77,9 @@ class Lever(NamedTuple):
     balance: Mark
     pin: Mark
     segment: Mark
+    couples: tuple[Converted, ...]
+    total: Mark
+    force: Mark
 
 
 class _Plan:
@@ -80,6 +92,7 @@ class _Plan:
         self.known: dict[Mark, Mark] = {velocities.images.pole: self.pole}
         self.forces: list[Carried] = []
         self.moments: list[Turning] = []
+        self.couples: list[Converted] = []
 
     def image(self, of: Mark) -> Mark:
         if of not in self.known:
@@ -119,14 +132,22 @@ class _Plan:
                 unit="N·mm",
             )
             self.moments.append(Turning(load, found))
+            ends = self.image(base.start), self.image(base.end)
+            self.couples.append(Converted(found.letter, couple.value, found, ends))
             return
         letter = f"F_{{{bare(couple.letter)}}}"
         force = draft.draw(tangential, letter, couple.value, base.length, unit="N")
-        across = draft.draw(square, f"({letter})", base.at, base.line, sense=1)
-        self.carry_force(letter, base.end, across, force, load)
+        self._set(letter, base.end, base.line, force, load)
         if base.start != self.velocities.images.pole:
             back = draft.draw(reversed_, f"−{letter}", force, unit="N")
-            self.carry_force(f"−{letter}", base.start, across, back, load)
+            self._set(f"−{letter}", base.start, base.line, back, load)
+
+    def _set(self, letter: str, image: Mark, line: Mark, value: Mark, load: Mark) -> None:
+        """Set a force of a pair at an end of its link's segment, square to the link."""
+        point = self.image(image)
+        if point != self.pole:
+            across = self.draft.draw(square, f"({letter})", point, line, sense=1)
+            self.turn(letter, point, across, value, load)
 
 
 class _Base(NamedTuple):
@@ -136,7 +157,6 @@ class _Base(NamedTuple):
     length: Mark
     start: Mark
     end: Mark
-    at: Mark
     line: Mark
     sense: int
 
@@ -172,21 +192,32 @@ def draw_lever(
         base = _base(draft, positions, velocities, driver, couple.link, sense)
         if base is not None:
             plan.carry_couple(couple, base, couples)
+    for number in positions.bodies:
+        for image in velocities.images.by_letter[number].values():
+            plan.image(image)
     segment = draft.draw(measure, f"p{pin.letter}", plan.pole, pin)
     balance = _balance(draft, plan, segment, arm)
     images = {
         number: tuple(
             plan.known[image]
             for image in dict.fromkeys(velocities.images.by_letter[number].values())
-            if image in plan.known
         )
         for number in positions.bodies
     }
     found = (images, tuple(plan.forces), tuple(plan.moments))
-    return Lever(plan.pole, plan.times, mu, *found, balance, pin, segment)
+    told = (tuple(plan.couples), balance.total, balance.force)
+    return Lever(plan.pole, plan.times, mu, *found, balance.asked, pin, segment, *told)
 
 
-def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark:
+class _Balance(NamedTuple):
+    """The sum of moments (N·mm), the force at the crank pin that balances it, and what is asked for."""
+
+    total: Mark
+    force: Mark
+    asked: Mark
+
+
+def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> _Balance:
     total: Mark | None = None
     for found in (one.value for one in plan.moments):
         total = (
@@ -198,8 +229,8 @@ def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> Mark
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
     force = draft.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
     if arm is None:
-        return force
-    return draft.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m")
+        return _Balance(total, force, force)
+    return _Balance(total, force, draft.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m"))
 
 
 def _base(
@@ -217,12 +248,12 @@ def _base(
         image = velocities.images.at(driver.body, driver.pin)
         segment = draft.uses(image)[1]
         pole = velocities.images.pole
-        return _Base(segment, driver.arm, pole, image, driver.pin, driver.body.axis, 1)
+        return _Base(segment, driver.arm, pole, image, driver.body.axis, 1)
     for closing in positions.closings:
         for leg in closing.legs:
             if isinstance(leg, PinLeg) and velocities.rates[leg.link] == rate:
                 start = velocities.images.by_letter[leg.link][leg.letter]
                 end = velocities.closed[closing.group.name]
                 segment = velocities.readings[leg.link]
-                return _Base(segment, leg.length, start, end, leg.pivot, leg.line, sense)
+                return _Base(segment, leg.length, start, end, leg.line, sense)
     return None

@@ -13,11 +13,11 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.driving import Driven, Driver, solve_driver
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
-from graphic_tmm.chapters.forces.loads import Couple, Force, Ground, Loads, draw_loads
-from graphic_tmm.chapters.forces.moments import Acting, Moments
+from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads, draw_loads
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, ForcesTask
@@ -63,6 +63,11 @@ class Forces:
     def polygons(self) -> tuple[Polygon, ...]:
         """The polygons in the order in which they were drawn."""
         return (*(group.polygon for group in self.groups), self.driven.polygon)
+
+    @property
+    def figures(self) -> tuple[Detached, ...]:
+        """The figures of what is detached, in the order of the polygons."""
+        return (*(group.figure for group in self.groups), self.driven.figure)
 
     @property
     def reactions(self) -> tuple[Reaction, ...]:
@@ -116,6 +121,31 @@ def _driver(draft: Draft, machine: Machine) -> Driver:
     return Driver(body, body.marks[machine.pivot], pin, draft.uses(pin)[1])
 
 
+class _Figures:
+    """The figures in which links are detached, each begun with all its points when it is first wanted."""
+
+    def __init__(self, ground: Ground, driver: Driver) -> None:
+        self.draft, self.bodies = ground.draft, ground.positions.bodies
+        crank = driver.body.link.number
+        self.links: dict[int, tuple[int, ...]] = {crank: (crank,)}
+        self.closing: dict[int, Mark] = {}
+        self.known: dict[tuple[int, ...], Detached] = {}
+        for closing in ground.positions.closings:
+            for link in closing.group.links:
+                self.links[link], self.closing[link] = closing.group.links, closing.point
+
+    def of(self, link: int) -> Detached:
+        """Return the figure that shows a link."""
+        links = self.links[link]
+        if links not in self.known:
+            points = [mark for number in links for mark in self.bodies[number].marks.values()]
+            more = [self.closing[link]] if link in self.closing else []
+            name = "-".join(map(str, links))
+            note = f"II({name})" if more else f"I({name})"
+            self.known[links] = Detached(self.draft, f"group {name}", note, (*points, *more))
+        return self.known[links]
+
+
 class _Pass(NamedTuple):
     groups: tuple[Solved, ...]
     driven: Driven
@@ -141,7 +171,7 @@ def draw_forces(
     """
     draft = ground.draft
     loads = draw_loads(ground, order, gas)
-    moments = Moments(draft)
+    figures = _Figures(ground, driver)
     crank, frame = driver.body.link.number, ground.mechanism.frame.number
     friction = order.friction
     count = friction.passes if friction is not None else 0
@@ -153,7 +183,7 @@ def draw_forces(
         if k and rub is not None:
             rubbing = rub.draw(found, _by_joint(found, passes[-1]))
         suffix = "" if k == count else f" {k}"
-        passes.append(_solve(ground, driver, order, loads, rubbing, moments, suffix))
+        passes.append(_solve(ground, driver, order, loads, rubbing, figures, suffix))
     last = passes[-1]
     balance = last.driven.balance
     open_ = share = None
@@ -189,41 +219,37 @@ def _solve(
     order: ForcesTask,
     loads: Loads,
     rubbing: Rubbing,
-    moments: Moments,
+    figures: _Figures,
     suffix: str,
 ) -> _Pass:
-    draft, acting = ground.draft, Acting()
+    acting = Acting()
     frame, crank = ground.mechanism.frame.number, driver.body.link.number
     for force in loads.forces:
         acting.add(force)
     for couple in (*loads.couples, *rubbing.couples):
         acting.add(couple)
-    figures = {crank: f"group {crank}"}
-    for closing in ground.positions.closings:
-        figures |= dict.fromkeys(closing.group.links, f"group {closing.group.name}")
     groups = []
     for closing in reversed(ground.positions.closings):
         name = closing.group.name
         solved = solve_group(
-            draft,
+            figures.of(closing.legs[0].link),
             closing,
             acting,
-            moments,
             _views(name, suffix),
             rubbing.slopes,
             rough=order.friction is not None,
         )
-        hand_on(draft, solved, acting, frame, figures.__getitem__)
+        hand_on(solved, acting, frame, figures.of)
         groups.append(solved)
     views = _views(str(crank), suffix)
     driven = solve_driver(
-        draft, driver, acting, moments, views, frame, order.balance, suffix.strip()
+        figures.of(crank), driver, acting, views, frame, order.balance, suffix.strip()
     )
     return _Pass(tuple(groups), driven, acting, rubbing)
 
 
 def _views(name: str, suffix: str) -> Views:
-    return Views(f"group {name}", f"{VIEW} {name}{suffix}", f"{VIEW} {name}")
+    return Views(f"{VIEW} {name}{suffix}", f"{VIEW} {name}")
 
 
 def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str], Reaction]:

@@ -18,7 +18,8 @@ class Reaction(NamedTuple):
     """The force of one link on another: its letter R_{12}, its vector, its length and its size (N).
 
     ``normal``: of a sliding pair, the part square to its guide (Length, signed); ``place``: how far from the
-    closing point the reaction acts along the guide (Length), None where it acts there.
+    closing point the reaction acts along the guide (Length), and the scale factor of that; None where it acts
+    there.
     """
 
     letter: str
@@ -28,16 +29,12 @@ class Reaction(NamedTuple):
     length: Mark
     value: Mark
     normal: Mark | None = None
-    place: Mark | None = None
+    place: tuple[Mark, Mark] | None = None
 
 
 class Views(NamedTuple):
-    """Where what is detached is drawn: its figure, where moments are taken, and its polygon.
+    """Where the polygon of what is detached is drawn, and where in the ``last`` pass of friction."""
 
-    ``last``: its polygon in the last pass of friction.
-    """
-
-    figure: str
     polygon: str
     last: str
 

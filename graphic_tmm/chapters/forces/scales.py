@@ -1,4 +1,4 @@
-"""μ_F of the polygons, how much larger than the velocity plan the lever is, what cannot be compared."""
+"""μ_F of the polygons, μ_l of what is detached, how much larger than the velocity plan the lever is."""
 
 from __future__ import annotations
 
@@ -11,13 +11,15 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard
+from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapter import Size
+from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.plan import FORCES, VIEW
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.kinematics.plan import VELOCITIES
 from graphic_tmm.fitting.scales import Fitting, extent, unscaled
+from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -25,6 +27,8 @@ LEVER = 150.0
 """Room for the lever, mm."""
 ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 0.5, 0.4, 0.25, 0.2, 0.1)
 """How many times the lever may be larger than the velocity plan."""
+DETACHED = 0.6
+"""Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
 POLYGON = 200.0
 """Room for a polygon of forces, mm."""
 
@@ -35,11 +39,11 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = (
-    Size("forces", least=0.1, fixed=_fixed),
-    Size("groups", least=0.25),
-    Size("lever", least=0.05),
+    Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
+    Size("groups", least=0.25, small=0.6, cap=0.42),
+    Size("lever", least=0.05, small=0.6, cap=0.45),
 )
-"""Of polygons, of the arrows on detached groups, of the lever: shares of the usual room."""
+"""Of polygons, of detached groups, of the lever: shares of the usual room."""
 
 
 def polygon_scales(project: Project) -> list[Mark]:
@@ -51,9 +55,10 @@ def polygon_scales(project: Project) -> list[Mark]:
 
 
 class Reaches(NamedTuple):
-    """How far the polygons reach, by their μ (N), and the velocity plan that the lever is (m/s)."""
+    """How far the polygons reach, by view (N), what is detached, by view (m), and the lever's plan (m/s)."""
 
-    polygons: Mapping[Mark, float]
+    polygons: Mapping[str, float]
+    detached: Mapping[str, float]
     lever: float
 
 
@@ -64,13 +69,22 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
     log, lever = project.construction, made.lever
     marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
     images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
-    reading = unscaled(project, doubts, [*marks, *images])
+    points = [mark for figure in made.figures for mark in figure.points.values()]
+    reading = unscaled(project, doubts, [*marks, *points, *images])
     found = {}
     for mu in scales:
         spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
-        found[mu] = extent([np.concatenate([[0j], *spots])])
+        found[mu.view] = extent([np.concatenate([[0j], *spots])])
     far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
-    return Reaches(found, far)
+    apart = {figure.view: _apart(figure, reading, made.places) for figure in made.figures}
+    return Reaches(found, apart, far)
+
+
+def _apart(figure: Detached, reading: Reading, places: tuple[int, ...]) -> float:
+    """Return how far the points of a figure reach: in each position it is one by itself."""
+    spots = [_at(reading[mark], places) for mark in figure.points.values()]
+    rows = np.array([np.broadcast_to(row, len(places)) for row in spots])
+    return max((extent([column]) for column in rows.T), default=0.0)
 
 
 def force_scales(fitting: Fitting) -> dict[Mark, object]:
@@ -82,13 +96,23 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     project, made = fitting.project, FORCES.on(fitting)
     known: Reaches = fitting.reach[FORCES.chapter]
     found: dict[Mark, object] = {}
-    for mu, far in known.polygons.items():
+    for mu in polygon_scales(project):
+        far = known.polygons[mu.view]
         if made.order.mu or far > 0.0:
             found[mu] = made.order.mu or standard(far, POLYGON * fitting.sizes["forces"])
+    found |= _detached(fitting, known)
     plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
     room = LEVER * fitting.sizes["lever"] * float(plan)
     times = next((k for k in ENLARGED if k * known.lever <= room), ENLARGED[-1])
     return found | {made.lever.times: times}
+
+
+def _detached(fitting: Fitting, known: Reaches) -> dict[Mark, object]:
+    """Return μ_l of what is detached: a standard one at which its links take their room in all positions."""
+    room = narrowest(sheet.format for sheet in fitting.scene.sheets).room
+    room *= DETACHED * fitting.sizes["groups"]
+    far = {figure.mu: known.detached[figure.view] for figure in FORCES.on(fitting).figures}
+    return {mu: standard_length(reach, room) for mu, reach in far.items() if reach > 0.0}
 
 
 def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
@@ -101,18 +125,23 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
 
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
-    """Return the scales of the lever, and of the polygons that have one ``given``."""
+    """Return the scales of the lever, and of the polygons and detached groups that have one ``given``."""
     made = FORCES.on(project)
     mu = made.lever.mu
     found = {mu.view: Scale("μ_v", float(reading[mu][0, 0]), mu.unit)}
     for polygon in made.polygons:
         if polygon.mu in given:
             found[polygon.view] = Scale("μ_F", float(reading[polygon.mu][0, 0]), "N/mm")
+    for figure in made.figures:
+        if figure.mu in given:
+            found[figure.view] = Scale("μ_l", float(reading[figure.mu][0, 0]), figure.mu.unit)
     return found
 
 
 def scale_key(view: str) -> str:
-    """Return what machines call the scale factor of a view: forces 4-5 -> mu_F_4_5."""
+    """Return what machines call the scale factor of a view: forces 4-5 -> mu_F_4_5, group 1 -> mu_l_1."""
+    if view.startswith("group "):
+        return "mu_l_" + view.removeprefix("group ").replace("-", "_")
     if view.startswith(f"{VIEW} "):
         return "mu_F_" + view.removeprefix(f"{VIEW} ").replace("-", "_").replace(" ", "_pass_")
     return "mu_lever" if view == "lever" else ""

@@ -13,10 +13,10 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
-from graphic_tmm.board.operations.statics import action, at_friction_angle, place_of, tangential
+from graphic_tmm.board.operations.statics import at_friction_angle, place_of, tangential
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.moments import Acting, Moments
+from graphic_tmm.chapters.forces.detached import Detached
+from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction, Views
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 
@@ -37,20 +37,35 @@ class Slope(NamedTuple):
 class Solved(NamedTuple):
     """A group as solved: its reactions (outer ones by leg, then the inner), its polygon.
 
-    ``turning``: the sum of moments about the closing point that the outer pair of a link has to balance.
+    ``turning``: the sum of moments about the closing point that the outer pair of a link has to balance;
+    ``tangents``: by link, the component of the outer reaction that does (N) and its arm (Length). ``figure``:
+    the group as detached.
     """
 
     closing: Closing
     reactions: tuple[Reaction, Reaction, Reaction]
     polygon: Polygon
     turning: dict[int, Mark | None]
+    tangents: dict[int, Tangent]
+    figure: Detached
+
+
+class Tangent(NamedTuple):
+    """A tangential component: its letter, its value (N), its arm about the closing point (Length).
+
+    ``side``: the ends of its side of the polygon.
+    """
+
+    letter: str
+    value: Mark
+    arm: Mark
+    side: tuple[Mark, Mark] | None = None
 
 
 def solve_group(
-    draft: Draft,
+    figure: Detached,
     closing: Closing,
     acting: Acting,
-    moments: Moments,
     views: Views,
     slopes: dict[Pair, Slope],
     *,
@@ -62,19 +77,17 @@ def solve_group(
     ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
     first, second = closing.legs
-    inner = closing.group.inner.kind == "P"
-    draft.open(views.figure)
-    draft.say(f"II({closing.group.name})")
+    draft = figure.draft
+    draft.open(figure.view)
     turning: dict[int, Mark | None] = {}
     for leg in closing.legs:
-        both = inner and not (isinstance(leg, GuideLeg) and leg.inner)
-        links = (first.link, second.link) if both else (leg.link,)
-        turning[leg.link] = _moments_of(closing, acting, moments, links, f"ΣM_{leg.link}")
-    tangents = _tangents(draft, closing, turning)
+        links = summed_links(closing, leg)
+        turning[leg.link] = _moments_of(figure, closing, acting, links, f"ΣM_{leg.link}")
+    tangents = _tangents(figure, closing, turning)
     chain = views.begin(draft)
     start = chain.end
     if first.link in tangents and isinstance(first, PinLeg):
-        chain.add_across(_tangent_letter(first), first.line, tangents[first.link])
+        tangents[first.link] = _across(chain, first, tangents[first.link])
     loads = chain.end
     for force in acting.forces.get(first.link, []):
         chain.add(force.letter, force.line, force.value)
@@ -83,7 +96,7 @@ def solve_group(
         chain.add(force.letter, force.line, force.value)
     loaded = chain.end
     if second.link in tangents and isinstance(second, PinLeg):
-        chain.add_across(_tangent_letter(second), second.line, tangents[second.link])
+        tangents[second.link] = _across(chain, second, tangents[second.link])
     held = isinstance(first, GuideLeg) and first.inner
     lines = [
         _unknown(draft, first, middle if held else start, slopes),
@@ -91,30 +104,50 @@ def solve_group(
     ]
     top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0])
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
-    return _read(draft, closing, chain, corners, (turning, tangents), rough=rough)
+    return _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
+
+
+def summed_links(closing: Closing, leg: PinLeg | GuideLeg) -> tuple[int, ...]:
+    """Return the links whose moments about the closing point the outer pair of a leg has to balance.
+
+    Through an inner sliding pair they are passed on, so that it balances those of both links.
+    """
+    first, second = closing.legs
+    held = isinstance(leg, GuideLeg) and leg.inner
+    if closing.group.inner.kind == "P" and not held:
+        return first.link, second.link
+    return (leg.link,)
 
 
 def _moments_of(
-    closing: Closing, acting: Acting, moments: Moments, links: tuple[int, ...], letter: str
+    figure: Detached, closing: Closing, acting: Acting, links: tuple[int, ...], letter: str
 ) -> Mark | None:
     forces = [force for link in links for force in acting.forces.get(link, [])]
     couples = [couple for link in links for couple in acting.couples.get(link, [])]
-    return moments.sum(closing.point, forces, couples, letter)
+    return figure.sum(closing.point, forces, couples, letter)
 
 
-def _tangents(draft: Draft, closing: Closing, turning: dict[int, Mark | None]) -> dict[int, Mark]:
+def _tangents(
+    figure: Detached, closing: Closing, turning: dict[int, Mark | None]
+) -> dict[int, Tangent]:
     """Calculate the tangential components of the turning legs, where there is a moment to balance."""
     found = {}
     for leg in closing.legs:
         total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
-            letter = _tangent_letter(leg)
-            found[leg.link] = draft.draw(tangential, letter, total, leg.length, unit="N")
+            letter = f"R_{{{leg.body}{leg.link}}}^{{t}}"
+            reach = figure.length(leg.pivot, closing.point)
+            uses = (total, reach, figure.mu)
+            value = figure.draft.draw(tangential, letter, *uses, unit="N")
+            found[leg.link] = Tangent(letter, value, reach)
     return found
 
 
-def _tangent_letter(leg: PinLeg) -> str:
-    return f"R_{{{leg.body}{leg.link}}}^{{t}}"
+def _across(chain: Chain, leg: PinLeg, found: Tangent) -> Tangent:
+    """Lay a tangential component off: square to its leg."""
+    start = chain.end
+    chain.add_across(found.letter, leg.line, found.value)
+    return found._replace(side=(start, chain.end))
 
 
 class _Corners(NamedTuple):
@@ -148,11 +181,11 @@ def _pair(leg: GuideLeg) -> Pair:
 
 
 def _read(
-    draft: Draft,
+    figure: Detached,
     closing: Closing,
     chain: Chain,
     at: _Corners,
-    sums: tuple[dict[int, Mark | None], dict[int, Mark]],
+    sums: tuple[dict[int, Mark | None], dict[int, Tangent]],
     *,
     rough: bool,
 ) -> Solved:
@@ -169,27 +202,27 @@ def _read(
         slides = isinstance(leg, GuideLeg) and not leg.inner
         guide = leg.line if slides and rough else None
         couple = turning[leg.link] if slides else None
-        found.append(_reaction(draft, (leg.body, leg.link), vector, guide, couple))
+        found.append(_reaction(figure, (leg.body, leg.link), vector, guide, couple))
     guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
-    between = _reaction(draft, (first.link, second.link), (at.top, at.middle), guide, couple)
+    between = _reaction(figure, (first.link, second.link), (at.top, at.middle), guide, couple)
     letters = [
         f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
         for leg in closing.legs
     ]
     sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
     drawn = Polygon(chain.mu.view, chain.mu, sides)
-    return Solved(closing, (found[0], found[1], between), drawn, turning)
+    return Solved(closing, (found[0], found[1], between), drawn, turning, tangents, figure)
 
 
 def _reaction(
-    draft: Draft,
+    figure: Detached,
     links: Pair,
     vector: tuple[Mark, Mark],
     guide: Mark | None,
     couple: Mark | None,
 ) -> Reaction:
     """Measure a reaction; ``guide``: to which its normal part is wanted; ``couple``: that it has to hold."""
-    name = f"{links[0]}{links[1]}"
+    name, draft = f"{links[0]}{links[1]}", figure.draft
     length = draft.draw(measure, f"y_{{R{name}}}", *vector)
     value = draft.draw(in_si, f"R_{{{name}}}", length, unit="N")
     force, normal, place = value, None, None
@@ -199,25 +232,26 @@ def _reaction(
         if couple is not None:
             force = draft.draw(in_si, f"N_{{{name}}}", normal, unit="N")
     if couple is not None:
-        place = draft.draw(place_of, f"h_{{{name}}}", couple, force)
-    return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, place)
+        place = draft.draw(place_of, f"h_{{{name}}}", couple, force, figure.mu)
+    held = None if place is None else (place, figure.mu)
+    return Reaction(f"R_{{{name}}}", links, *vector, length, value, normal, held)
 
 
 def hand_on(
-    draft: Draft, solved: Solved, acting: Acting, frame: int, figure_of: Callable[[int], str]
+    solved: Solved, acting: Acting, frame: int, figure_of: Callable[[int], Detached]
 ) -> None:
     """Enter the reactions of a group, reversed, as loads of the bodies that it is attached to.
 
-    ``figure_of``: link -> the view of the figure that shows it.
+    ``figure_of``: link -> the figure that shows it.
     """
     closing = solved.closing
     for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
         if leg.body == frame:
             continue
-        draft.open(figure_of(leg.body))
+        figure = figure_of(leg.body)
         point = leg.pivot if isinstance(leg, PinLeg) else closing.point
         letter = f"R_{{{leg.link}{leg.body}}}"
-        line = draft.draw(action, f"({letter})", point, reaction.head, reaction.tail)
+        line = figure.act(letter, point, reaction.head, reaction.tail)
         acting.add(Force(letter, leg.body, point, line, reaction.value))
         couple = solved.turning.get(leg.link)
         if isinstance(leg, GuideLeg) and not leg.inner and couple is not None:

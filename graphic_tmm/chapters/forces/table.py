@@ -13,7 +13,6 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import (
     Column,
@@ -43,7 +42,7 @@ def force_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return the columns of forces at the positions whose forces are asked for."""
     made, count, reading = FORCES.on(drawn), len(drawn.names), drawn.reading
     places = made.places
-    rows = [*_loads(made), *_reactions(made, KINEMATICS.on(drawn).mu_l), *_balance(made)]
+    rows = [*_loads(made), *_reactions(made), *_balance(made)]
     found = []
     for row in rows:
         value = _at(reading.figure(row.value, row.scale), places)
@@ -71,20 +70,20 @@ def _loads(made: Forces) -> list[_Row]:
     return found + [_Row(name, one.letter, "N·m", one.value) for name, one in couples]
 
 
-def _reactions(made: Forces, mu_l: Mark) -> list[_Row]:
+def _reactions(made: Forces) -> list[_Row]:
     found = []
     for reaction in made.reactions:
         segment = segment_name(reaction.letter)
         found.append(_Row(segment, reaction.letter, "N", reaction.value, reaction.length))
-        found += _place(reaction, mu_l)
+        found += _place(reaction)
     return found
 
 
-def _place(reaction: Reaction, mu_l: Mark) -> list[_Row]:
+def _place(reaction: Reaction) -> list[_Row]:
     if reaction.place is None:
         return []
     name = segment_name(reaction.letter)[1:]
-    return [_Row(f"h{name}", f"h_{{{name}}}", "m", reaction.place, reaction.place, mu_l)]
+    return [_Row(f"h{name}", f"h_{{{name}}}", "m", reaction.place[0], *reaction.place)]
 
 
 def _balance(made: Forces) -> list[_Row]:

@@ -25,16 +25,16 @@ _BY_SHARES = [[0, "0 N"], [1, "190 N"]]
 class Effects:
     """What acts; an effect that is left out is not simulated, not computed and not on the sheet."""
 
-    gravity: bool = key(w.SWITCH, "weights of the links", True, False)
+    gravity: bool = key(v.SWITCH, "weights of the links", True, False)
     g: float | None = key(
         v.ACCELERATION,
         f"what weights are taken with; {GRAVITY} m/s² if it is left out, while kgf is {KGF} N",
         "9.80665 m/s^2",
         None,
     )
-    inertia: bool = key(w.SWITCH, "inertia forces and couples of the links", True, False)
-    gas: bool = key(w.SWITCH, "the gas of the indicator diagram on the piston", True, False)
-    friction: bool = key(w.SWITCH, "friction in the pairs that [friction] names", True, False)
+    inertia: bool = key(v.SWITCH, "inertia forces and couples of the links", True, False)
+    gas: bool = key(v.SWITCH, "the gas of the indicator diagram on the piston", True, False)
+    friction: bool = key(v.SWITCH, "friction in the pairs that [friction] names", True, False)
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from functools import partial
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import standard
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.forces.balances import Writer
 from graphic_tmm.chapters.forces.captions import called
-from graphic_tmm.chapters.forces.ink_groups import Detached, Reactive, draw_group
+from graphic_tmm.chapters.forces.ink_balances import (
+    Row,
+    draw_balances,
+    driver_rows,
+    group_rows,
+    lever_rows,
+)
+from graphic_tmm.chapters.forces.ink_groups import Reactive, Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
@@ -26,30 +35,41 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.views import captioned, mu_text, paired
 from graphic_tmm.readers.result_table import (
     result_table,
 )
+from graphic_tmm.readers.writing import decimals_of
+
+EXACTLY = 2
+"""To how many decimals a length is told that no ruler has rounded."""
 
 
 def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return every detached group with its polygon, then the driving link with its own, by positions."""
+    """Return every detached group with its polygon and its equations, then the driving link, by positions."""
     made = FORCES.of(drawn)
     if made is None:
         return []
     views = indicator_views(drawn, lettered, FORCES.chapter)
+    plans = KINEMATICS.on(drawn)
+    crank = plans.structure.driver
     for place in _places(drawn):
+        writer = _writer(drawn, place)
         for solved in made.groups:
-            name = solved.closing.group.name
-            shown = _group(drawn, made, solved)
-            views += _pair(drawn, shown, solved.polygon, solved.reactions, name, place, lettered)
-        crank = str(KINEMATICS.on(drawn).structure.driver)
-        reactions = (made.driven.reaction,)
-        views += _pair(
-            drawn, _driver(drawn, made), made.driven.polygon, reactions, crank, place, lettered
+            rows = group_rows(writer, made, solved)
+            views += _three(
+                drawn, _group(made, solved), solved.polygon, solved.reactions, rows, place, lettered
+            )
+        pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
+        rows, reactions = driver_rows(writer, made, pivot, crank), (made.driven.reaction,)
+        views += _three(
+            drawn, _driver(drawn, made), made.driven.polygon, reactions, rows, place, lettered
         )
     return views
 
@@ -58,57 +78,77 @@ def _places(drawn: Drawn) -> list[int]:
     return [k for k in FORCES.on(drawn).places if k not in drawn.undrawn]
 
 
-def _pair(
+def _decimals(drawn: Drawn) -> int:
+    """Return to how many decimals a length is told: those of the ruler."""
+    return EXACTLY if drawn.hand.ruler is None else decimals_of(drawn.hand.ruler)
+
+
+def _writer(drawn: Drawn, place: int) -> Writer:
+    seen = Seen(drawn.construction, drawn.reading, (), [place])
+    return Writer(seen, place, drawn.scene.language, _decimals(drawn))
+
+
+def _three(
     drawn: Drawn,
-    shown: Detached,
+    shown: Shown,
     polygon: Polygon,
     reactions: tuple[Reaction, ...],
-    name: str,
+    rows: Iterable[Row],
     place: int,
     lettered: bool,
 ) -> list[Drawing]:
-    """Return the figure of a group and its polygon, captioned; neither, where a force is not there."""
+    """Return the figure of a group, its polygon and its equations; none, where a force is not there."""
     if not whole(drawn.reading, polygon, reactions, place):
         return []
-    project, language = drawn.project, drawn.scene.language
+    language, high = drawn.scene.language, heights(drawn.scene, "forces")
     _, words = speaking(language), captions(language)
-    at = f"{words['position']} {escape(project.names[place])}"
+    name, position = "-".join(map(str, shown.links)), drawn.names[place]
+    at = f"{words['position']} {escape(position)}"
     title = f"{called(f'group {name}', _)}, {at}"
-    scale = drawn.scales.get(polygon.view)
-    arrows = scale._replace(value=shown.mu) if scale is not None else None
-    both = (drawn.scales["positions"], arrows)
-    scales = ", ".join(mu_text(s, language) for s in both if s is not None)
     figure = draw_group(
-        project.construction,
+        drawn.construction,
         drawn.reading,
         reaches(drawn),
         shown,
         place,
-        f"group-{name}-{project.names[place]}",
+        f"group-{name}-{position}",
         title,
-        KINEMATICS.on(drawn).mu_l,
+        (KINEMATICS.on(drawn).mu_l, _decimals(drawn)),
         language,
-        lettered=lettered,
+        high,
     )
+    scale = drawn.scales.get(polygon.view)
+    own = mu_text(drawn.scales[shown.figure.view], language)
+    told = partial(captioned, heights=high)
     if scale is None:
-        return [captioned(figure, title, scales, _("all forces are zero: there is no polygon"))]
+        return [
+            told(
+                finished(figure, lettered),
+                title,
+                own,
+                _("all forces are zero: there is no polygon"),
+            )
+        ]
     caption = f"{called(f'forces {name}', _)}, {at}"
     plan = draw_polygon(
+        drawn.construction,
         drawn.reading,
         polygon,
         reactions,
         place,
-        f"forces-{name}-{project.names[place]}",
+        f"forces-{name}-{position}",
         caption,
         scale.value,
         language,
-        lettered=lettered,
+        high,
     )
+    heading = f"{called(f'equations {name}', _)}, {at}"
     equation = _equation(polygon, language)
     return paired(
         [
-            captioned(figure, title, scales),
-            captioned(plan, caption, mu_text(scale, language), equation),
+            told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}"),
+            told(finished(plan, lettered), caption, mu_text(scale, language), equation),
+            draw_balances(f"equations-{name}-{position}", heading, rows, place, high),
         ]
     )
 
@@ -126,39 +166,29 @@ def _equation(polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(drawn: Drawn, made: Forces, solved: Solved) -> Detached:
-    closing = solved.closing
+def _group(made: Forces, solved: Solved) -> Shown:
+    closing, unknown = solved.closing, list[Reactive]()
     links = closing.group.links
-    unknown = []
-    by_letter = {letter: (tail, head) for letter, tail, head in solved.polygon.sides}
-    for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
+    # the sides of unknown size end a polygon, that of the first leg last
+    last = reversed(solved.polygon.sides[-2:])
+    for leg, reaction, along in zip(closing.legs, solved.reactions, last, strict=False):
         at = leg.pivot if isinstance(leg, PinLeg) else closing.point
-        parts = [f"{reaction.letter}^{{t}}", f"{reaction.letter}^{{n}}"]
-        letters = [p for p in parts if p in by_letter] or [reaction.letter]
-        for letter in letters:
-            ends = by_letter.get(letter, (reaction.tail, reaction.head))
-            unknown.append(Reactive(letter, at, *ends))
-    return Detached(
+        tangent = solved.tangents.get(leg.link)
+        if tangent is None or tangent.side is None:
+            unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
+            continue
+        found = Reactive(tangent.letter, at, *tangent.side, tangent.value, tangent.arm, leg.link)
+        letter, tail, head = along
+        unknown += [found, Reactive(letter, at, tail, head)]
+    pins = [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
+    return Shown(
+        solved.figure,
         links,
         [f for k in links for f in made.acting.forces.get(k, [])],
         [c for k in links for c in made.acting.couples.get(k, [])],
         unknown,
-        _arrows(drawn, solved.polygon),
-        _circles(
-            made, [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
-        ),
+        _circles(made, pins),
     )
-
-
-def _arrows(drawn: Drawn, polygon: Polygon) -> float:
-    """Return μ_F of the arrows on a figure: that of its polygon, a larger one where no sheet holds them.
-
-    Without end where the polygon has none, for its forces are nothing: then no arrow has a length.
-    """
-    scale, size = drawn.scales.get(polygon.view), drawn.sizes["groups"]
-    if scale is None:
-        return math.inf
-    return standard(scale.value / size, 1.0) if size < 1.0 else scale.value
 
 
 def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
@@ -167,50 +197,51 @@ def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
     return [(pin, circles[pin]) for pin in pins if pin in circles]
 
 
-def _driver(drawn: Drawn, made: Forces) -> Detached:
-    plans = KINEMATICS.on(drawn)
-    crank = plans.structure.driver
+def _driver(drawn: Drawn, made: Forces) -> Shown:
+    plans, driven = KINEMATICS.on(drawn), made.driven
+    crank, reaction = plans.structure.driver, made.driven.reaction
     body = plans.positions.bodies[crank]
-    reaction, driven = made.driven.reaction, made.driven
     forces = [*made.acting.forces.get(crank, []), *([driven.force] if driven.force else [])]
     pivot = body.marks[plans.structure.pivot]
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
     circles = _circles(made, [pivot, body.marks[plans.structure.pin]])
-    return Detached((crank,), forces, couples, [found], _arrows(drawn, driven.polygon), circles)
+    balance = (driven.force.line, driven.arm) if driven.force else None
+    return Shown(driven.figure, (crank,), forces, couples, [found], circles, balance)
 
 
 def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return the lever in every position whose forces are asked for."""
-    made, project, language = FORCES.of(drawn), drawn.project, drawn.scene.language
+    """Return the lever and its equations in every position whose forces are asked for."""
+    made, language = FORCES.of(drawn), drawn.scene.language
     if made is None:
         return []
-    words, views = captions(language), []
+    _, words, views = speaking(language), captions(language), list[Drawing]()
+    high, scale = heights(drawn.scene, "lever"), mu_text(drawn.scales["lever"], language)
     for place in _places(drawn):
-        title = f"{words['lever']}, {words['position']} {escape(project.names[place])}"
-        force, balance = made.driven.force, None
-        if force is not None:
-            along = drawn.reading[force.line].along[0]
-            way = complex(along[place if along.size > 1 else 0])
-            balance = (
-                symbol(force.letter, language),
-                float(drawn.reading[made.lever.balance][0, place]),
-                way,
-            )
+        name, at = drawn.names[place], f"{words['position']} {escape(drawn.names[place])}"
+        title = f"{words['lever']}, {at}"
         view = draw_lever_ink(
-            project.construction,
+            drawn.construction,
             drawn.reading,
             made.lever,
-            balance,
             place,
-            f"lever-{project.names[place]}",
+            f"lever-{name}",
             title,
+            _decimals(drawn),
             language,
-            lettered=lettered,
+            high,
         )
-        scale = mu_text(drawn.scales["lever"], language)
-        views.append(captioned(view, title, scale, *_verdict(drawn, made, place)))
+        times = f"{made.lever.times.name} = {number(_value(drawn, made.lever.times), language)}"
+        lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
+        heading = f"{_('Equations of the lever')}, {at}"
+        rows = lever_rows(_writer(drawn, place), made)
+        told = draw_balances(f"equations-lever-{name}", heading, rows, place, high)
+        views += paired([captioned(finished(view, lettered), title, *lines, heights=high), told])
     return views
+
+
+def _value(drawn: Drawn, mark: Mark) -> float:
+    return float(drawn.reading[mark][0, 0])
 
 
 def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
@@ -242,7 +273,8 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     rows = [column.without(drawn.undrawn) for column in columns]
     if not rows:
         return []
-    return [result_table("forces", rows, drawn.project.names, drawn.scene.language)]
+    high = heights(drawn.scene, "force table")
+    return [result_table("forces", rows, drawn.names, drawn.scene.language, heights=high)]
 
 
 def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:

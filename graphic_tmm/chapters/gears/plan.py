@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
@@ -46,15 +46,9 @@ GEARS: Made[Gear] = Made("gears")
 
 
 def record(bench: Bench) -> Gear | None:
-    """Draw the pair of gears that the scene asks for, at a share of its usual size where there is one."""
+    """Draw the pair of gears that the scene asks for."""
     order = ASKED.of(bench.scene)
-    if order is None:
-        return None
-    share = bench.sizes.get(GEARS.chapter, 1.0)
-    if bench.usual is not None and share < 1.0:
-        mu = float(bench.usual.reading[GEARS.on(bench.usual).line.mu][0, 0])
-        order = replace(order, mu=standard_length(mu / share, 1.0))
-    return draw_gear(bench.draft, order)
+    return None if order is None else draw_gear(bench.draft, order)
 
 
 def draw_gear(draft: Draft, order: GearTask) -> Gear:
@@ -97,6 +91,7 @@ def gear_scales(fitting: Fitting) -> dict[Mark, object]:
     exact = execute(fitting.project.construction, {**fitting.given, **free}, wanted)
     distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
     larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
-    mu = gear.order.mu or min(standard_length(distance, ROOM), larger)
+    usual, share = min(standard_length(distance, ROOM), larger), fitting.sizes[GEARS.chapter]
+    mu = gear.order.mu or (usual if share == 1.0 else standard_length(usual / share, 1.0))
     chart, floor = gear.sliding.chart, gear.sliding.floor
     return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, SLIDING)}

@@ -1,25 +1,30 @@
-"""The indicator diagram in ink."""
+"""The indicator diagram in ink: the division of its base on a ray, ordinates, curves, the mean pressures."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction
-from graphic_tmm.chapters.indicator.plan import VIEW as INDICATOR
-from graphic_tmm.chapters.indicator.plan import Indicator
-from graphic_tmm.paper.axes import (
-    NUMBER,
-    OVER,
-    SIZE,
-    Spots,
-    axes,
-    finished,
-    largest,
-)
-from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke, Wanted, line
+from graphic_tmm.board.operations.instruments import lay_off
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.indicator.plan import VIEW, Indicator
+from graphic_tmm.paper.axes import largest, position_numbers
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
+from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.graph_rules import OVER, axis, dot, ends_of, ruled
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
+from graphic_tmm.paper.rules import BEYOND, segment
+from graphic_tmm.paper.rules import stays as usual
+from graphic_tmm.paper.seen import Seen, finite
+
+TOGETHER = 1.0
+"""Positions whose feet are nearer than this, mm, share a number."""
+CLOSE = 2.0
+"""Levels nearer than this, mm, share a name."""
 
 
 def draw_indicator_ink(
@@ -28,39 +33,78 @@ def draw_indicator_ink(
     made: Indicator,
     names: Sequence[str],
     title: str,
-    *,
-    lettered: bool = True,
+    axes: tuple[str, str] = ("p", "S"),
+    means: Mapping[Mark, str] = MappingProxyType({}),
+    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
-    """Return the indicator diagram with the division of its base; ``names``: of the positions of the row."""
-    ink = Spots(construction, reading, len(names))
-    origin, end, feet = ink.one(made.origin), ink.one(made.end), ink.all(made.feet)
-    spots = ink.all(made.divisions)
-    strokes: list[Stroke | Bezier] = list(ink.lines(spots, feet))
-    far = complex(spots[int(np.argmax(np.nan_to_num(np.abs(spots - origin))))])
-    if np.isfinite(far) and far != origin:
-        strokes.append(line("thin", origin, far + 4.0 * (far - origin) / abs(far - origin)))
-    high = 0.0
-    for side in made.sides:
-        points = ink.all(side.points)
-        high = max(high, largest(points.imag))
-        strokes += ink.lines(feet, points)
-    strokes += axes(0.0, end.real, 0.0, high)
-    for side in made.sides:
-        strokes += ink.curve(side.curve)
-        strokes += ink.dots(side.points)
+    """Return the indicator diagram with the division of its base.
+
+    ``names``: of the positions of the row; ``axes``: what ordinates and base are called. ``means``: what the
+    mean pressures are called, by their marks: each is a level under which as much work is done.
+    """
+    seen = Seen(construction, reading, (VIEW,), range(len(names)))
+    high = max(largest(reading[side.points].imag) for side in made.sides)
+    traces = figure(seen, _manner(seen, made, high))
+    end = seen.point(made.end, 0)
+    strokes = [*traces.staying]
     wanted = [
-        Wanted("p", complex(0, high + OVER), SIZE, 1.5, -1 + 0j),
-        Wanted("S", complex(end.real + OVER, 0), SIZE, 1.5, -1j),
+        Wanted(axes[0], complex(0, high + OVER), heights.point, 1.5, -1 + 0j),
+        Wanted(axes[1], complex(end.real + OVER, 0), heights.point, 1.5, -1j),
     ]
-    groups: list[tuple[complex, list[str]]] = []
-    for name, foot in zip(names, feet, strict=True):
-        if not np.isfinite(foot):
-            continue
-        near = next((texts for spot, texts in groups if abs(spot - foot) < 1.0), None)
-        if near is None:
-            groups.append((complex(foot), [name]))
+    levels = []
+    for mean, text in means.items():
+        level = 1j * seen.number(seen.by_mark[mean].uses[0], 0)
+        if finite(level):
+            strokes += body([line("dashed", level, end + level)], "mean", [mean])
+            levels.append(Named(end + level, text, (mean.slot,)))
+    wanted += [
+        one._replace(toward=1 + 0j) for one in lettered(shared(levels, CLOSE), heights.number, 0.5)
+    ]
+    feet = [
+        Named(seen.point(made.feet, k), name, (made.feet.slot,), k) for k, name in enumerate(names)
+    ]
+    numbers = position_numbers((), shared(feet, TOGETHER), strokes, heights.number)
+    return Drawing(
+        INDICATOR.chapter,
+        title,
+        tuple(strokes),
+        numbers,
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=tuple(wanted),
+    )
+
+
+def _manner(seen: Seen, made: Indicator, high: float) -> Manner:
+    """Return how the diagram is inked: axes, the ray that divides the base, ordinates with their points."""
+    end = seen.point(made.end, 0)
+    axes = {
+        seen.by_mark[made.end].uses[0]: (0j, end + OVER),
+        seen.by_mark[made.sides[0].ordinate].uses[2]: (0j, 1j * (high + OVER)),
+    }
+    ray = seen.by_mark[made.divisions].uses[0]
+    points = {side.points for side in made.sides}
+
+    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        if step.it in axes:
+            yield from axis(*axes[step.it])
+        elif step.it == ray:
+            start, far = ends_of(seen, step, k)
+            way = far - start
+            yield from segment("thin", start, far + BEYOND * way / abs(way) if way else far)
         else:
-            near.append(name)
-    wanted += [Wanted(", ".join(texts), spot, NUMBER, 1.0, -1j) for spot, texts in groups]
-    cell = (0.0, -largest(-spots.imag), end.real, high)
-    return finished(INDICATOR, title, strokes, wanted, lettered, cell)
+            yield from ruled(seen, step, k)
+
+    def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        spot = seen.point(step.it, k)
+        if step.it in points:
+            yield from segment("thin", seen.line(step.uses[0], k)[0], spot)
+        yield from dot(spot)
+
+    def stays(seen: Seen, step: Step) -> bool:
+        if step.op is lay_off:
+            return step.it in points
+        return step.it == ray or step.it in axes or usual(seen, step)
+
+    by_line = {step.op.name: drawn for step in seen.steps if step.it.kind is Line}
+    return Manner({**by_line, lay_off.name: laid}, stays)

@@ -7,7 +7,12 @@ from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
@@ -21,7 +26,11 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
         return []
     title = captions(language)[VIEW]
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
+    axes = (on_axis("p", unit("Pa", language)), on_axis("S", unit("m", language)))
+    means = {side.mean: symbol(side.mean.name, language) for side in cylinder.indicator.sides}
+    high = heights(drawn.scene, by)
     view = draw_indicator_ink(
-        drawn.construction, drawn.reading, cylinder.indicator, names, title, lettered=lettered
+        drawn.construction, drawn.reading, cylinder.indicator, names, title, axes, means, high
     )
-    return [captioned(view, title, mu_text(drawn.scales[VIEW], language))]
+    scale = mu_text(drawn.scales[VIEW], language)
+    return [captioned(finished(view, lettered), title, scale, heights=high)]

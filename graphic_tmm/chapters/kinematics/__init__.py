@@ -60,6 +60,7 @@ from graphic_tmm.chapters.kinematics.scales import (
     SCALE_KEYS,
     SIZES,
     extents,
+    outlying,
     plan_scales,
     sizes_of,
 )
@@ -136,6 +137,7 @@ CHAPTER = Chapter(
     record=record,
     reach=extents,
     plan_scales=plan_scales,
+    warnings=outlying,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     undrawn=_undrawn,
     ranges=_ranges,

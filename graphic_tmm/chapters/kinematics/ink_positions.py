@@ -101,6 +101,7 @@ def draw_positions_ink(
         rubbed=traces.rubbed,
         shows=ink.seen.views,
         wanted=tuple(wanted),
+        numbers=tuple((index, names[index]) for index in ink.places),
     )
 
 

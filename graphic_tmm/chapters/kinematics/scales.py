@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.record import Figure
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
+from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Size
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
@@ -25,26 +27,34 @@ from graphic_tmm.chapters.kinematics.plan import (
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import Fitting, extent, unscaled
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
 
-VECTORS = (150.0, 125.0, 100.0, 80.0, 65.0, 50.0)
-"""Room for the longest vector of a plan, mm: as much as the sheets hold. Below 50 mm the ruler's half division
-of 0.25 mm is more than 0.5 %."""
+SMALL, VECTORS, UNSEEN = 50.0, 80.0, 150.0
+"""Room for the longest vector of a plan, mm, to begin with, and where no sheet shows it. Below 50 mm the half
+division of a ruler, 0.25 mm, is more than 0.5 %."""
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
 SCALE_KEYS = {plan: keys[0] for plan, keys in KEYS.items()}
 """What the scale factors are called where machines read them."""
+RULING, OUTLYING = 0.9, 2.0
+"""What share of the positions rules the μ of a plan where the others are so many times longer; by eye."""
 
 
 class Extents(NamedTuple):
-    """What there is to draw (SI): how far the plan of positions reaches, the longest vectors of the others."""
+    """What there is to draw (SI): how far the plan of positions reaches, the longest vectors of the others.
+
+    ``outliers``: by plan, the positions (indices) whose vectors are longer, and how many times.
+    """
 
     positions: float
     velocities: float
     accelerations: float
+    outliers: Mapping[str, Mapping[int, float]] = MappingProxyType({})
 
 
 def extents(project: Project, doubts: Doubts) -> Extents:
@@ -62,11 +72,34 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
     told = project.told.get(ACCELERATIONS, frozenset())
     places = made.accelerated or tuple(sorted(told)) or _shown(project)
-    return Extents(
-        extent(spots),
-        _longest(project, VELOCITIES, None, doubts) if made.velocities else 0.0,
-        _longest(project, ACCELERATIONS, places, doubts) if made.accelerations else 0.0,
-    )
+    longest = {POSITIONS: extent(spots), VELOCITIES: 0.0, ACCELERATIONS: 0.0}
+    outliers = {}
+    for plan, motion, at in (
+        (VELOCITIES, made.velocities, tuple(range(len(project.names)))),
+        (ACCELERATIONS, made.accelerations, places),
+    ):
+        if motion is not None and at:
+            longest[plan], outliers[plan] = ruling(at, _longest(project, plan, at, doubts))
+    return Extents(longest[POSITIONS], longest[VELOCITIES], longest[ACCELERATIONS], outliers)
+
+
+def ruling(at: Sequence[int], lengths: np.ndarray) -> tuple[float, dict[int, float]]:
+    """Return the length that rules the μ of a plan, and the positions that it leaves out.
+
+    That is the longest of all positions ``at``; but where one position in ten is more than `OUTLYING` times as
+    long as the others (a mechanism near locking), it is the longest of these. All positions of a plan keep one
+    μ, as a student's do, so the outlier is drawn larger than they are, as far as a sheet holds it: with a μ of
+    its own it could not be compared with its neighbours, which is what it is drawn for.
+    """
+    there = np.isfinite(lengths)
+    known = np.sort(lengths[there])
+    if not known.size:
+        return 0.0, {}
+    most = float(known[math.ceil(RULING * known.size) - 1])
+    if not 0.0 < OUTLYING * most < known[-1]:
+        return float(known[-1]), {}
+    over = there & (lengths > OUTLYING * most)
+    return most, {at[int(k)]: float(lengths[k]) / most for k in np.flatnonzero(over)}
 
 
 def _shown(project: Project) -> tuple[int, ...]:
@@ -111,12 +144,29 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     return scales
 
 
-def _longest(project: Project, plan: str, at: tuple[int, ...] | None, doubts: Doubts) -> float:
+def _longest(project: Project, plan: str, at: Sequence[int], doubts: Doubts) -> np.ndarray:
+    """Return the longest vector of a plan at some positions (SI), NaN where there is none."""
     points = [m for m in project.marks(plan) if m.kind is Point]
-    reading = unscaled(project, doubts, points)
-    reading = reading if at is None else reading.cut(at)
-    lengths = [np.abs(reading[m]) for m in points]
-    return max((float(np.nanmax(x)) for x in lengths if np.isfinite(x).any()), default=0.0)
+    reading = unscaled(project, doubts, points).cut(tuple(at))
+    lengths = [np.broadcast_to(np.abs(reading[m][0]), (len(at),)) for m in points]
+    found = np.fmax.reduce(lengths) if lengths else np.full(len(at), np.nan)
+    return np.asarray(found)
+
+
+def outlying(drawn: Drawn, language: str) -> Iterator[str]:
+    """Yield, as sentences, the positions whose vectors are much longer than those of the others."""
+    _ = speaking(language)
+    reach: Extents = drawn.reach[KINEMATICS.chapter]
+    for plan, found in reach.outliers.items():
+        shown = {k: times for k, times in found.items() if k in drawn.row(plan)}
+        if shown and plan in drawn.scales:
+            yield _(
+                "{plan}, positions {places}: the vectors are {times} times as long as those of 9 in 10 "
+                "positions, which rule the scale factor",
+                plan=captions(language)[plan],
+                places=", ".join(drawn.names[k] for k in shown),
+                times=number(max(shown.values()), language, 2),
+            )
 
 
 def reaches(drawn: Drawn) -> dict[Figure, Reach]:
@@ -144,7 +194,7 @@ def _narrow(scene: Scene) -> float:
     return narrowest(order.format for order in orders).room
 
 
-def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] = ()) -> Size:
+def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float = 0.0) -> Size:
     keys = KEYS[plan]
 
     def fixed(scene: Scene) -> str:
@@ -167,7 +217,9 @@ def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] =
         plan,
         usual,
         in_mm=True,
-        rooms=rooms,
+        small=small,
+        unseen=UNSEEN if small else 0.0,
+        cap=cap,
         extent=own,
         fixed=fixed,
         freed=freed,
@@ -176,9 +228,9 @@ def _size(plan: str, usual: Callable[[Scene], float], rooms: tuple[float, ...] =
 
 
 SIZES = (
-    _size(POSITIONS, _narrow),
-    _size(VELOCITIES, lambda scene: 80.0, VECTORS),
-    _size(ACCELERATIONS, lambda scene: 80.0, VECTORS),
+    _size(POSITIONS, _narrow, 0.6),
+    _size(VELOCITIES, lambda scene: VECTORS, 0.4, SMALL),
+    _size(ACCELERATIONS, lambda scene: VECTORS, 0.4, SMALL),
 )
 """Room for the plan of positions, and for the longest vectors of the others."""
 

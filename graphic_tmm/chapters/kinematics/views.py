@@ -29,7 +29,7 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, in_rows, mu_text
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
@@ -144,7 +144,8 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             size = heights(drawn.scene, "equations")
-            found += in_rows([draw_equations(log, plan, title, told, size)], plan)
+            view = draw_equations(log, plan, title, told, size, drawn.scene.language)
+            found += noted([view], plan)
     return found
 
 

@@ -6,7 +6,7 @@ and below, where the title block is), and the room that is left goes into the ga
 one sheet in a given order, `search` tries orders, `sheets` composes several sheets.
 
 All of it works on boxes (`Outline`), so whoever chooses sizes asks without drawing: `search.fits` whether a
-sheet holds some (a millisecond for fifty views), `sheets.composed` how many sheets an order takes (some ten),
-and both where they would stand. A box is a view's `Outline.of`, or an outline of any width and height with the
-`Stand` that the view declares. The same sizes always make the same sheets.
+sheet holds some (a millisecond for fifty views), `sheets.shared` how many sheets a set takes (some ten),
+`sheets.composed` where everything stands. A box is a view's `Outline.of`, or an outline of any width and height
+with the `Stand` that the view declares. The same sizes always make the same sheets.
 """

@@ -12,17 +12,20 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.paper.compose.judged import judged
-from graphic_tmm.paper.compose.sheet import GAPS, Places, placed
+from graphic_tmm.paper.compose.sheet import GAPS, Places, excess, placed
 from graphic_tmm.paper.compose.units import Outline, Unit, units_of
 from graphic_tmm.paper.drawing import Stand
 from graphic_tmm.paper.packing import Room
 
 TRIES = 60
 """How many orders of a sheet are tried."""
-QUICK = 6
-"""How many are tried to find out whether a sheet holds some boxes."""
+QUICK, FEW = 40, 4
+"""How many are tried to find out whether a sheet holds all that is ordered, or a part of it."""
 LEAD = "\0lead"
 """The block of what leads: tables may stand below it."""
+
+LOOSE = frozenset({"table", "note"})
+"""Kinds that stand where there is room for them."""
 
 Order = tuple[Unit, ...]
 
@@ -38,22 +41,48 @@ def first_order(outlines: Sequence[Outline]) -> Order:
 
 def fits(outlines: Sequence[Outline], room: Room, tries: int = QUICK) -> Places | None:
     """Return where boxes stand on a sheet at the least gap; None if no order tried fits."""
-    start = first_order(outlines)
-    found = placed(start, outlines, room, GAPS[-1])
-    if found is not None or sum(o.width * o.height for o in outlines) > room.area:
-        return found
-    for order, _ in zip(moves(start), range(tries), strict=False):
-        found = placed(order, outlines, room, GAPS[-1])
-        if found is not None:
-            return found
+    found = fitting(outlines, room, tries)
+    return found[1] if found is not None else None
+
+
+def fitting(
+    outlines: Sequence[Outline], room: Room, tries: int = QUICK
+) -> tuple[Order, Places] | None:
+    """Return an order in which a sheet holds boxes, and where they stand then; None if none tried fits.
+
+    Of orders that do not fit the one that is least too high is the start of the next.
+    """
+    gap, best = GAPS[-1], first_order(outlines)
+    found = placed(best, outlines, room, gap)
+    if found is not None:
+        return best, found
+    if sum(o.width * o.height for o in outlines) > room.area:
+        return None
+    over, tried = excess(best, room, gap), {best}
+    while len(tried) <= tries:
+        near = [order for order in moves(best) if order not in tried][: tries + 1 - len(tried)]
+        tried |= set(near)
+        ranked: list[tuple[float, int]] = []
+        for k, order in enumerate(near):
+            ranked.append((excess(order, room, gap), k))
+            found = placed(order, outlines, room, gap) if ranked[-1][0] <= 0.0 else None
+            if found is not None:
+                return order, found
+        if not ranked or min(ranked)[0] >= over:
+            return None
+        over, k = min(ranked)
+        best = near[k]
     return None
 
 
 def composed(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places | None:
     """Return where boxes stand on a sheet, of the orders tried the best; None if none of them fits."""
-    best = first_order(outlines)
+    start = fitting(outlines, room, tries)
+    if start is None:
+        return None
+    best = start[0]
     found, level = _widest(best, outlines, room, len(GAPS) - 1)
-    score = judged(found, outlines, room) if found is not None else math.inf
+    score = judged(found or {}, outlines, room)
     tried, better = {best}, True
     while better:
         better = False
@@ -97,14 +126,14 @@ def _tables(order: Order) -> Iterator[Order]:
     behind = rows[-1] + 1 if rows else 0
     leads = order[0].stand.kind == "lead"
     for k, unit in enumerate(order):
-        if unit.stand.kind != "table":
+        if unit.stand.kind not in LOOSE:
             continue
         others = (*order[:k], *order[k + 1 :])
         first = behind - (k < behind)
         if leads and unit.stand.below != LEAD:
-            under = unit._replace(stand=Stand(kind="table", below=LEAD))
+            under = unit._replace(stand=Stand(kind=unit.stand.kind, below=LEAD))
             yield (order[0], under, *others[1:])
-        free = unit._replace(stand=Stand(kind="table"))
+        free = unit._replace(stand=Stand(kind=unit.stand.kind))
         for place in range(first, len(others) + 1):
             yield (*others[:place], free, *others[place:])
 
@@ -135,5 +164,5 @@ def _exchanged(order: Order) -> Iterator[Order]:
     for k in range(len(order) - 1):
         one, other = order[k : k + 2]
         kinds = {one.stand.kind, other.stand.kind}
-        if "lead" not in kinds and kinds != {"row"} and kinds != {"row", "table"}:
+        if "lead" not in kinds and kinds != {"row"} and not ("row" in kinds and kinds & LOOSE):
             yield (*order[:k], other, one, *order[k + 2 :])

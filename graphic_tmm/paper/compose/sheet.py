@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
-from graphic_tmm.paper.compose.slicing import curve, curves, steps, tree
+from graphic_tmm.paper.compose.slicing import GRID, NONE, Curves, curve, curves, steps, tree
 from graphic_tmm.paper.compose.spread import grown, need, spread
 from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes
 from graphic_tmm.paper.packing import GAP, Room
@@ -12,31 +14,68 @@ from graphic_tmm.paper.packing import GAP, Room
 GAPS = (25.0, 20.0, 16.0, 13.0, 11.0, 9.0, GAP)
 """Gaps that are tried, mm, the widest first."""
 
+SPARE = 1.2
+"""How far above a sheet, as a share, is looked for what is too high for it."""
+
 Places = dict[int, complex]
 """Where boxes stand, by their index: the lower left corner in sheet coordinates (complex, mm)."""
+
+
+class Cutting(NamedTuple):
+    """What is cut into a sheet: where views begin (left, top, mm), their room, the units and their shapes."""
+
+    corner: complex
+    size: Size
+    units: Sequence[Unit]
+    ways: Sequence[Sequence[Shape]]
+    gap: float
+
+    def curves(self, share: float = 1.0) -> Curves:
+        """Return the curves of all runs of units on a sheet by a ``share`` higher."""
+        gap, units = self.gap, self.units
+        across, down = steps(self.size[0] + gap), steps(share * (self.size[1] + gap))
+        below = [(j, k) for k, unit in enumerate(units) for j in range(k) if _under(unit, units[j])]
+        leaves = [
+            curve([(s.width + gap, s.height + gap) for s in way], across, down) for way in self.ways
+        ]
+        return curves(leaves, down, below)
+
+
+def cutting(units: Sequence[Unit], room: Room, gap: float) -> Cutting | None:
+    """Return what is cut into a sheet with gaps no narrower; None if it is more than the sheet has."""
+    left, bottom, right, top = room.inner
+    head, foot, aside = _corners(room, gap)
+    width, height = right - aside - left - 2 * gap, top - bottom - 2 * gap
+    area = sum((w + gap) * (h + gap) for unit in units for w, h, _ in unit.sizes)
+    area += (foot[0] + gap) * (foot[1] + gap)
+    if area > (width + gap) * (height + gap):
+        return None
+    there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
+    ways: list[Sequence[Shape]] = [shapes(unit.sizes, gap) for unit in there]
+    ways[0] = _below(ways[0], head, gap)
+    return Cutting(complex(left + gap, top - gap), (width, height), there, ways, gap)
+
+
+def excess(units: Sequence[Unit], room: Room, gap: float) -> float:
+    """Return by how much, mm, what is cut into a sheet is too high for it; without end if by very much."""
+    cut = cutting(units, room, gap)
+    if cut is None:
+        return math.inf
+    least = int(cut.curves(SPARE).heights[len(cut.units), 0, -1])
+    return (least - steps(cut.size[1] + gap)) * GRID if least < NONE else math.inf
 
 
 def placed(
     units: Sequence[Unit], outlines: Sequence[Outline], room: Room, gap: float
 ) -> Places | None:
     """Return where boxes stand, cut into a sheet with gaps no narrower; None if it does not hold them."""
-    left, bottom, right, top = room.inner
-    head, foot, aside = _corners(room, gap)
-    right -= aside
-    width, height = right - left - 2 * gap, top - bottom - 2 * gap
-    area = sum((o.width + gap) * (o.height + gap) for o in outlines)
-    if area > (width + gap) * (height + gap):
+    cut = cutting(units, room, gap)
+    if cut is None:
         return None
-    there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
-    ways: list[Sequence[Shape]] = [shapes(unit.sizes, gap) for unit in there]
-    ways[0] = _below(ways[0], head, gap)
-    below = [(j, k) for k, unit in enumerate(units) for j in range(k) if _under(unit, units[j])]
-    across, down = steps(width + gap), steps(height + gap)
-    leaves = [curve([(s.width + gap, s.height + gap) for s in way], across, down) for way in ways]
-    found = curves(leaves, down, below)
+    found, (width, height) = cut.curves(), cut.size
     for shorter in (0, 1):
-        cuts = tree(found, across - shorter, down - shorter)
-        least = cuts and need(cuts, there, ways, gap)
+        cuts = tree(found, *(side - 1 - shorter for side in (found.across, found.down)))
+        least = cuts and need(cuts, cut.units, cut.ways, gap)
         if least and least.width <= width + 1e-6 and least.height <= height + 1e-6:
             break
     else:
@@ -47,10 +86,10 @@ def placed(
         least.width + (least.across - 1) * (wide - gap),
         least.height + (least.down - 1) * (high - gap),
     )
-    x, y = left + gap + (width - size[0]) / 2, top - gap - (height - size[1]) / 2
+    middle = cut.corner + complex(width - size[0], size[1] - height) / 2
     return {
-        k: complex(x + at, y - below_ - outlines[k].height)
-        for k, at, below_ in spread(least, 0.0, 0.0, *size, gap)
+        k: middle + complex(at, -down - outlines[k].height)
+        for k, at, down in spread(least, 0.0, 0.0, *size, gap)
     }
 
 
@@ -87,7 +126,8 @@ def _corners(room: Room, gap: float) -> tuple[Size, Size, float]:
             foot = (wide, high)
         elif box[2] >= right - 1e-6:
             aside = max(aside, wide)
-    width = right - left - aside - 2 * gap
+    # what is as wide as the sheet would leave no step of the grid to spare: nothing stands beside it anyway
+    width = right - left - aside - 2 * gap - 2 * GRID
     if foot[0]:
         foot = (max(min(foot[0] - aside - gap, width), 0.0), max(foot[1] - gap, 0.0))
     if head[0]:

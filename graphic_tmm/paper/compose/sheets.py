@@ -1,16 +1,19 @@
-"""Several sheets: what one does not hold goes to the next, in order, tables wherever there is room for them.
+"""Several sheets: what one does not hold goes to the next, in order; a set is put right afterwards.
 
 A row of plans is broken between any two of them; a polygon stays with its group as long as a sheet holds both.
+What is left over of an order stands on a sheet of its own only if no other sheet of the set has room for it,
+first of all one where the rest of its block stands; an order that takes several sheets fills them evenly.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import search
-from graphic_tmm.paper.compose.search import fits
+from graphic_tmm.paper.compose.search import FEW, QUICK, TRIES, fits
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
 from graphic_tmm.paper.drawing import Drawing
@@ -18,49 +21,122 @@ from graphic_tmm.paper.packing import GAP, Room, free
 
 Rooms = tuple[Room, Room]
 """The room of a first sheet, and of the sheets that follow it."""
+SMALL = 0.3
+"""What fills less of a sheet than this is no sheet of its own if it can stand elsewhere."""
+UNEVEN = 1.1
+"""Of several sheets none should be filled by so much more than their mean."""
 
 
-def composed(
-    outlines: Sequence[Outline], rooms: Rooms, format: str, *, polished: bool = False
-) -> list[Places]:
-    """Return where boxes stand, sheet by sheet; fast, or ``polished`` with gaps as equal as they can be.
+class Order(NamedTuple):
+    """What a sheet, and those that follow it, shall show: boxes, the rooms, the format."""
 
-    A pure function of sizes: what stands on a sheet is the same either way.
+    outlines: tuple[Outline, ...]
+    rooms: Rooms
+    format: str
+
+
+class Shared(NamedTuple):
+    """A sheet of a set: the index of its order, its room, and its boxes by their index among all of the set.
+
+    ``alone``: its only box fills it so much that nothing is cut.
+    """
+
+    order: int
+    room: Room
+    boxes: tuple[int, ...]
+    alone: bool = False
+
+
+def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Shared, Places]]:
+    """Return the sheets of a set, each with where its boxes stand; fast, or ``polished``: with gaps made equal.
+
+    A pure function of sizes. Polished, it tries more orders before it gives up a sheet. Boxes are counted
+    through all orders.
 
     Raises
     ------
     ViewError
         If a view does not fit on an empty sheet; says its size.
     """
-    waiting = [k for unit in units_of(outlines, range(len(outlines))) for k in unit.members]
-    found: list[Places] = []
-    while waiting:
-        room = rooms[1 if found else 0]
-        taken = _taken(outlines, waiting, room)
-        if not taken:
-            found.append({waiting[0]: _alone(outlines[waiting[0]], room, format)})
-            taken = waiting[:1]
-        else:
-            place = search.composed if polished else fits
-            found.append(_numbered(place([outlines[k] for k in taken], room), taken))
-        waiting = [k for k in waiting if k not in set(taken)]
+    boxes = [outline for order in orders for outline in order.outlines]
+    found = []
+    for sheet in shared(orders, TRIES if polished else QUICK):
+        some = [boxes[k] for k in sheet.boxes]
+        places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
+        if sheet.alone or places is None:
+            places = {0: _alone(some[0], sheet.room, orders[sheet.order].format)}
+        found.append((sheet, {sheet.boxes[k]: _told(at) for k, at in places.items()}))
     return found
 
 
-def _numbered(places: Places | None, chosen: Sequence[int]) -> Places:
-    """Return places of some of the boxes, by the index among all."""
-    assert places is not None
-    return {chosen[k]: at for k, at in places.items()}
+def _told(at: complex) -> complex:
+    """Return a place as people are told it: a composition that is written down is the one that was drawn."""
+    return complex(round(at.real, 2), round(at.imag, 2))
 
 
-def _taken(outlines: Sequence[Outline], waiting: Sequence[int], room: Room) -> list[int]:
-    """Return what of the views that wait a sheet holds: as many in order as it can, and tables behind them."""
+def shared(orders: Sequence[Order], tries: int = QUICK) -> list[Shared]:
+    """Return what stands on which sheet: how many sheets there are tells whether sizes fit; see `composed`."""
+    boxes = [outline for order in orders for outline in order.outlines]
+    sheets: list[Shared] = []
+    first = 0
+    for index, order in enumerate(orders):
+        own = range(first, first + len(order.outlines))
+        sheets += _filled(boxes, own, index, order, tries)
+        first += len(order.outlines)
+    sheets = _gathered(boxes, sheets, tries)
+    return [
+        sheet
+        for index, order in enumerate(orders)
+        for sheet in _evenly(boxes, [s for s in sheets if s.order == index], index, order, tries)
+    ]
 
-    def held(chosen: Sequence[int]) -> bool:
-        return fits([outlines[k] for k in chosen], room) is not None
 
-    ends = _ends(outlines, waiting)
-    low, high = 0, len(ends)
+def _evenly(
+    boxes: Sequence[Outline], sheets: list[Shared], index: int, order: Order, tries: int
+) -> list[Shared]:
+    """Return the sheets of an order, of several all about equally full if that takes no more of them."""
+    if len(sheets) < 2:
+        return sheets
+    most = UNEVEN * sum(_area(boxes, one.boxes) for one in sheets) / len(sheets)
+    even = _filled(boxes, [k for one in sheets for k in one.boxes], index, order, tries, most)
+    return even if len(even) == len(sheets) else sheets
+
+
+def _filled(
+    boxes: Sequence[Outline],
+    own: Sequence[int],
+    index: int,
+    order: Order,
+    tries: int,
+    most: float | None = None,
+) -> list[Shared]:
+    """Return the sheets of an order, each as full as it can be, or as full as ``most`` (mm²)."""
+    waiting = [k for unit in units_of(boxes, own) for k in unit.members]
+    found: list[Shared] = []
+    while waiting:
+        room = order.rooms[1 if found else 0]
+        taken = _taken(boxes, waiting, room, tries, most)
+        if not taken:
+            _alone(boxes[waiting[0]], room, order.format)
+        found.append(Shared(index, room, tuple(taken or waiting[:1]), not taken))
+        waiting = [k for k in waiting if k not in found[-1].boxes]
+    return found
+
+
+def _taken(
+    boxes: Sequence[Outline], waiting: Sequence[int], room: Room, tries: int, most: float | None
+) -> list[int]:
+    """Return what of the boxes that wait a sheet holds: as many in order as it can, and tables behind them."""
+
+    def held(chosen: Sequence[int], tried: int = FEW) -> bool:
+        if most is not None and len(chosen) > 1 and _area(boxes, chosen) > most:
+            return False
+        return fits([boxes[k] for k in chosen], room, tried) is not None
+
+    if held(waiting, tries):
+        return list(waiting)
+    ends = _ends([boxes[k] for k in waiting])
+    low, high = 0, len(ends) - 1
     while low < high:
         middle = (low + high + 1) // 2
         if held(waiting[: ends[middle - 1]]):
@@ -71,26 +147,67 @@ def _taken(outlines: Sequence[Outline], waiting: Sequence[int], room: Room) -> l
     if not taken and ends[0] > 1 and held(waiting[:1]):
         taken = list(waiting[:1])
     for k in waiting[len(taken) :]:
-        if taken and outlines[k].stand.kind == "table" and held([*taken, k]):
+        if taken and boxes[k].stand.kind == "table" and held([*taken, k]):
             taken.append(k)
     return taken
 
 
-def _ends(outlines: Sequence[Outline], waiting: Sequence[int]) -> list[int]:
-    """Return where the views that wait may be broken: behind each unit, and each plan of a row."""
-    stands = [outlines[k].stand for k in waiting]
+def _ends(waiting: Sequence[Outline]) -> list[int]:
+    """Return where the boxes that wait may be parted: not between a group and its polygon."""
+    stands = [one.stand for one in waiting]
     return [
         n + 1
         for n, stand in enumerate(stands)
-        if stand.kind != "pair"
-        or n + 1 == len(stands)
-        or stands[n + 1].block != stand.block
-        or not stand.block
+        if stand.kind != "pair" or n + 1 == len(stands) or stands[n + 1].block != stand.block
     ]
 
 
+def _gathered(boxes: Sequence[Outline], sheets: list[Shared], tries: int) -> list[Shared]:
+    """Return the sheets without those that hold little which has room on others."""
+    for one in sorted(sheets, key=lambda sheet: _area(boxes, sheet.boxes)):
+        follows = sum(sheet.order == one.order for sheet in sheets) > 1
+        if not follows or _area(boxes, one.boxes) > SMALL * one.room.area:
+            continue
+        others = _moved(boxes, one, [sheet for sheet in sheets if sheet is not one], tries)
+        sheets = sheets if others is None else others
+    return sheets
+
+
+def _moved(
+    boxes: Sequence[Outline], one: Shared, others: list[Shared], tries: int
+) -> list[Shared] | None:
+    """Return other sheets that have taken up the boxes of one; None if they have no room for all of them."""
+    for unit in units_of(boxes, one.boxes):
+        for place in sorted(
+            range(len(others)), key=lambda n: _strange(boxes, unit.members, one, others[n])
+        ):
+            sheet = others[place]
+            more = (*sheet.boxes, *unit.members)
+            if sheet.alone or (sheet.order != one.order and unit.stand.kind not in search.LOOSE):
+                continue
+            if fits([boxes[k] for k in more], sheet.room, tries) is not None:
+                others = [*others[:place], sheet._replace(boxes=more), *others[place + 1 :]]
+                break
+        else:
+            return None
+    return others
+
+
+def _strange(
+    boxes: Sequence[Outline], members: Iterable[int], one: Shared, other: Shared
+) -> tuple[bool, int]:
+    """Return how far from home boxes are on another sheet: none of their block there?, how many orders off."""
+    blocks = {boxes[k].stand.block for k in members} - {""}
+    there = {boxes[k].stand.block for k in other.boxes}
+    return not blocks & there, abs(other.order - one.order)
+
+
+def _area(boxes: Sequence[Outline], chosen: Iterable[int]) -> float:
+    return sum(boxes[k].width * boxes[k].height for k in chosen)
+
+
 def _alone(outline: Outline, room: Room, format: str) -> complex:
-    """Return where a view stands alone on a sheet, as high up and as far left as it can."""
+    """Return where a box stands alone on a sheet, as high up and as far left as it can."""
     held = [
         f
         for f in free(room)
@@ -120,8 +237,13 @@ def too_large(outline: Outline, room: Room, format: str) -> ViewError:
 
 def pack(views: Sequence[Drawing], rooms: Rooms, format: str) -> list[list[Drawing]]:
     """Return views moved to where they stand, sheet by sheet; see `composed`."""
-    outlines = [Outline.of(view) for view in views]
+    order = Order(tuple(Outline.of(view) for view in views), rooms, format)
     return [
-        [views[k].moved(at - outlines[k].corner)._replace(apart=None) for k, at in sheet.items()]
-        for sheet in composed(outlines, rooms, format, polished=True)
+        [moved(views[k], order.outlines[k], at) for k, at in sorted(places.items())]
+        for _, places in composed([order])
     ]
+
+
+def moved(view: Drawing, outline: Outline, at: complex) -> Drawing:
+    """Return a view with the lower left corner of its box at a place; it does not come apart any more."""
+    return view.moved(at - outline.corner)._replace(apart=None)

@@ -47,6 +47,16 @@ class Curves(NamedTuple):
     widths: np.ndarray
     below: tuple[Below, ...]
 
+    @property
+    def across(self) -> int:
+        """How many widths there are."""
+        return int(self.heights.shape[2])
+
+    @property
+    def down(self) -> int:
+        """How many heights there are."""
+        return int(self.widths.shape[2])
+
 
 def steps(length: float) -> int:
     """Return a length in steps of the grid, no shorter."""

@@ -105,8 +105,9 @@ def _row(part: Need, x: float, y: float, width: float, height: float, gap: float
 
 
 def _single(part: Need) -> bool:
-    """Whether a part is one row of boxes that may stand at any height of its cell."""
-    return part.cut is None and part.down == 1 and bool(part.unit.members)
+    """Whether a part is one row of boxes that may stand at any height of its cell; what leads stands above."""
+    leads = part.unit.stand.kind == "lead"
+    return part.cut is None and part.down == 1 and bool(part.unit.members) and not leads
 
 
 def _line(part: Need, height: float) -> tuple[float, float]:
@@ -121,13 +122,13 @@ def _line(part: Need, height: float) -> tuple[float, float]:
 
 
 def _column(part: Need, x: float, y: float, width: float, height: float, gap: float) -> Spots:
-    high = grown(part.height, part.down, height, gap)
+    high, end = grown(part.height, part.down, height, gap), y + height
     sizes = [one.height + (one.down - 1) * (high - gap) for one in part.parts]
     left = height - sum(sizes) - high * (len(sizes) - 1)
-    y += left / 2
+    y += 0.0 if part.parts[0].unit.stand.kind == "lead" else left / 2
     for one, size in zip(part.parts, sizes, strict=True):
         if one.last:
-            y += left / 2
+            y = end - size
         yield from spread(one, x, y, width, size, gap)
         y += size + high
 
@@ -137,6 +138,7 @@ def _unit(part: Need, x: float, y: float, width: float, height: float, gap: floa
     if not unit.members:
         return
     most = PAIRED if unit.stand.kind == "pair" else WIDEST
+    gap = min(gap, most)
     x, y = x + shape.free[0], y + shape.free[1]
     width, height = width - shape.free[0], height - shape.free[1]
     lines = split(unit.sizes, shape.rows)

@@ -1,4 +1,4 @@
-"""The frame of a sheet: margins, title block, columns in the margin and the 100 mm check line.
+"""The frame of a sheet: margins, title block, columns in the binding margin and the 100 mm check line.
 
 ГОСТ 2.301 and 2.104 for Russian sheets, ISO 5457 and 7200 for others, as the catalogue of the language says
 (see `titleblock` for the forms). Sheet coordinates: mm from the lower left corner of the paper, y upward.
@@ -52,8 +52,8 @@ NAME = "frame"
 """Of its drawing, by which it is told from the views."""
 CHECK_LENGTH = 100.0
 """The check line, mm: laid against a ruler it tells whether a print is true to size."""
-CHECK_X, CHECK_START, CHECK_TICK, CHECK_SIZE = 5.5, 30.0, 1.25, 2.5
-"""The check line: its x, how far below mid-height it begins, half a tick, its lettering, mm."""
+CHECK_DOWN, CHECK_END, CHECK_TICK, CHECK_SIZE = 2.2, 20.0, 1.0, 2.5
+"""The check line: how far below the upper edge, from the right of the frame; half a tick, its lettering, mm."""
 
 
 def standard(language: str) -> str:
@@ -89,11 +89,13 @@ def frame(
     number: int,
     count: int,
     fields: Mapping[str, str],
+    check: bool = True,
 ) -> Drawing:
     """Return the frame of sheet ``number`` of ``count``, its title block filled from plain text.
 
     ``fields`` holds any of `FIELDS`; what a form has no place for is left out. A single sheet bears
-    no number (ГОСТ 2.104). Raises SheetError for an unknown format, language or field.
+    no number (ГОСТ 2.104). ``check``: the check line stands above it.
+    Raises SheetError for an unknown format, language or field.
     """
     unknown = sorted(set(fields) - set(FIELDS))
     if unknown:
@@ -116,27 +118,28 @@ def frame(
         labels += lettered(block, at, entries, _)
     if gost:
         labels += _foot(format, inner, _)
-    check, words = check_line(format, language)
-    return Drawing(NAME, _("Frame and title block"), strokes + check, (*labels, *words))
+    if check:
+        more, words = check_line(format, language)
+        strokes, labels = strokes + more, [*labels, *words]
+    return Drawing(NAME, _("Frame and title block"), strokes, tuple(labels))
 
 
 def check_line(format: str, language: str) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
-    """Return the line of exactly 100 mm in the binding margin, and its words."""
-    _, middle = speaking(language), FORMATS[format].height / 2
-    foot = complex(CHECK_X, middle - CHECK_START)
-    top = foot + CHECK_LENGTH * 1j
-    body = line("thin", foot, top)._replace(
-        title=f"{CHECK_LENGTH:g} {unit('mm', language)}",
-        data=(("check-line", f"{CHECK_LENGTH:g}"),),
-    )
-    ticks = tuple(line("thin", end - CHECK_TICK, end + CHECK_TICK) for end in (foot, top))
-    x = CHECK_X + CHECK_SIZE / 2
+    """Return the line of exactly 100 mm in the margin above the frame, and its words."""
+    _, (width, height) = speaking(language), size_of(format)
+    end = complex(width - MARGINS[standard(language)][1] - CHECK_END, height - CHECK_DOWN)
+    start = end - CHECK_LENGTH
+    told = f"{CHECK_LENGTH:g} {unit('mm', language)}"
+    data = (("check-line", f"{CHECK_LENGTH:g}"),)
+    body = line("thin", start, end)._replace(title=told, data=data)
+    ticks = tuple(line("thin", z - 1j * CHECK_TICK, z + 1j * CHECK_TICK) for z in (start, end))
     texts = (
-        (_("Print check"), foot.imag - 6, "end"),
-        ("0", foot.imag - 1.5, "end"),
-        (f"{CHECK_LENGTH:g} {unit('mm', language)}", top.imag + 1.5, "start"),
+        (_("Print check"), start - 6, "end"),
+        ("0", start - 1.5, "end"),
+        (told, end + 1.5, "start"),
     )
-    labels = tuple(Label(text, complex(x, y), CHECK_SIZE, side, 90) for text, y, side in texts)
+    foot = -0.5j * CHECK_SIZE
+    labels = tuple(Label(text, at + foot, CHECK_SIZE, side) for text, at, side in texts)
     return (body, *ticks), labels
 
 

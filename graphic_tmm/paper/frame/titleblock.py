@@ -143,11 +143,12 @@ FORM_2A = Block(
     ),
     (*_changes(0), Slot(said("Sheet", context="title block"), Box(175, 8, 185, 15), SMALL)),
     (
-        Slot("designation", Box(65, 0, 175, 15), (7, 5, 3.5, 2.5), 2, pad=2),
+        Slot("designation", Box(65, 6.5, 175, 15), (5, 3.5, 2.5), pad=2),
+        Slot("name", Box(65, 0, 175, 6.5), (3.5, 2.5), pad=2),
         Slot("sheet", Box(175, 0, 185, 8), (5, 3.5, 2.5, 1.8)),
     ),
 )
-"""The following sheets: 185 × 15 (ГОСТ 2.104, form 2a)."""
+"""The following sheets: 185 × 15 (ГОСТ 2.104, form 2a); the name of the sheet stands under its designation."""
 
 COLUMN_26 = Block(
     70,
@@ -295,16 +296,23 @@ ISO_NEXT = Block(
     (
         *_level("main", 0, 180, 10),
         *_upright("main", 0, 10, 0),
-        *_upright("thin", 0, 10, 55, 120, 132, 155, 165),
+        *_upright("thin", 0, 10, 28, 76, 120, 132, 155, 165),
     ),
     *_fields(
         _field(
-            said("Legal owner", context="title block"), "organisation", Box(0, 0, 55, 10), TEXT, 2
+            said("Legal owner", context="title block"), "organisation", Box(0, 0, 28, 10), TEXT, 2
+        ),
+        _field(
+            said("Title, supplementary title", context="title block"),
+            "name",
+            Box(28, 0, 76, 10),
+            TEXT,
+            2,
         ),
         _field(
             said("Identification number", context="title block"),
             "designation",
-            Box(55, 0, 120, 10),
+            Box(76, 0, 120, 10),
             TEXT,
             2,
         ),

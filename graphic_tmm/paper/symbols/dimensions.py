@@ -6,7 +6,7 @@ import cmath
 import math
 from typing import NamedTuple
 
-from graphic_tmm.paper.drawing import Label, Stroke, line
+from graphic_tmm.paper.drawing import Label, Stroke, arc, line
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
@@ -56,6 +56,25 @@ def dimension(start: complex, end: complex, offset: float, text: str) -> Dimensi
     at = middle + (ABOVE + made.descent) * 1j * read
     label = Label(text, at, SIZE, "middle", round(math.degrees(cmath.phase(read)), 6))
     return Dimension(tuple(strokes), label)
+
+
+def angular(vertex: complex, start: float, sweep: float, radius: float) -> tuple[Stroke, ...]:
+    """Return the arc with arrows that dimensions an angle, and the side on which it begins.
+
+    ``start``, ``sweep`` in degrees, counter-clockwise positive. Where the arrows have no room between the sides
+    they stand outside, and the arc goes on behind them.
+    """
+    inside = abs(math.radians(sweep)) * radius >= 2 * ARROW + 1.0
+    beyond = 0.0 if inside else math.copysign(math.degrees(2 * ARROW / radius), sweep)
+    strokes = [
+        line("thin", vertex, vertex + cmath.rect(radius + BEYOND, math.radians(start))),
+        arc("thin", vertex, radius, start - beyond, sweep + 2 * beyond),
+    ]
+    for turn, sense in ((start, -1), (start + sweep, 1)):
+        out = cmath.rect(1.0, math.radians(turn))
+        way = 1j * out * math.copysign(1.0, sweep) * sense * (1 if inside else -1)
+        strokes += arrowhead(vertex + radius * out, way, pen="thin", length=ARROW)
+    return tuple(strokes)
 
 
 def shelf(point: complex, bend: complex, text: str) -> Dimension:

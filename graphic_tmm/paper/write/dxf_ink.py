@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Mapping
 from typing import Any
 
+from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Ink, Path, Stroke
 from graphic_tmm.paper.labels import shape
 from graphic_tmm.paper.pens import Pen
@@ -27,7 +29,9 @@ def weight(width: float) -> int:
 
 
 def spot(z: complex) -> tuple[float, float]:
-    """Return a place as DXF has it."""
+    """Return a place as DXF has it; SheetError if it is none."""
+    if not cmath.isfinite(z):
+        raise SheetError(f"a coordinate of the sheet is not a finite number: {z}")
     return round(z.real, DIGITS), round(z.imag, DIGITS)
 
 
@@ -51,6 +55,7 @@ class Inker:
             self.filled(stroke, style)
         else:
             if pen.fill == "white":
+                vertices(stroke.path)  # refused if it has no place
                 corners = [spot(complex(x, y)) for x, y in shape(stroke).coords[:-1]]
                 self.space.add_wipeout(corners, dxfattribs=style)
             if pen.width:
@@ -71,7 +76,11 @@ class Inker:
             self.space.add_solid([point[:2] for point in points], dxfattribs=style)
             return
         hatch = self.space.add_hatch(color=256, dxfattribs=style)
-        hatch.paths.add_polyline_path(points, is_closed=True)
+        found = recognised(stroke)
+        if isinstance(found, Circle):
+            hatch.paths.add_edge_path().add_arc(spot(found.centre), round(found.radius, DIGITS))
+        else:
+            hatch.paths.add_polyline_path(points, is_closed=True)
 
     def line(self, stroke: Stroke, style: Mapping[str, Any]) -> None:
         """Write a line as what it is."""

@@ -37,7 +37,7 @@ class Arc(NamedTuple):
 
 
 def recognised(stroke: Stroke) -> Line | Circle | Arc | None:
-    """Return what an unfilled stroke is as a whole; None for a polyline."""
+    """Return what a stroke is as a whole; None for a polyline."""
     path = stroke.path
     if len(path) == 2 and not stroke.closed and path[0][2] == 0.0:
         return Line(complex(*path[0][:2]), complex(*path[1][:2]))

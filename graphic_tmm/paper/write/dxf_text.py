@@ -1,8 +1,9 @@
 """Lettering as TEXT of a CAD program: a style by ГОСТ 2.304, each run as long as our own letters are.
 
 A run of letters is one TEXT, fitted between the two points between which it stands here (alignment FIT), so
-that it keeps its place and its length in whatever font a program has; an index is a TEXT of its own size. What
-belongs to one label is a group. What such fonts do not hold for certain, and bars, are drawn.
+that it keeps its place and its length in whatever font a program has; a single letter is not stretched, it
+stands in the middle of its place. An index is a TEXT of its own size. What belongs to one label is a group.
+What such fonts do not hold for certain, and bars, are drawn.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ from graphic_tmm.paper.write.svg import shift
 
 FONT = "isocpeur.ttf"
 """Drawn after ISO 3098, nearest to ГОСТ 2.304 among the fonts that come with the CAD programs themselves."""
+FAMILY = "ISOCPEUR"
+"""What the font calls itself, by which Windows finds it."""
 OBLIQUE = 15.0
 """Lean of the letters, degrees from upright (ГОСТ 2.304: about 75° to the base line)."""
 STYLES = {True: "GOST_2.304_INCLINED", False: "GOST_2.304_UPRIGHT"}
@@ -34,9 +37,12 @@ MARKS = "^\\"
 
 
 def add_styles(document: Any) -> None:
-    """Define the two text styles; their height is free, for each TEXT has its own."""
+    """Define the two text styles, the inclined one current; their height is free: each TEXT has its own."""
     for inclined, name in STYLES.items():
-        document.styles.add(name, font=FONT).dxf.oblique = OBLIQUE if inclined else 0.0
+        style = document.styles.add(name, font=FONT)
+        style.dxf.oblique = OBLIQUE if inclined else 0.0
+        style.set_extended_font_data(FAMILY)
+    document.header["$TEXTSTYLE"] = STYLES[True]
 
 
 def writable(character: str) -> bool:
@@ -83,6 +89,11 @@ class Letterer:
                 "oblique": OBLIQUE if label.inclined else 0.0,
             },
         )
+        if len(run.text) == 1:
+            middle = spot(begin + run.width / 2 * turn)
+            text.set_placement(middle, align=TextEntityAlignment.CENTER)
+            text.dxf.insert = spot(begin)
+            return text
         ends = (spot(begin), spot(begin + run.width * turn))
         return text.set_placement(*ends, align=TextEntityAlignment.FIT)
 

@@ -15,8 +15,7 @@ from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
-from graphic_tmm.chapters.cam.ink_graphs import CamNames, draw_cam_graph
-from graphic_tmm.chapters.cam.ink_numbers import Numbers
+from graphic_tmm.chapters.cam.ink_graphs import RULES
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import (
@@ -26,10 +25,17 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
+from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.graph import Names, Span, draw_graph
 from graphic_tmm.paper.labels import box, flat, shape
+from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
 
+WALL = HEIGHTS["A1"]
 ROCKING = {**C6, "stroke": 0.35, "pressure": 40.0}
 TRIANGLES = Law("diagram", ((0, 0), (0.25, 1), (0.75, -1), (1, 0)))
 ORDERS = {
@@ -57,21 +63,31 @@ def positions(of: Made) -> list[str]:
 
 def graph(of: Made, view: str, lettered: bool = True) -> Drawing:
     phases = (("φ_{1}", 100.0), ("φ_{2}", 120.0), ("φ_{3}", 210.0), ("φ_{4}", 360.0))
-    names = CamNames(positions(of), "S", "φ", phases if view == "cam S" else ())
-    return draw_cam_graph(of.log, of.reading, view, names, "X", lettered=lettered)
+    ends = [0.0, *(end for _, end in phases)]
+    spans = [
+        Span(a * 240 / 360, b * 240 / 360, text) for a, (text, b) in zip(ends, phases, strict=False)
+    ]
+    names = Names(positions(of), "S", "φ", spans=spans if view == "cam S" else ())
+    drawn = draw_graph(of.log, of.reading, view, of.reading.positions, names, "X", rules=RULES)
+    return finished(drawn, lettered)
 
 
 def centre(of: Made, lettered: bool = True) -> Drawing:
     names = CentreNames(positions(of), "S", "dS/dφ", "r_{min}", "r_{0}")
+    on = (of.log, of.reading, of.cam)
     if isinstance(of.cam.centre, Convexity):
-        return draw_convexity_ink(of.reading, of.cam, names, "X", lettered=lettered)
+        return finished(draw_convexity_ink(*on, names, "X", WALL), lettered)
     draw = draw_rocker_ink if isinstance(of.cam.path, Lever) else draw_centre_ink
-    return draw(of.reading, of.cam, names, "X", lettered=lettered)
+    return finished(draw(*on, names, "X", WALL), lettered)
+
+
+def bare_profile(of: Made) -> Drawing:
+    names = ProfileNames(positions(of), "r_{0}", "r", "theoretical", "working")
+    return draw_profile_ink(of.log, of.reading, of.cam, names, "X", WALL)
 
 
 def profile(of: Made, lettered: bool = True) -> Drawing:
-    names = ProfileNames(positions(of), "r_{0}", "r", "theoretical", "working")
-    return draw_profile_ink(of.reading, of.cam, names, "X", lettered=lettered)
+    return finished(bare_profile(of), lettered)
 
 
 def graphs(of: Made) -> list[str]:
@@ -94,22 +110,33 @@ def sheet(of: list[Drawing]) -> str:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_letters_stand_clear_of_each_other_and_number_every_position(name: str) -> None:
-    for view in views(drawn(name)):
+    """On the diagrams every position has its tick; where the numbers have no room every second bears one."""
+    of = drawn(name)
+    for view in views(of):
         boxes = [box(label) for label in view.labels]
         for a, b in combinations(range(len(boxes)), 2):
             pair = (view.labels[a].text, view.labels[b].text)
             assert boxes[a].disjoint(boxes[b]), (view.name, pair)
         texts = ", ".join(label.text for label in view.labels).split(", ")
-        assert set(positions(drawn(name))) <= set(texts), view.name
+        every = 2 if view.name in graphs(of) and "1" not in texts else 1
+        assert set(positions(of)[::every]) <= set(texts), view.name
+        if view.name in graphs(of):
+            (feet,) = {
+                f.marks[3] for f in of.log.figures if f.view == view.name and f.kind == "axes"
+            }
+            ticks = {s.position for s in view.strokes if s.of == (feet.slot,)}
+            assert ticks == set(range(of.reading.positions))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
-def test_unlettered_views_have_room_for_their_ink(name: str) -> None:
+def test_unlettered_views_take_about_the_room_of_lettered_ones(name: str) -> None:
     for bare, view in zip(views(drawn(name), False), views(drawn(name)), strict=True):
         assert bare.cell is not None
-        room = shapely.box(*bare.cell)
-        assert all(room.covers(shape(stroke)) for stroke in view.strokes), view.name
+        room = shapely.box(*bare.cell).buffer(1e-6)
+        ink = [stroke for stroke in view.strokes if stroke.part != "leader"]
+        assert all(room.covers(shape(stroke)) for stroke in ink), view.name
+        assert all(room.buffer(15.0).covers(box(label)) for label in view.labels), view.name
 
 
 @pytest.mark.slow
@@ -170,9 +197,11 @@ def test_the_tangents_leave_the_curve_on_one_side_and_meet_above_the_chosen_cent
         away = ((curve - a) * np.conj(1j * (b - a) / abs(b - a))).real
         assert abs(math.degrees(math.atan2((b - a).real, (b - a).imag))) == pytest.approx(30.0)
         assert min(away.max(), -away.min()) < 0.02  # the tangency lies between positions
-    numbers = Numbers(of.reading, of.cam)
-    lowest = max(numbers.one(of.cam.centre.apex).imag, numbers.one(of.cam.centre.least_centre).imag)
-    assert numbers.one(of.cam.centre.centre).imag < lowest
+    apex, least, chosen = (
+        complex(of.reading[mark][0, 0]).imag
+        for mark in (of.cam.centre.apex, of.cam.centre.least_centre, of.cam.centre.centre)
+    )
+    assert chosen < max(apex, least)
 
 
 @pytest.mark.parametrize("name", ["central", "cosine"])
@@ -189,6 +218,25 @@ def test_a_semicircle_is_divided_at_its_points(name: str) -> None:
                     assert whole.distance(shapely.Point(z.real, z.imag)) < 1.0
 
 
+@pytest.mark.parametrize("name", [n for n in ORDERS if n != "no dwells"])
+def test_the_phases_on_the_profile_are_those_of_the_task(name: str) -> None:
+    """Arcs about the centre, end to end, each as long as its phase; they bear the letters of the diagrams."""
+    of, order = drawn(name), ORDERS[name]
+    ink = bare_profile(of)
+    bows = [
+        s for s in ink.strokes
+        if isinstance(s, Stroke) and s.part == "dimension" and s.path[0][2] and not s.closed
+    ]  # fmt: skip
+    turns = [sum(math.degrees(4 * math.atan(bulge)) for *_, bulge in s.path) for s in bows]
+    due = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    assert [abs(turn) for turn in turns] == pytest.approx(due)
+    assert all((turn < 0) == (order.turns == "counterclockwise") for turn in turns)
+    radii = {round(abs(complex(*vertex[:2])), 6) for s in bows for vertex in s.path}
+    assert len(radii) == 1
+    texts = {one.text for one in ink.wanted}
+    assert {"φ_{1}", "φ_{2}", "φ_{3}", "φ_{4}"} <= texts
+
+
 @pytest.mark.slow
 def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     """No centre, no profile; the diagrams stand, and no coordinate is missing on the sheet."""
@@ -200,3 +248,23 @@ def test_a_cam_that_cannot_be_drawn_leaves_what_can() -> None:
     assert len([s for s in graph(of, "cam S").strokes if isinstance(s, Bezier)]) == 2
     undercut = made(CamTask(**C6, r0=0.0521, roller=0.045))
     assert "nan" not in sheet(views(undercut))
+
+
+def test_what_a_flat_cam_shows_is_lettered_as_what_it_is() -> None:
+    """Its region is S over d²S/dφ², its diagram of curvature that of the radius."""
+    scene = Scene("", "T", "en").asking(cam=ORDERS["flat"])
+    (work,) = make(scene, exact=True).boards
+    shown = [label.text for view in cam_views(work, True) for label in view.labels]
+    assert "d^2S/dφ^2, m" in shown
+    assert "ρ, m" in shown
+    assert "Radius of curvature of the profile" in shown
+    assert not any(text.startswith(("κ", "dS/dφ,")) for text in shown)
+
+
+def test_positions_that_stand_close_are_numbered_by_twos_or_fives() -> None:
+    small = made(CamTask(**{**C6, "mu_l": 0.003}, r0=0.0521, roller=0.0168))
+    texts = ", ".join(label.text for label in centre(small).labels).split(", ")
+    told = {int(text) for text in texts if text.isdigit()}
+    every = min(told - {0})
+    assert every in (2, 5)
+    assert told == set(range(0, small.cam.diagrams.turn.positions, every))

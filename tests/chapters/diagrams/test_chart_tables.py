@@ -14,13 +14,13 @@ from support.gallery import SHEETS
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.readers.columns import (
     Column,
 )
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import fitted
 
 ORDER = KinematicTask("B", start="displacement")
 
@@ -98,7 +98,7 @@ def test_scales_are_told_and_turn_mm_into_values() -> None:
 
 
 def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
-    mantissas = {1.0, 2.0, 2.5, 4.0, 5.0}
+    mantissas = {1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5}
     for key in ("diagram S", "diagram V", "diagram a"):
         value = drawn().scales[key].value
         assert float(f"{value:e}".split("e")[0]) in mantissas

@@ -6,55 +6,13 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from support.engines import SCENE
 
 from graphic_tmm.captions import captions
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.readers.table import scene_results
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make, sheets
-
-SCENE = """
-title = "Upright engine"
-language = "en"
-[frame]
-M = [0, 0]
-y = { through = [0, 0], angle = "90 deg" }
-[[link]]
-number = 1
-points = { M = [0, 0], K = ["100 mm", 0] }
-[[link]]
-number = 2
-points = { E = ["0 mm", 0], K = ["400 mm", 0], D = ["0.1 m", 0] }
-mass = "3 kg"
-centre = "D"
-[[link]]
-number = 3
-points = { E = [0, 0] }
-slides = { on = "frame", along = "y", side = "above" }
-mass = "2 kg"
-centre = "E"
-[drive]
-link = 1
-speed = "600 rpm"
-positions = 8
-zero = "90 deg"
-[indicator]
-point = "E"
-bore = "120 mm"
-clearance = 0.08
-cover_strokes = [
-  { stroke = "out", to = 0.3, p = "8 bar", n = 0 },
-  { stroke = "out", to = 1.0, p = "8 bar", n = 1 },
-  { stroke = "back", to = 0.0, p = "1.2 bar", n = 0 },
-]
-[engine]
-point = "E"
-[hand]
-ruler = "exact"
-[[sheet]]
-format = "A1"
-place = ["engine"]
-"""
 
 
 @pytest.fixture(scope="module")
@@ -109,7 +67,7 @@ def test_pins_bear_the_letters_of_the_scene_and_the_slider_lies_along_its_guide(
     views: list[Drawing],
 ) -> None:
     for view in views:
-        texts = [label.text for label in view.labels if label.size == 3.5]
+        texts = [label.text for label in view.labels if label.size == 5.0]
         assert {"M", "K", "E"} <= {part for text in texts for part in text.split(", ")}
         (box,) = [s for s in view.strokes if isinstance(s, Stroke) and s.pen == "body"]
         corners = [complex(x, y) for x, y, _ in box.path]

@@ -16,12 +16,13 @@ from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.sentences import sentence
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import fitted, sheets
+from graphic_tmm.studio import sheets
 
 U = np.linspace(0.0, 1.0, 65)
 RULER = 'ruler = "exact"'

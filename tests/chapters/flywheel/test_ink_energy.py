@@ -17,6 +17,7 @@ from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
+from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.labels import box, flat, shape
 
 
@@ -31,10 +32,11 @@ def view(which: str, lettered: bool = True) -> Drawing:
     log = work.project.construction
     if which == "indicator":
         made = flywheel().indicator
-        return draw_indicator_ink(log, work.reading, made, names, "X", lettered=lettered)
+        return finished(draw_indicator_ink(log, work.reading, made, names, "X"), lettered)
     second = flywheel().energy_mass
     assert second is not None
-    return draw_energy_mass_ink(log, work.reading, second, names, "X", "1", lettered=lettered)
+    figures = ("ab = 1", "ψ_{1} = 2°", "ψ_{2} = 3°")
+    return finished(draw_energy_mass_ink(log, work.reading, second, names, "X", figures), lettered)
 
 
 def curves(of: Drawing) -> list[shapely.LineString]:
@@ -78,7 +80,7 @@ def test_lines_of_the_division_are_parallel() -> None:
         a, b = (complex(x, y) for x, y, _ in (stroke.path[0], stroke.path[-1]))
         if a.imag < -1.0 and abs(b.imag) < 1e-9 and abs(b) > 1e-9:
             below.append((b - a) / abs(b - a))
-    assert len(below) == 11  # the zero position stands in the origin
+    assert len(below) == 12  # from the farthest point two, its own and that to the end of the base
     assert max(abs(way - below[0]) for way in below) < 1e-9
 
 
@@ -123,7 +125,7 @@ def test_the_engine_stands_complete_on_one_sheet() -> None:
         "J_{м}",
         "1,769",
         "1,623",
-        "60,7",
+        "cd = 60,7",
     } <= texts
     assert "μ_A = 16,76 Дж/мм, μ_φ = 0,05236 рад/мм" in texts
-    assert any("H = 40 мм" in text for text in texts)
+    assert "H = 40" in texts

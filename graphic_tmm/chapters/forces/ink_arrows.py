@@ -1,0 +1,199 @@
+"""Forces where only their lines of action are to scale: arrows of a conventional length, arms, couples."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.board.naming import (
+    segment_name,
+)
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Kind, Length, Line, Point
+from graphic_tmm.paper.drawing import Data, Ink, Stroke, Wanted, circle, line
+from graphic_tmm.paper.rules import PRICK, TRACELESS
+from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.kinematic import round_arrow
+
+LONGEST, SHORTEST = 34.0, 12.0
+"""Lengths of the arrows of the largest force and of the smallest, mm: a small one is seen too."""
+LEAST = 0.5
+"""What is shorter than this, mm, is a point."""
+NEARLY = 0.985
+"""Arrows from one point whose directions agree so far (cosine) would lie on each other."""
+ARM = 2.0
+"""An arm shorter than this, mm, is not drawn."""
+FURTHER = 3.0
+"""How far a line of action goes on behind the foot of its arm, mm."""
+ROUND, ROUNDS = 9.0, 7.0
+"""Radius of the arrow of a couple, mm, and of each of several on a link."""
+STAGGER = 10.0
+"""By how much the farther of two arrows on one line outreaches the other, mm."""
+
+
+class Told(NamedTuple):
+    """What an arrow stands for: its letter in the log, its size (signed, in ``unit``), the marks it comes from.
+
+    ``more``: what else a reader of the sheet is told of it.
+    """
+
+    letter: str
+    value: float
+    unit: str
+    of: tuple[int, ...]
+    more: Data = ()
+
+    @property
+    def data(self) -> Data:
+        """What a page reads of it."""
+        name = segment_name(self.letter)
+        if not math.isfinite(self.value):
+            return (("segment", name),)
+        return (("segment", name), ("value", f"{self.value:.6g}"), ("unit", self.unit), *self.more)
+
+    @property
+    def title(self) -> str:
+        """What is told of it in words."""
+        name = segment_name(self.letter)
+        return f"{name} = {self.value:.4g} {self.unit}" if math.isfinite(self.value) else name
+
+
+def turning(arm: float, size: float) -> str:
+    """Return the arm of a force as a page reads it, mm: positive where the arrow turns counter-clockwise.
+
+    ``size``: of the force, signed; an arrow is drawn the way that the force acts.
+    """
+    return f"{arm * (-1 if size < 0 else 1):.2f}"
+
+
+def length_of(size: float, largest: float) -> float:
+    """Return the conventional length of an arrow, mm: it grows with the force."""
+    if not (math.isfinite(size) and largest > 0.0) or size == 0.0:
+        return 0.0
+    return SHORTEST + (LONGEST - SHORTEST) * min(1.0, abs(size) / largest)
+
+
+class Arrows:
+    """Arrows and letters while they are drawn; arrows from one point do not lie on each other."""
+
+    def __init__(self, index: int, size: float) -> None:
+        self.index, self.size = index, size
+        self.strokes: list[Stroke] = []
+        self.wanted: list[Wanted] = []
+        self.taken: list[tuple[complex, complex, float]] = []
+
+    def reach(self, at: complex, way: complex) -> float:
+        """Return how far arrows go from a place in a direction already, mm; 0 if none does."""
+        there = (
+            length
+            for z, d, length in self.taken
+            if abs(z - at) < LEAST and (way * d.conjugate()).real > NEARLY
+        )
+        return max(there, default=0.0)
+
+    def put(
+        self, at: complex, way: complex, length: float, called: str, told: Told, pen: str = "over"
+    ) -> None:
+        """Draw an arrow along ``way`` (of length 1) from its point; to it where another goes there already.
+
+        Where both sides are taken it outreaches the other.
+        """
+        if not (finite(at, way) and length >= LEAST and way):
+            return
+        start = at
+        if self.reach(at, way) and not self.reach(at, -way):
+            start = at - length * way
+        elif self.reach(at, way):
+            length = max(length, self.reach(at, way) + STAGGER)
+        self.taken.append((at, way if start == at else -way, length))
+        shaft, *head = arrow(start, start + length * way, pen)
+        self._add([shaft._replace(title=told.title, data=told.data), *head], told.of)
+        end = start + length * way if start == at else start
+        self.wanted.append(Wanted(called, end, self.size, 1.5, end - at, told.of, self.index))
+
+    def couples(self, start: complex, end: complex, told: Sequence[tuple[str, Told]]) -> None:
+        """Draw couples as round arrows in their senses, beside one another along a line."""
+        there = [(called, one) for called, one in told if math.isfinite(one.value) and one.value]
+        if not finite(start, end):
+            return
+        far, radius = abs(end - start), ROUND if len(there) < 2 else ROUNDS
+        way = (end - start) / far if far >= LEAST else 1j
+        pitch = max(far / (len(there) + 1), 2.4 * radius)
+        for k, (called, one) in enumerate(there):
+            at = (start + end) / 2 + (k - (len(there) - 1) / 2) * pitch * way
+            bow, *head = round_arrow(
+                at, radius, 120.0 if one.value > 0 else 60.0, math.copysign(210.0, one.value)
+            )
+            self._add([bow._replace(title=one.title, data=one.data), *head], one.of)
+            top = at + radius * 1j
+            self.wanted.append(Wanted(called, top, self.size, 2.0, 1j, one.of, self.index))
+
+    def _add(self, strokes: Iterable[Stroke], of: tuple[int, ...]) -> None:
+        self.strokes += [s._replace(of=of, position=self.index) for s in strokes]
+
+
+def action(seen: Seen, step: Step, k: int) -> tuple[complex, complex, complex]:
+    """Return of the step that measures an arm: about what, where its line of action begins, the arm's foot."""
+    about = seen.point(step.uses[0], k)
+    at, along = seen.line(step.uses[1], k)
+    return about, at, at + ((about - at) * along.conjugate()).real * along
+
+
+def drawn_arm(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The arm of a force, square to its line of action; it tells a page its mm."""
+    about, _, foot = action(seen, step, k)
+    if finite(about, foot) and abs(foot - about) >= LEAST:
+        name, mm = segment_name(step.it.name), abs(seen.number(step.it, k))
+        data = (("segment", name), ("mm", f"{mm:.2f}"))
+        yield line("thin", about, foot)._replace(data=data, title=f"{name} = {mm:.1f} mm")
+
+
+def drawn_on(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """A line of action, drawn on from the force to behind the foot of its arm."""
+    at, along = seen.line(step.it, k)
+    for use in seen.uses.get(step.it, ()):
+        if use.it.kind is Length:
+            _, _, foot = action(seen, use, k)
+            reach = ((foot - at) * along.conjugate()).real
+            if finite(foot) and along != 0 and abs(reach) >= LEAST:
+                yield line("thin", at, foot + along * math.copysign(FURTHER, reach))
+
+
+def arm_shows(seen: Seen, step: Step, k: int) -> bool:
+    """Whether an arm, or the line of action that one was measured to, is long enough to stay."""
+    if step.it.kind is Line:
+        return any(arm_shows(seen, use, k) for use in seen.uses.get(step.it, ()) if _is_arm(use))
+    about, _, foot = action(seen, step, k)
+    return abs(foot - about) >= ARM
+
+
+def _is_arm(step: Step) -> bool:
+    return step.it.kind is Length and not step.op.formula
+
+
+def pricks(seen: Seen, drawn: Iterable[Ink], k: int, times: float = 1.0) -> tuple[Ink, ...]:
+    """Return the pricks of steps that left nothing else: what is too short to be drawn is a point.
+
+    ``times``: how much larger than their views they are drawn.
+    """
+    shown = {slot for stroke in drawn for slot in stroke.of}
+    return tuple(
+        circle("thin", times * spot, PRICK)._replace(of=(step.it.slot,), position=k)
+        for step in seen.steps
+        if step.it.slot not in shown and not step.op.formula and step.op.name not in TRACELESS
+        for spot in [_spot(seen, step, k)]
+        if finite(spot)
+    )
+
+
+def _spot(seen: Seen, step: Step, k: int) -> complex:
+    """Return where a step was done."""
+    kind: Kind = step.it.kind
+    if kind is Point:
+        return seen.point(step.it, k)
+    if kind is Line:
+        return seen.line(step.it, k)[0]
+    first: Mark = step.uses[0]
+    return seen.point(first, k) if first.kind is Point else complex("nan")

@@ -1,0 +1,130 @@
+"""The formats of sheets: the room of each, the smallest for "auto", and what is told of one far too large."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+
+from graphic_tmm.chapter import places
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import TmmError
+from graphic_tmm.fitting.composition import Composition
+from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.language.said import said
+from graphic_tmm.paper.compose.search import fits
+from graphic_tmm.paper.compose.sheets import Order, Shared
+from graphic_tmm.paper.compose.units import Outline
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing
+from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.packing import Room, settled
+from graphic_tmm.project import own_boards
+from graphic_tmm.scene.records import Scene, SheetOrder
+
+TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
+"""As large as usual on which format things are drawn to find out whether one holds them."""
+FAR_TOO_LARGE = 0.55
+"""A format is far too large if one of no more than this share of its area holds the same views."""
+
+
+def room_on(format: str, language: str, first: bool) -> Room:
+    """Return the room of a sheet, the first of a set or one that follows."""
+    area = drawing_area(format, language, first)
+    return Room(area.inner, area.occupied)
+
+
+def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) -> list[Drawing]:
+    """Return the views of a place as they are drawn, before any of them comes apart."""
+    chapter, shown = places()[place]
+    if not chapter.board:
+        return shown.plain(scene)
+    there = [one for one in boards if one.board == chapter.board]
+    return [view for one in there for view in shown.draw(one, lettered)]
+
+
+def formatted(scene: Scene, given: Composition | None = None) -> Scene:
+    """Return a scene in which every sheet has a format: for "auto" the smallest that holds its views.
+
+    A composition that is ``given`` tells which. To find out, things are drawn in the size usual for a format.
+    """
+    if all(order.format != AUTO for order in scene.sheets):
+        return scene
+    told = {sheet.order: sheet.format for sheet in given.sheets} if given is not None else {}
+    drawn: dict[str, list[Drawn]] = {}
+    found = [
+        order
+        if order.format != AUTO
+        else replace(order, format=told.get(k) or _smallest(scene, order, k == 0, drawn))
+        for k, order in enumerate(scene.sheets)
+    ]
+    return replace(scene, sheets=tuple(found))
+
+
+def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, list[Drawn]]) -> str:
+    """Return the smallest format that holds what is ordered; the usual one where that takes several sheets."""
+    for format in growing():
+        like = TRIED[format.split()[0]]
+        sheets = tuple(replace(one, format=like) for one in scene.sheets)
+        tried = replace(scene, sheets=sheets)
+        if like not in drawn:
+            drawn[like] = list(_boards(tried))
+        room = room_on(format, scene.language, first)
+        views = [
+            part
+            for place in order.place
+            for view in views_of(place, tried, drawn[like], False)
+            for part in settled(view, room.within)
+        ]
+        if fits([Outline.of(view) for view in views], room) is not None:
+            return format
+    return USUAL
+
+
+def _boards(scene: Scene) -> Iterator[Drawn]:
+    """Yield the boards of a scene drawn in their usual sizes; what cannot be drawn is refused later."""
+    made: list[Callable[[], Board]] = [
+        partial(Part, scene, board, None) for board in own_boards(scene)
+    ]
+    if scene.mechanism is not None:
+        made.append(partial(Mechanism, scene, None))
+    for make in made:
+        with suppress(TmmError):
+            yield make().draw(usual(scene))
+
+
+def oversized(
+    orders: Sequence[Order], laid: Sequence[tuple[Shared, object]], language: str
+) -> tuple[str, ...]:
+    """Return what is told of sheets ordered far too large: a format of half the area holds the same views."""
+    boxes = [outline for order in orders for outline in order.outlines]
+    told = []
+    for sheet, _ in laid:
+        ordered = orders[sheet.order].format
+        smaller = _holding([boxes[k] for k in sheet.boxes], ordered, language)
+        if smaller:
+            told.append(
+                said(
+                    "sheet {number}: {ordered} is far too large for it: {smaller} holds the same views; "
+                    'write format = "{smaller2}", or "auto"',
+                    number=sheet.order + 1,
+                    ordered=ordered,
+                    smaller=smaller,
+                    smaller2=smaller,
+                )
+            )
+    return tuple(dict.fromkeys(told))
+
+
+def _holding(boxes: Sequence[Outline], ordered: str, language: str) -> str:
+    """Return the smallest format that holds boxes, if the one ordered is far larger; "" if none is."""
+    area = FORMATS[ordered].width * FORMATS[ordered].height
+    for format in growing():
+        one = FORMATS[format]
+        if one.width * one.height > FAR_TOO_LARGE * area:
+            return ""
+        if fits(boxes, room_on(format, language, True)) is not None:
+            return format
+    return ""

@@ -1,0 +1,203 @@
+"""How large things are drawn: as large as the sheets ordered hold, or on as few more as they need.
+
+Everything begins in its usual size; where a view fits no sheet of its format, what its size depends on is made
+smaller until it does. Then what is smallest, as a share of what it may take of its sheet, is lifted by one step
+of the standard scales, and so on: a plan alone does not eat the sheet that others stand on too. What makes the
+sheets more is put back, and not tried again.
+
+Mechanism and parts go one road: all of them are tried together, on the sheets that they share.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from graphic_tmm.chapter import chapters, places
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.measuring import Rooms, TooLarge, cells
+from graphic_tmm.fitting.scales import Sizes, usual
+from graphic_tmm.fitting.tried import Board, Mechanism
+from graphic_tmm.paper.packing import holds, share
+from graphic_tmm.scene.records import Scene
+
+MEASURABLE = 40.0
+"""What begins small is no shorter, mm, if the choice of μ is free and a sheet holds it. Half a division of
+0.5 mm is 0.6 % of that."""
+STEP, TRIALS = 0.93, 40
+"""By how much at least a size gives way at a time; how often. All of them leave a twentieth."""
+MOST = 24
+"""How often a size grows by its step, at most, until something comes of it."""
+OVER = (1.03, 1.3)
+"""What is lifted takes no more than so many times its share of a sheet: first, and where there is room left."""
+
+
+class Search:
+    """The search for sizes: boards tried together on the sheets of a scene."""
+
+    def __init__(self, scene: Scene, boards: Iterable[Board]) -> None:
+        self.scene = scene
+        self.boards = {board.name: board for board in boards}
+        self.rooms = Rooms(scene, list(self.boards.values()))
+        self.written = Rooms(scene, list(self.boards.values()), lettered=True)
+        self.own = {
+            name: (board, size)
+            for board in self.boards.values()
+            for name, size in board.sizes.items()
+        }
+
+    def sizes(self) -> Sizes:
+        """Return the sizes in which everything is drawn."""
+        least = self._held(self._least())
+        if math.isinf(self.rooms.count(least)):
+            # what is allowed for letters may be more than they take
+            self.rooms = self.written
+        free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
+        least = self._saving(least, free)
+        for most in (self.rooms.count(least), self.written.count(least)):
+            most = max(len(self.scene.sheets), most)
+            found = None if math.isinf(most) else self._lifted_all(least, free, most)
+            if found is not None:
+                return found
+        return least
+
+    def _lifted_all(self, sizes: Sizes, names: Sequence[str], most: float) -> Sizes | None:
+        """Return sizes lifted as far as they may be on no more sheets, with all letters; None if none are so.
+
+        Where letters take more than was allowed for them, the last steps are tried again with their letters.
+        """
+        steps = self.lifted(sizes, names, most)
+        found = self.lettered(steps, most)
+        if found is None or found is steps[-1]:
+            return found
+        allowed, self.rooms = self.rooms, self.written
+        found = self.lifted(found, names, most)[-1]
+        self.rooms = allowed
+        return found
+
+    def lettered(self, steps: list[Sizes], most: float) -> Sizes | None:
+        """Return the largest of sizes, in order, that take no more sheets with their letters; None: all do."""
+        for sizes in reversed(steps):
+            if self.written.count(sizes) <= most:
+                return sizes
+        return None
+
+    def _saving(self, sizes: Sizes, free: Iterable[str]) -> Sizes:
+        """Return sizes to begin with: small ones where they save sheets that nobody ordered."""
+        count, known = self.rooms.count(sizes), {n: size for n, (_, size) in self.own.items()}
+        if count <= len(self.scene.sheets):
+            return sizes
+        less = {n: min(sizes[n], known[n].small) for n in free if known[n].small}
+        return {**sizes, **less} if self.rooms.count({**sizes, **less}) < count else sizes
+
+    def with_board(self, board: Board) -> Search:
+        """Return a search with another board of the same name, for its scene."""
+        return Search(board.scene, {**self.boards, board.name: board}.values())
+
+    def lifted(self, sizes: Sizes, names: Iterable[str], most: float) -> list[Sizes]:
+        """Return sizes step by step, one lifted each time, the relatively smallest first, on no more sheets.
+
+        All of them keep to their caps first; then those that have room go a little beyond.
+        """
+        steps, names = [sizes], [name for name in names if self.own[name][1].cap > 0.0]
+        for over in OVER:
+            free = list(names)
+            while free:
+                name = min(free, key=lambda one: self._share(one, steps[-1]))
+                larger = self._larger(name, steps[-1])
+                if larger is None or not self._may(name, steps[-1], larger, over, most):
+                    free.remove(name)
+                else:
+                    steps.append(larger)
+        return steps
+
+    def _share(self, name: str, sizes: Sizes) -> float:
+        """Return what a size takes of what it may take of its sheets."""
+        return self.rooms.large(name, sizes) / self.own[name][1].cap
+
+    def _may(self, name: str, sizes: Sizes, larger: Sizes, over: float, most: float) -> bool:
+        """Whether a size may be so much larger: no view comes apart, none takes too much, nor more sheets."""
+        if self.rooms.views(name, larger) > self.rooms.views(name, sizes):
+            return False
+        taken = self._share(name, larger)
+        return 0.0 < taken <= over and self.rooms.count(larger) <= most
+
+    def _larger(self, name: str, sizes: Sizes) -> Sizes | None:
+        """Return sizes of which one is the next larger of which something else comes; None if there is none."""
+        board, size = self.own[name]
+        before, larger = board.known(name, sizes), sizes
+        for _ in range(MOST):
+            larger = {**larger, name: larger[name] * size.step}
+            if board.known(name, larger) != before:
+                return larger
+        return None
+
+    def _least(self) -> Sizes:
+        """Return the usual sizes; of what begins small the least at which it can be measured.
+
+        What no sheet shows is as large as one would draw it to read off its lengths.
+        """
+        found: Sizes = usual(self.scene)
+        unseen = [n for n, (_, size) in self.own.items() if not self.rooms.views(n, found)]
+        for name, (board, size) in self.own.items():
+            if name in unseen:
+                found = {**found, name: size.unseen or found[name]}
+            elif size.small and size.in_mm:
+                found = {**found, name: size.small}
+                while found[name] < size.usual(self.scene) and board.mm(name, found) < MEASURABLE:
+                    found = {**found, name: min(found[name] * size.step, size.usual(self.scene))}
+        return found
+
+    def _held(self, sizes: Sizes) -> Sizes:
+        """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""
+        for _ in range(TRIALS):
+            rooms = self.written if self.rooms.near(sizes) else self.rooms
+            less = _smaller(rooms.too_large(sizes), sizes, self.scene)
+            if less == sizes:
+                break
+            sizes = less
+        return sizes
+
+    def by_hand(self, own: Mechanism, sizes: Sizes) -> tuple[Sizes, Drawn | None]:
+        """Return the sizes, and what is drawn with them by the scene's own hand if all of it is wanted.
+
+        Near a singular position a rounded reading may make a plan much larger than it is: it gives way too.
+        """
+        plans = {name for name, size in own.sizes.items() if size.in_mm}
+        drawn = None
+        for _ in range(TRIALS):
+            drawn = own.final(sizes, exact=False)
+            found = [
+                TooLarge(place, view.name, share(view, rooms[0].within))
+                for order, rooms in self.rooms.orders
+                for place in order.place
+                if place in plans
+                for view in cells(place, self.scene, [drawn], rooms[0].within, lettered=False)
+                if not holds(rooms[0].within, view)
+            ]
+            less = _smaller(found, sizes, self.scene)
+            if less == sizes:
+                break
+            sizes = less
+        return sizes, drawn
+
+
+def _smaller(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> Sizes:
+    """Return sizes of which those that views too large depend on have given way."""
+    known = {size.name: size for one in chapters() for size in one.sizes}
+    way: dict[str, float] = {}
+    for one in found:
+        names = depends(one.place, one.view, scene)
+        name = next((n for n in names if sizes[n] > known[n].least), None)
+        if name is not None:
+            way[name] = min(way.get(name, STEP), one.share)
+    return {**sizes, **{name: sizes[name] * share for name, share in way.items()}} if way else sizes
+
+
+def depends(place: str, view: str, scene: Scene) -> tuple[str, ...]:
+    """Return the sizes, left free by the scene, that a view depends on, in the order in which they give way."""
+    if view.startswith("table"):
+        return ()
+    known = {size.name: size for one in chapters() for size in one.sizes}
+    names = places()[place][1].sizes(scene, view)
+    return tuple(name for name in names if not known[name].fixed(scene))

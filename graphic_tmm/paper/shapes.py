@@ -1,0 +1,78 @@
+"""The shapes of strokes and letters, mm: what of the paper they take."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+import shapely
+
+from graphic_tmm.paper.clipping import Frame
+from graphic_tmm.paper.drawing import Bezier, Label, Stroke
+from graphic_tmm.paper.lettering.letters import (
+    letter,
+)
+
+
+@lru_cache(maxsize=4096)
+def box(label: Label) -> shapely.Polygon:
+    """Return the ink box of a label, turned as the label is."""
+    ink = frame(label)
+    corners = (0j, ink.width + 0j, complex(ink.width, ink.height), 1j * ink.height)
+    placed = [ink.corner + corner * ink.along for corner in corners]
+    return shapely.Polygon([(z.real, z.imag) for z in placed])
+
+
+def frame(label: Label) -> Frame:
+    """Return the ink box of a label; leaning tops reach out over its last letter."""
+    made = letter(label.text, size=label.size, inclined=label.inclined)
+    start = {"start": 0.0, "middle": -made.width / 2, "end": -made.width}[label.anchor]
+    turn = complex(math.cos(math.radians(label.turn)), math.sin(math.radians(label.turn)))
+    corner = label.at + complex(start + made.left, -made.descent) * turn
+    return Frame(corner, turn, made.right - made.left, made.ascent + made.descent)
+
+
+def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
+    """Return a stroke as a shape; curves by points near enough for placing."""
+    corners = [(z.real, z.imag) for z in outline(stroke)]
+    solid = isinstance(stroke, Stroke) and stroke.filled
+    return shapely.Polygon(corners) if solid else shapely.LineString(corners)
+
+
+def outline(stroke: Stroke | Bezier) -> list[complex]:
+    """Return the corners of a stroke; curves by points near enough for placing."""
+    if isinstance(stroke, Bezier):
+        return flat(stroke.controls)
+    points: list[complex] = []
+    count = len(stroke.path)
+    for k, (x, y, bulge) in enumerate(stroke.path):
+        points.append(complex(x, y))
+        if bulge and (stroke.closed or k + 1 < count):
+            nx, ny, _ = stroke.path[(k + 1) % count]
+            points += _bow(complex(x, y), complex(nx, ny), bulge)
+    if stroke.closed:
+        points.append(points[0])
+    return points
+
+
+def flat(controls: Sequence[complex]) -> list[complex]:
+    """Return points along a chain of cubic arcs, eight to an arc."""
+    t = np.linspace(0.0, 1.0, 9)[1:]
+    points = [controls[0]]
+    for k in range(0, len(controls) - 1, 3):
+        a, b, c, d = controls[k : k + 4]
+        points += list(
+            (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d
+        )
+    return points
+
+
+def _bow(start: complex, end: complex, bulge: float) -> list[complex]:
+    """Return points inside an arc given by its bulge."""
+    quarter = math.atan(bulge)
+    centre = (start + end) / 2 + (end - start) * 0.5j / math.tan(2 * quarter)
+    count = max(2, math.ceil(abs(4 * quarter) / math.radians(20)))
+    turns = [4 * quarter * k / count for k in range(1, count)]
+    return [centre + (start - centre) * complex(math.cos(t), math.sin(t)) for t in turns]

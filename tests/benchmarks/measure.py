@@ -1,0 +1,89 @@
+"""How sheets are lettered: `python tests/benchmarks/measure.py FILE.svg ...`.
+
+Of each sheet: its labels; pairs of them that overlap (ink, or more than 0.5 mm² of their hulls); labels crossed
+by a main line and by a thin one (more than 0.25 mm of it); what stands outside the frame.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import shapely
+from shapely.geometry import LineString, MultiLineString, box
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from support.svg_ink import Line, border, inked
+
+COMMON, CROSSED, EDGE = 0.5, 0.25, 0.15
+"""Hulls that have no more in common do not overlap, mm²; a label that is crossed by no more is not; how far
+within its hull a line has to run to cross it, mm."""
+
+
+class Lettered(NamedTuple):
+    """How a sheet is lettered: numbers of labels and of what is wrong with them."""
+
+    labels: int
+    overlapping: int
+    by_main: int
+    by_thin: int
+    outside: int
+
+
+def measured(file: Path) -> Lettered:
+    """Return how the sheet of an SVG file is lettered."""
+    sheet = inked(file)
+    labels = [one for one in sheet.labels if not border(one.drawing) and one.strokes]
+    lines = [one for one in sheet.lines if not border(one.drawing)]
+    ink = [MultiLineString(one.strokes).buffer(one.width / 2) for one in labels]
+    hulls = [one.convex_hull for one in ink]
+    first, second = shapely.STRtree(hulls).query(hulls)
+    overlapping = sum(
+        i < j and (ink[i].intersects(ink[j]) or hulls[i].intersection(hulls[j]).area > COMMON)
+        for i, j in zip(first, second, strict=True)
+    )
+    paths = [LineString(one.points) for one in lines]
+    tree = shapely.STRtree(paths)
+    crossing = [_crossing(hull, tree, paths, lines) for hull in hulls]
+    frame = box(*sheet.framed())
+    return Lettered(
+        len(labels),
+        overlapping,
+        crossing.count("main"),
+        crossing.count("thin"),
+        sum(not frame.contains(one) for one in (*paths, *ink)),
+    )
+
+
+def _crossing(
+    hull: shapely.Geometry, tree: shapely.STRtree, paths: list[LineString], lines: list[Line]
+) -> str:
+    """Return by what a label is crossed: "main", "thin", or "" by nothing."""
+    inner = hull.buffer(-EDGE)
+    inner = hull if inner.is_empty else inner
+    found = ""
+    for k in tree.query(inner):
+        if not paths[k].intersects(inner):
+            continue
+        if lines[k].filled or paths[k].intersection(inner).length > CROSSED:
+            if lines[k].pen == "main":
+                return "main"
+            found = "thin"
+    return found
+
+
+def main() -> None:
+    """Print a table in Markdown, the sum last."""
+    print("| sheet | labels | overlapping | crossed by main lines | by thin ones | outside |")
+    print("|---|---|---|---|---|---|")
+    rows = []
+    for name in sys.argv[1:]:
+        rows.append(measured(Path(name)))
+        print(f"| {Path(name).stem} |", " | ".join(map(str, rows[-1])), "|", flush=True)
+    print("| all |", " | ".join(str(sum(column)) for column in zip(*rows, strict=True)), "|")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,56 @@
+"""The energy–mass curve and the sketch are read off the log: of the scenes and of machines drawn at random."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from support.each import each
+from support.flywheels import crank, scene_of
+from support.gallery import NAMES, drawn
+from support.graphs import assert_read_off_the_log
+
+from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
+from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.scene.read import read
+
+WHEELS = [n for n in NAMES if FLYWHEEL.of(drawn(n, exact=True)) is not None]
+
+
+def energy_mass(work: Drawn) -> Drawing:
+    second, names = FLYWHEEL.on(work).energy_mass, work.project.names[: work.project.count]
+    assert second is not None
+    log, figures = work.construction, ("ab", "ψ1", "ψ2")
+    return finished(draw_energy_mass_ink(log, work.reading, second, names, "X", figures))
+
+
+@each("name", WHEELS)
+def test_the_energy_mass_curve_of_the_scenes(name: str) -> None:
+    work = drawn(name, exact=True)
+    assert_read_off_the_log(work.construction, [energy_mass(work)])
+
+
+@pytest.mark.slow
+@each("seed", range(20, 26))
+def test_the_energy_mass_curve_of_machines_drawn_at_random(seed: int, tmp_path: Path) -> None:
+    path = tmp_path / "machine.toml"
+    tangents = ("curve", "points")[seed % 2]
+    text = scene_of(crank(seed), (8, 12, 24)[seed % 3], more=f'tangents = "{tangents}"')
+    path.write_text(text, encoding="utf-8")
+    work = fitted(read(path), exact=True)
+    assert_read_off_the_log(work.construction, [energy_mass(work)])
+
+
+def test_the_sketch_stands_on_the_sizes_of_the_rim() -> None:
+    rim = FLYWHEEL.on(drawn("engine", exact=True)).rim
+    assert rim is not None
+    marks = (rim.outer, rim.inner, rim.width)
+    view = draw_flywheel(Sizes(0.45, 0.3825, 0.115, 0.055), 5.0, "x", "ru", marks)
+    of = {mark.slot for mark in marks}
+    assert all(set(one.of) == of for one in (*view.strokes, *view.labels))
+    assert {stroke.part for stroke in view.strokes} == {"rim", "dimension"}

@@ -1,0 +1,83 @@
+"""Polygons, groups and the lever read the log: every step leaves ink or a prick, nothing is drawn besides."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from support.each import each
+from support.figures import assert_pictures_make_the_view, without_ink, without_source
+from support.force_views import LOADED, loaded_drawing, views_of
+from support.gallery import drawn
+from support.loaded import weighed
+from support.mechanisms import sample
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.drawn import Drawn
+
+
+def held(work: Drawn, place: int) -> None:
+    """The laws of a figure in one position; equations are no picture of the log.
+
+    The line of a force that is nothing has no direction, and cannot be drawn.
+    """
+    log, views = work.construction, views_of(work, place)
+    shown = [view for view in views if view.shows]
+    assert shown
+    names = {name for view in shown for name in view.shows}
+    steps = [step for step in log.steps if step.it.view in names]
+    there = [step for step in steps if is_there(work, step.it, place)]
+    assert not without_ink(log._replace(steps=tuple(there)), shown)
+    for view in shown:
+        assert not without_source(view), view.name
+        assert_pictures_make_the_view(log, view)
+
+
+def is_there(work: Drawn, mark: Mark, place: int) -> bool:
+    value = work.reading[mark]
+    parts = value if isinstance(value, tuple) else (value,)
+    return all(np.isfinite(row[0, place if row.shape[1] > 1 else 0]) for row in parts)
+
+
+@pytest.mark.slow
+@each("name", LOADED)
+def test_steps_of_the_forces_of_a_scene_are_their_ink(name: str) -> None:
+    work = drawn(name, exact=True)
+    for place in FORCES.on(work).places[:2]:
+        held(work, place)
+
+
+@pytest.mark.slow
+def test_steps_of_the_forces_of_random_mechanisms_are_their_ink() -> None:
+    for k, one in enumerate(sample(16, seed=410, dyads=(1, 3))):
+        couples, balance = ("moment", "pair")[k % 3 == 0], ("force", "moment")[k % 4 == 0]
+        way = {"turned": bool(k % 2), "couples": couples, "balance": balance}
+        work = loaded_drawing(weighed(one, k), one, **way)
+        held(work, 0)
+
+
+def test_the_lever_shows_all_points_of_the_plan_and_the_couples() -> None:
+    work = drawn("lever", exact=True)
+    made = FORCES.on(work)
+    (place, *_) = made.places
+    view = next(one for one in views_of(work, place) if one.name.startswith("lever"))
+    letters = {name for label in view.labels for name in label.text.split(", ")}
+    assert {"p", "a", "b", "d", "e"} <= letters
+    told = {dict(s.data).get("segment") for s in view.strokes}
+    assert {
+        one.letter.translate({ord(c): None for c in "_{}"}) for one in made.lever.couples
+    } <= told
+
+
+def test_arrows_on_a_detached_group_are_of_conventional_length() -> None:
+    for name in ("windrower", "lever"):
+        work = drawn(name, exact=True)
+        for view in views_of(work, FORCES.on(work).places[0]):
+            if view.name.startswith("group"):
+                lengths = [
+                    abs(complex(*s.path[0][:2]) - complex(*s.path[-1][:2]))
+                    for s in view.strokes
+                    if s.pen == "over" and not s.filled and dict(s.data).get("segment")
+                ]
+                assert max(lengths) <= 40.0
+                assert min(lengths) >= 9.0

@@ -1,0 +1,243 @@
+"""A force sheet and a lever are recomputed from the sheet alone: from the SVG that a reader holds in his hands.
+
+Nothing of the log is asked. What a stroke tells has six figures, a length two decimals; what is printed has the
+figures that it has. So each tolerance is what those digits leave open.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+import pytest
+from support.each import each
+from support.force_views import LOADED, loaded_drawing, views_of
+from support.gallery import drawn
+from support.loaded import weighed
+from support.mechanisms import sample
+from support.sheet_reader import Told, View, lines, plain, result, views, worked
+
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.write.svg import svg
+
+FIGURES, TWO = 1e-5, 0.005
+"""What is left open of a quantity with six figures, of itself, and of a length with two decimals, mm."""
+SHORT = 0.5
+"""A side that is shorter, mm, is a point of its polygon."""
+
+
+def sheet(work: Drawn) -> dict[str, View]:
+    """The force views of a drawing as they are written to a file, one beside the other."""
+    placed = tuple(view.moved(complex(600.0 * k)) for k, view in enumerate(views_of(work)))
+    return views(svg(Sheet("s", "s", "A1", 841.0, 594.0, placed, work.scene.language)))
+
+
+def mu_of(view: View, letter: str) -> float:
+    text = next(w for w in view.words if w.startswith(f"μ_{letter} = "))
+    return worked(text.partition(" = ")[2].split(" ")[0]).value
+
+
+def moment(one: Told) -> tuple[float, float]:
+    """The moment of a force by its arm, N·mm, and what its figures leave open."""
+    force, arm = one.number("value"), one.number("arm")
+    return force * arm, abs(force) * TWO + abs(force * arm) * FIGURES
+
+
+def summed(strokes: list[Told], mu: float) -> tuple[float, float]:
+    """The moments of forces and couples, N·m."""
+    total = open_ = 0.0
+    for one in strokes:
+        turns, off = moment(one) if "arm" in one.data else (one.number("value") / mu, 0.0)
+        total += turns * mu
+        open_ += (off + abs(turns) * FIGURES) * mu
+    return total, open_
+
+
+def check_group(view: View, told: View) -> int:
+    """Every ΣM = 0 of a group: what it gives is what its loads, arms and couples come to."""
+    mu, checked, heading = mu_of(view, "l"), 0, ""
+    loads = [s for s in view.strokes if "value" in s.data and "link" in s.data]
+    for line in lines(told):
+        if line.startswith("ΣM"):
+            heading = line
+            continue
+        sought = plain(line.split(" ")[0])
+        links = re.search(r"\^\(+([\d,]+)\)+ =", heading)
+        if not (sought.endswith("^t") and links):
+            continue
+        printed = result(line)
+        reaction = next((s for s in loads if s.data["segment"] == sought), None)
+        own = [s for s in loads if s.data["link"] in links[1].split(",")]
+        own = [s for s in own if not s.data["segment"].endswith("^t")]
+        total, open_ = summed(own, mu)
+        if reaction is None:  # too short for its polygon: a point
+            continue
+        # R·l by its sign along the line it is drawn for: the arrow turns against the loads
+        held, off = moment(reaction)
+        tolerance = open_ + off * mu + printed.half * abs(reaction.number("arm")) * mu
+        assert abs(total + held * mu) <= tolerance, line
+        assert abs(abs(printed.value) - reaction.number("value")) <= printed.half + FIGURES * abs(
+            printed.value
+        )
+        checked += 1
+    return checked
+
+
+def check_driver(view: View, told: View) -> int:
+    mu, checked = mu_of(view, "l"), 0
+    loads = [s for s in view.strokes if "value" in s.data and "link" in s.data]
+    for line in lines(told):
+        if not re.match(r"[PM]_(b|ур) = ", line):
+            continue
+        printed = result(line)
+        own = [s for s in loads if s.data["segment"] != "Pb"]
+        total, open_ = summed(own, mu)
+        if line.startswith("M"):
+            assert abs(total + printed.value) <= open_ + printed.half
+        else:
+            balance = next((s for s in loads if s.data["segment"] == "Pb"), None)
+            if balance is None:
+                continue
+            held, off = moment(balance)
+            tolerance = open_ + off * mu + printed.half * abs(balance.number("arm")) * mu
+            assert abs(total + held * mu) <= tolerance, line
+        checked += 1
+    return checked
+
+
+def check_lever(view: View, told: View) -> None:
+    """ΣM_p = 0: forces by their arms, converted couples, what balances them at the crank pin."""
+    forces = [s for s in view.strokes if "arm" in s.data]
+    couples = [s for s in view.strokes if s.data.get("unit") == "N·mm"]
+    total, open_ = 0.0, 0.0
+    for one in forces:
+        turns, off = moment(one)
+        total, open_ = total + turns, open_ + off
+    for one in couples:
+        total += one.number("value")
+        open_ += abs(one.number("value")) * FIGURES
+    assert abs(total) <= open_
+    if forces:
+        line = next(text for text in lines(told) if re.match(r"P_(b|ур)\S* = ", text))
+        printed = result(line)
+        balance = [s for s in forces if s.data["segment"] == "Pbl"]
+        for one in balance:
+            assert abs(abs(printed.value) - one.number("value")) <= printed.half + FIGURES * abs(
+                printed.value
+            )
+
+
+def check_arms(view: View, ruler: float) -> int:
+    """An arm as it is drawn is as long as it tells, and turns the way that its force tells."""
+    checked = 0
+    forces: Mapping[str, Told] = {s.data["segment"]: s for s in view.strokes if "arm" in s.data}
+    for one in view.strokes:
+        name = one.data["segment"]
+        if "mm" not in one.data or not name.startswith("h") or name[1:] not in forces:
+            continue
+        force = forces[name[1:]]
+        long = abs(one.end - one.start)
+        assert abs(long - one.number("mm")) <= ruler / 2 + TWO + 0.002
+        turns = ((one.end - one.start).conjugate() * force.way).imag
+        assert abs(turns - force.number("arm")) <= ruler / 2 + long * 2e-3, name
+        checked += 1
+    return checked
+
+
+def check_polygon(view: View) -> None:
+    """Its sides close it."""
+    sides = [s for s in view.strokes if s.pen == "main"]
+    equation = next(w for w in view.words if w.endswith("= 0"))
+    missing = equation.count(" + ") + 1 - len(sides)
+    assert missing >= 0
+    total = sum(s.number("mm") * s.way for s in sides)
+    # a way is told by ends to 0.001 mm
+    open_ = sum(TWO + s.number("mm") * 0.0015 / abs(s.end - s.start) for s in sides)
+    assert abs(total) <= open_ + missing * SHORT
+
+
+def check_printed(told: View, exact: list[float]) -> int:
+    """Every printed calculation comes to its printed result; ``exact``: the scale factors in it."""
+    checked = 0
+    for line in lines(told):
+        *letters, figures, _ = line.split(" = ")
+        figures = re.sub(r"(\d) (мм|Н/мм|mm|N/mm)", r"\1", figures)
+        if not letters or re.search(r"[^\W\d_]", figures):
+            continue
+        names = [name for name in re.split(r"[·/()|]", letters[-1]) if name.strip("− ")]
+        numbers = re.findall(r"\d[\d,.]*", figures)
+        if len(names) == len(numbers):
+            named = zip(names, numbers, strict=True)
+            exact = [*exact, *(worked(x).value for name, x in named if name in ("k", "μ_l"))]
+        printed, worked_out = result(line), worked(figures, exact)
+        half = printed.half + FIGURES * abs(printed.value)
+        assert abs(printed.value - worked_out.value) <= half + worked_out.half, line
+        checked += 1
+    return checked
+
+
+def check(work: Drawn) -> int:
+    found, ruler, checked = sheet(work), work.hand.ruler or 0.0, 0
+    for name, view in found.items():
+        kind, _, rest = name.partition("-")
+        told = found.get(f"equations-{rest}") or found.get(f"equations-lever-{rest}")
+        if kind == "group":
+            assert told is not None
+            checked += check_arms(view, ruler)
+            driver = rest.count("-") == 1
+            checked += (check_driver if driver else check_group)(view, told)
+        elif kind == "forces":
+            check_polygon(view)
+        elif kind == "lever":
+            checked += check_arms(view, ruler)
+            check_lever(view, found[f"equations-lever-{rest}"])
+        elif kind == "equations":
+            figure, plan = found.get(f"group-{rest}"), found.get(f"forces-{rest}")
+            exact = [mu_of(figure, "l")] if figure is not None else []
+            checked += check_printed(view, exact + ([mu_of(plan, "F")] if plan is not None else []))
+    return checked
+
+
+@each("name", LOADED)
+def test_the_force_sheets_of_a_scene_are_recomputed_from_themselves(name: str) -> None:
+    assert check(drawn(name)) >= 8
+
+
+@pytest.mark.slow
+def test_those_of_random_loaded_mechanisms_too() -> None:
+    for k, one in enumerate(sample(16, seed=97, dyads=(1, 3))):
+        way = {
+            "turned": bool(k % 2),
+            "couples": ("moment", "pair")[k % 3 == 0],
+            "balance": ("force", "moment")[k % 4 == 0],
+        }
+        work = loaded_drawing(weighed(one, k), one, ruler=0.1, **way)
+        check(work)
+
+
+def test_a_figure_that_was_changed_is_found() -> None:
+    work = drawn("lever")
+    found = sheet(work)
+    view, told = found["group-2-3-4"], found["equations-2-3-4"]
+    check_group(view, told)
+
+    def off(one: Told) -> Told:
+        arm = f"{one.number('arm') + 1.0:.2f}"
+        return one._replace(data={**one.data, "arm": arm})
+
+    wrong = tuple(off(s) if s.data["segment"] == "Pi2" else s for s in view.strokes)
+    with pytest.raises(AssertionError):
+        check_group(view._replace(strokes=wrong), told)
+    exact = [mu_of(view, "l"), mu_of(found["forces-2-3-4"], "F")]
+    assert check_printed(told, exact)
+    larger = re.compile(r"(?<=·)(\d+)(?=,\d)")
+    words = tuple(
+        larger.sub(lambda number: str(int(number[1]) + 2), word, count=1)
+        if word.startswith("R₁₂^t")
+        else word
+        for word in told.words
+    )
+    assert words != told.words
+    with pytest.raises(AssertionError):
+        check_printed(told._replace(words=words), exact)

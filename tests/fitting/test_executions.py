@@ -1,0 +1,94 @@
+"""A log is run once by a hand: scale factors are found without running it, readers share what was found."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support import asked
+from support.command import invoke
+from support.gallery import SHEETS
+from support.mechanisms import sample
+from support.scenes import written
+
+from graphic_tmm.board.execute import Program
+from graphic_tmm.mechanism.records import Row
+from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.studio import make, sheets
+
+WHOLE = 0.5
+"""A run of more than this share of the longest run is one of the whole log: what recording tries (an extreme
+position, whether the mechanism assembles) and a few lengths of a part are no drawing."""
+
+
+class Runs:
+    """The runs of programs while a test lasts: by how many steps, how many positions, and by whose hand."""
+
+    def __init__(self) -> None:
+        self.seen: list[tuple[int, int, Any]] = []
+
+    def whole(self) -> Counter[tuple[int, int, Any]]:
+        """Runs of whole logs."""
+        most = max((steps for steps, _, _ in self.seen), default=0)
+        return Counter(run for run in self.seen if run[0] > WHOLE * most)
+
+
+@pytest.fixture
+def runs(monkeypatch: pytest.MonkeyPatch) -> Runs:
+    counted, run = Runs(), Program.run
+
+    def counting(self: Program, given: Any, **options: Any) -> Any:
+        found = run(self, given, **options)
+        steps = sum(len(pointwise) + len(across) for pointwise, across in self.strata)
+        counted.seen.append((steps, found.positions, options.get("hand")))
+        return found
+
+    monkeypatch.setattr(Program, "run", counting)
+    return counted
+
+
+def once(runs: Runs) -> None:
+    """Every whole log was run once by each hand, and was run at all."""
+    counts = runs.whole()
+    assert counts
+    assert set(counts.values()) == {1}, counts
+
+
+COMMANDS = (("draw",), ("table",), ("table", "--exact"), ("steps",))
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
+@pytest.mark.parametrize("name", ["windrower", "scotch-yoke", "slider-diagrams"])
+def test_a_command_runs_the_log_once(
+    name: str, command: tuple[str, ...], runs: Runs, tmp_path: Path
+) -> None:
+    out = ["-o", str(tmp_path)] if command == ("draw",) else []
+    assert invoke(command[0], SHEETS / name, *command[1:], *out).exit_code == 0
+    once(runs)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(p.parent.name for p in SHEETS.glob("*/scene.toml")))
+def test_every_scene_is_drawn_by_one_run_of_its_log(name: str, runs: Runs, tmp_path: Path) -> None:
+    assert invoke("draw", SHEETS / name, "-o", tmp_path).exit_code == 0
+    assert all(count == 1 for count in runs.whole().values()), runs.whole()
+
+
+def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None:
+    places = ("positions", "velocities", "accelerations", "results")
+    for k, one in enumerate(sample(4, 21)):
+        runs.seen.clear()
+        row = Row(8, zero=one.phi, accelerations=("0", "2"))
+        scene = Scene(f"{k}", "T", "en", one.mechanism, row, sheets=(SheetOrder("A1", places),))
+        sheets(scene)
+        once(runs)
+
+
+def test_all_that_a_mechanism_can_be_asked_for_takes_one_run(runs: Runs, tmp_path: Path) -> None:
+    from graphic_tmm.scene.read import read
+
+    orders = [("A1", ("positions", "velocities", "forces", "lever")), ("A1", ("flywheel",))]
+    make(read(written(tmp_path, asked.mechanism("six", 8, orders))))
+    once(runs)

@@ -1,0 +1,44 @@
+"""Every sheet is read as a book is: positions first, plans in order, polygons beside their groups."""
+
+from __future__ import annotations
+
+import pytest
+from support.gallery import NAMES, paper
+from support.order import faults, gap
+
+from graphic_tmm.paper.packing import bounds
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_sheets_are_read_in_order(name: str) -> None:
+    made, papers = paper(name)
+    assert made.mechanism is not None
+    for sheet in papers:
+        views = sheet.drawings[1:]
+        boxes = {view.name: bounds(view) for view in views}
+        bases = {view.name: bounds(view)[1] + view.foot for view in views}
+        assert list(faults(boxes, bases, made.mechanism.names)) == []
+
+
+def test_the_judge_of_order_sees_what_is_out_of_order() -> None:
+    boxes = {
+        "positions": (100.0, 300.0, 200.0, 500.0),
+        "table-links": (20.0, 300.0, 90.0, 350.0),
+        "velocities-1": (210.0, 400.0, 300.0, 500.0),
+        "velocities-2": (310.0, 390.0, 400.0, 490.0),
+        "velocities-3": (410.0, 400.0, 500.0, 500.0),
+        "velocities-4": (210.0, 280.0, 300.0, 380.0),
+        "accelerations-1": (510.0, 350.0, 600.0, 450.0),
+        "group-2-3-1": (20.0, 20.0, 100.0, 100.0),
+        "forces-2-3-1": (130.0, 20.0, 200.0, 100.0),
+    }
+    bases = {name: box[1] for name, box in boxes.items()}
+    told = list(faults(boxes, bases, ["1", "2", "3", "4"]))
+    assert [text.partition(" stands")[0] for text in told] == [
+        "table-links",
+        "velocities-2",
+        "velocities-3",
+        "accelerations-1",
+        "the polygon of group-2-3-1 is 30 mm off",
+    ]
+    assert gap(boxes["group-2-3-1"], boxes["forces-2-3-1"]) == 30.0

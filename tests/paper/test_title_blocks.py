@@ -1,0 +1,78 @@
+"""Title blocks of the sheets of a scene: names, designations, the check line."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from support.gallery import SHEETS
+
+from graphic_tmm.errors import SceneError
+from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.lettering.letters import missing, plain
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.studio import sheets
+
+ORDERS = (SheetOrder("A2", ("lettering",)), SheetOrder("A2", ("symbols",)))
+
+
+def texts(sheet: Sheet) -> str:
+    return " ".join(plain(label.text) for label in sheet.drawings[0].labels)
+
+
+def scene(**changes: object) -> Scene:
+    return replace(read(SHEETS / "lettering"), **{"sheets": ORDERS, **changes})
+
+
+def test_each_sheet_bears_its_own_name_and_designation_and_so_do_those_that_follow_it() -> None:
+    named = [
+        replace(order, name=name, designation=mark)
+        for order, name, mark in zip(ORDERS, ("Шрифт", "Знаки"), ("К.1", "К.2"), strict=True)
+    ]
+    found = sheets(scene(sheets=tuple(named)))[1]
+    assert len(found) > 2
+    told = [texts(sheet) for sheet in found]
+    first = next(k for k, text in enumerate(told) if "Знаки" in text)
+    assert all("Шрифт" in text and "К.1" in text for text in told[:first])
+    assert all("Знаки" in text and "К.2" in text for text in told[first:])
+
+
+@pytest.mark.parametrize(("language", "letters"), [("ru", "ТММ"), ("en", "TMM")])
+def test_a_sheet_without_a_designation_is_numbered_in_the_series(
+    language: str, letters: str
+) -> None:
+    told = [texts(sheet) for sheet in sheets(scene(language=language, title_block={}))[1]]
+    assert f"{letters}.01.01.000" in told[0]
+    assert f"{letters}.01.02.000" in told[-1]
+    assert all(scene().title in text for text in told)
+
+
+def test_the_title_block_tells_what_a_sheet_does_not() -> None:
+    block = {"name": "Проект", "designation": "КП 7"}
+    mixed = (ORDERS[0], replace(ORDERS[1], name="Знаки"))
+    told = [texts(sheet) for sheet in sheets(scene(sheets=mixed, title_block=block))[1]]
+    assert all("КП 7" in text for text in told)
+    assert "Проект" in told[0]
+    assert "Знаки" in told[-1]
+    assert "Проект" not in told[-1]
+
+
+def test_a_scene_says_all_of_it(tmp_path: Path) -> None:
+    file = tmp_path / "scene.toml"
+    head = (
+        'title = "Буквы"\n[[sheet]]\nplace = ["lettering"]\nname = "Шрифт"\ndesignation = "К.1"\n'
+    )
+    file.write_text(head + "[title_block]\nprint_check = false\n", encoding="utf-8")
+    made = read(file)
+    assert (made.sheets[0].name, made.sheets[0].designation) == ("Шрифт", "К.1")
+    assert not made.print_check
+    (frame, *_), *_ = (sheet.drawings for sheet in sheets(made)[1])
+    assert not any(key == "check-line" for one in frame.strokes for key, _ in one.data)
+    file.write_text(head + '[title_block]\nprint_check = "no"\n', encoding="utf-8")
+    with pytest.raises(SceneError, match="print_check"):
+        read(file)
+    file.write_text(head.replace("К.1", "К☃"), encoding="utf-8")
+    with pytest.raises(SceneError, match="designation"):
+        read(file, missing=missing)
