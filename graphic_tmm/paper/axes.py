@@ -65,6 +65,8 @@ def position_numbers(
     the row is numbered; of others that stand too close the first.
     """
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
+    if not there:
+        return ()
     ink = _Inked(strokes)
     low, high = -TICK - CLEAR - size, TICK + CLEAR
     rows = [

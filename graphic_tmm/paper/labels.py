@@ -45,7 +45,7 @@ _SOFT, HEAVY = (
 """Pens whose lines give way to letters; pens of lines that no letter may stand on."""
 _LABEL, _CROSSED, _MISREAD = 1000.0, 150.0, 400.0
 """What it costs to stand on a label, to cross one with a leader, to have one that is read as a minus."""
-_COSTS = {"heavy": 200.0, "firm": 16.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
+_COSTS = {"heavy": 200.0, "firm": 60.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
 """What it costs to stand on a line once, to be a millimetre farther, to stand 60° off where it is wanted."""
 
 
