@@ -122,6 +122,8 @@ def _level(
 
     ``cost``: of the level.
     """
+    if not named:
+        return _Row((), cost)
     ordered = sorted(named, key=lambda one: one.at.real)
     made = [letter(one.text, size=size) for one in ordered]
     feet, wide = np.array([one.at.real for one in ordered]), np.array([one.width for one in made])
