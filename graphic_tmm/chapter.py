@@ -89,12 +89,13 @@ class Size:
     """How large something is drawn, by a name.
 
     ``usual``: room for it ``in_mm``, which sets the μ of a plan, or a share (1) of its usual room; what the
-    formats of a scene's sheets suggest; ``small``: what it begins with, if less. ``least``: where this is
-    reached, something else has to give way. ``cap``: what share of a sheet's height its views grow to, as far
-    as the sheets have room; 0: it does not grow; ``step``: by how much at least at a time. ``seen``: whether
-    what comes of it is seen in scale factors. ``extent``: what there is to draw, SI, of a board's reach.
-    ``fixed``: the key by which a scene itself says how large it is, "" if it does not; ``freed``: the scene
-    without saying so; ``remedy``: of a drawing made with a free size, what to write for the key.
+    formats of a scene's sheets suggest; ``small``: less, from where it may begin; ``unseen``: where no sheet
+    shows it. ``least``: where this is reached, something else has to give way. ``cap``: what share of a sheet's
+    height its views grow to, as far as the sheets have room; 0: it does not grow; ``step``: by how much at
+    least at a time. ``seen``: whether what comes of it is seen in scale factors. ``extent``: what there is to
+    draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says how large it is, "" if it
+    does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with a free size, what to
+    write for the key.
     """
 
     name: str
@@ -102,6 +103,7 @@ class Size:
     in_mm: bool = False
     least: float = 0.0
     small: float = 0.0
+    unseen: float = 0.0
     cap: float = 0.0
     step: float = 1.1
     seen: bool = True

@@ -11,7 +11,7 @@ Mechanism and parts go one road: all of them are tried together, on the sheets t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from graphic_tmm.chapter import chapters, places
 from graphic_tmm.drawn import Drawn
@@ -28,8 +28,8 @@ STEP, TRIALS = 0.93, 40
 """By how much at least a size gives way at a time; how often. All of them leave a twentieth."""
 MOST = 24
 """How often a size grows by its step, at most, until something comes of it."""
-OVER = 1.03
-"""What may be lifted takes no more than so many times its share of a sheet."""
+OVER = (1.03, 1.3)
+"""What is lifted takes no more than so many times its share of a sheet: first, and where there is room left."""
 
 
 class Search:
@@ -53,18 +53,27 @@ class Search:
             # what is allowed for letters may be more than they take
             self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
+        least = self._saving(least, free)
         for most in (self.rooms.count(least), self.written.count(least)):
             most = max(len(self.scene.sheets), most)
-            found = (
-                None if math.isinf(most) else self.lettered(self.lifted(least, free, most), most)
-            )
+            found = None if math.isinf(most) else self._lifted_all(least, free, most)
             if found is not None:
                 return found
         return least
 
-    def with_board(self, board: Board) -> Search:
-        """Return a search with another board of the same name, for its scene."""
-        return Search(board.scene, {**self.boards, board.name: board}.values())
+    def _lifted_all(self, sizes: Sizes, names: Sequence[str], most: float) -> Sizes | None:
+        """Return sizes lifted as far as they may be on no more sheets, with all letters; None if none are so.
+
+        Where letters take more than was allowed for them, the last steps are tried again with their letters.
+        """
+        steps = self.lifted(sizes, names, most)
+        found = self.lettered(steps, most)
+        if found is None or found is steps[-1]:
+            return found
+        allowed, self.rooms = self.rooms, self.written
+        found = self.lifted(found, names, most)[-1]
+        self.rooms = allowed
+        return found
 
     def lettered(self, steps: list[Sizes], most: float) -> Sizes | None:
         """Return the largest of sizes, in order, that take no more sheets with their letters; None: all do."""
@@ -73,29 +82,45 @@ class Search:
                 return sizes
         return None
 
+    def _saving(self, sizes: Sizes, free: Iterable[str]) -> Sizes:
+        """Return sizes to begin with: small ones where they save sheets that nobody ordered."""
+        count, known = self.rooms.count(sizes), {n: size for n, (_, size) in self.own.items()}
+        if count <= len(self.scene.sheets):
+            return sizes
+        less = {n: min(sizes[n], known[n].small) for n in free if known[n].small}
+        return {**sizes, **less} if self.rooms.count({**sizes, **less}) < count else sizes
+
+    def with_board(self, board: Board) -> Search:
+        """Return a search with another board of the same name, for its scene."""
+        return Search(board.scene, {**self.boards, board.name: board}.values())
+
     def lifted(self, sizes: Sizes, names: Iterable[str], most: float) -> list[Sizes]:
-        """Return sizes step by step, one lifted each time, the relatively smallest first, on no more sheets."""
-        free = [name for name in names if self.own[name][1].cap > 0.0]
-        steps = [sizes]
-        while free:
-            name = min(free, key=lambda one: self._share(one, steps[-1]))
-            larger = self._larger(name, steps[-1])
-            if larger is None or not self._may(name, steps[-1], larger, most):
-                free.remove(name)
-            else:
-                steps.append(larger)
+        """Return sizes step by step, one lifted each time, the relatively smallest first, on no more sheets.
+
+        All of them keep to their caps first; then those that have room go a little beyond.
+        """
+        steps, names = [sizes], [name for name in names if self.own[name][1].cap > 0.0]
+        for over in OVER:
+            free = list(names)
+            while free:
+                name = min(free, key=lambda one: self._share(one, steps[-1]))
+                larger = self._larger(name, steps[-1])
+                if larger is None or not self._may(name, steps[-1], larger, over, most):
+                    free.remove(name)
+                else:
+                    steps.append(larger)
         return steps
 
     def _share(self, name: str, sizes: Sizes) -> float:
         """Return what a size takes of what it may take of its sheets."""
         return self.rooms.large(name, sizes) / self.own[name][1].cap
 
-    def _may(self, name: str, sizes: Sizes, larger: Sizes, most: float) -> bool:
+    def _may(self, name: str, sizes: Sizes, larger: Sizes, over: float, most: float) -> bool:
         """Whether a size may be so much larger: no view comes apart, none takes too much, nor more sheets."""
         if self.rooms.views(name, larger) > self.rooms.views(name, sizes):
             return False
         taken = self._share(name, larger)
-        return 0.0 < taken <= OVER and self.rooms.count(larger) <= most
+        return 0.0 < taken <= over and self.rooms.count(larger) <= most
 
     def _larger(self, name: str, sizes: Sizes) -> Sizes | None:
         """Return sizes of which one is the next larger of which something else comes; None if there is none."""
@@ -108,10 +133,16 @@ class Search:
         return None
 
     def _least(self) -> Sizes:
-        """Return the usual sizes; of what begins small the least at which it can be measured."""
+        """Return the usual sizes; of what begins small the least at which it can be measured.
+
+        What no sheet shows is as large as one would draw it to read off its lengths.
+        """
         found: Sizes = usual(self.scene)
+        unseen = [n for n, (_, size) in self.own.items() if not self.rooms.views(n, found)]
         for name, (board, size) in self.own.items():
-            if size.small:
+            if name in unseen:
+                found = {**found, name: size.unseen or found[name]}
+            elif size.small and size.in_mm:
                 found = {**found, name: size.small}
                 while found[name] < size.usual(self.scene) and board.mm(name, found) < MEASURABLE:
                     found = {**found, name: min(found[name] * size.step, size.usual(self.scene))}

@@ -49,6 +49,7 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"\bm_\{F\}", "m_{%s}", (_FLYWHEEL,)),
     (r"\{mean\}", "{%s}", (_MEAN,)),
     (r"\{red\}", "{%s}", (said("red", context="index: reduced"),)),
+    (r"\^(?:\{t\}|t(?![a-z]))", "^{%s}", (said("t", context="index: tangential"),)),
     (r"_\{dr\}", "_{%s}", (said("dr", context="index: drawn"),)),
     (r"(?<=[φΦNnuαβO]_)r(?=[\])]?$)", "%s", (said("r", context="index: rise"),)),
     (r"(?<=[φΦNnuαβO]_)f(?=[\])]?$)", "%s", (said("f", context="index: return"),)),

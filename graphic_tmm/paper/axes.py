@@ -22,11 +22,13 @@ BESIDE = 0.8
 """Clear width between a number and the perpendicular of its position, mm."""
 FAR = (0.0, 1.0, 2.0, 3.0)
 """How much farther along the axis a number is tried that a curve is in the way of, mm."""
+BETWEEN = 1.6
+"""Clear width between two numbers at least, mm."""
 EVERY = (1, 2, 5, 10, 20, 50, 100)
 """Of positions that stand too close for their numbers every second, fifth … bears one."""
-_HEAVY, _LABEL, _FOOT, _FAR = 20.0, 500.0, 3.0, 0.3
-"""What it costs to stand on a main line, on the number before, past another position; a mm from its own. A thin
-line costs 1."""
+_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 1.0, 0.1
+"""What it costs to stand on a main line, on a thin one, on the number before, past another position; a mm away
+from its own."""
 _OTHER_SIDE, _LOWER = 10.0, 12.0
 """What it costs that the numbers stand above the axis, or one of them on the other side of it than the rest;
 that all stand on the next level below."""
@@ -60,7 +62,7 @@ def position_numbers(
     beside the row. A number stands beside the perpendicular of its position, where no curve goes. They stand
     lower, or above the axis, only where curves are in the way, and one alone on the other side only where a
     curve is in the way of it in all its places. Where they have no room every second, or fifth … position of
-    the row is numbered.
+    the row is numbered; of others that stand too close the first.
     """
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
     ink = _Inked(strokes)
@@ -82,7 +84,7 @@ def _thinned(row: Sequence[Named], size: float) -> list[Named]:
     apart = np.diff(feet)
     pitch = float(np.min(apart, initial=np.inf, where=apart > 1e-6))
     widest = max((letter(one.text, size=size).width for one in row), default=0.0)
-    every = next((n for n in EVERY if n * pitch >= widest + BESIDE), EVERY[-1])
+    every = next((n for n in EVERY if n * pitch >= widest + BETWEEN), EVERY[-1])
     return [one for k, one in enumerate(row) if k % every == 0]
 
 
@@ -102,7 +104,9 @@ class _Inked:
             hits = tree.query(frames, predicate="intersects")[0]
             return np.bincount(hits, minlength=frames.size).reshape(left.shape).astype(float)
 
-        return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + met(self.light, CLEAR / 2)
+        return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + _LIGHT * met(
+            self.light, CLEAR / 2
+        )
 
 
 def _level(
@@ -134,8 +138,10 @@ def _level(
     labels: list[Label] = []
     end = -math.inf
     for k, one in enumerate(ordered):
-        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + CLEAR)
+        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + BESIDE)
         best = int(np.argmin(costs))
+        if costs[best] >= _LABEL:
+            continue
         at = complex(starts[k, best % starts.shape[1]], bases[best // starts.shape[1]])
         labels.append(Label(one.text, at, size, of=one.of, position=one.position))
         end, cost = at.real + float(wide[k]), cost + float(costs[best])

@@ -7,7 +7,7 @@ with a stroke: `fitted` stretches its pattern a little for that.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -88,6 +88,12 @@ def pens(format: str) -> Mapping[str, Pen]:
             "joint": Pen(s, (), "black", "white"),
         }
     )
+
+
+def refuse_unknown(used: Iterable[str], box: Mapping[str, Pen], where: str) -> None:
+    """Raise SheetError for pens that are not in the box; ``where``: the name of what is drawn with them."""
+    if unknown := set(used) - set(box):
+        raise SheetError(f"{where}: no such pen: {', '.join(sorted(unknown))}")
 
 
 def tracing(box: Mapping[str, Pen], colour: str) -> Mapping[str, Pen]:

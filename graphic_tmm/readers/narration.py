@@ -13,7 +13,8 @@ from graphic_tmm.captions import captions
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.equations import equations
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.readers.equations import Equation, equations
 from graphic_tmm.readers.sentences import calculation, sentence
 
 
@@ -58,7 +59,7 @@ def protocol(
         for note in filter(None, step.note.split("\n")):
             yield Line(0, _remark(note, language))
             if note in solved:
-                yield Line(0, f"{solved[note].text};  {plain(solved[note].directions)}")
+                yield Line(0, _told(solved[note], language))
         first = first or counted
         terms = sums.get(step.it, ())
         if step.it in sums and not terms:
@@ -70,6 +71,12 @@ def protocol(
         note = calculation(step, reading, at, language, terms)
         yield Line(counted, sentence(step, language, reading, at), note, first)
         first = 0
+
+
+def _told(equation: Equation, language: str) -> str:
+    """Return an equation and its directions as plain text, its indices in a language."""
+    text = symbol(equation.text, language).replace("{", "").replace("}", "")
+    return f"{text};  {plain(symbol(equation.directions, language))}"
 
 
 def defined(reading: Reading, mark: Mark, place: int) -> bool:
@@ -112,4 +119,8 @@ def _remark(note: str, language: str) -> str:
     if f"phase {note}" in words:
         return words[f"phase {note}"]
     letter, _, way = note.partition(": ")
-    return speaking(language)(_EXTREMES[way], point=letter) if way in _EXTREMES else plain(note)
+    return (
+        speaking(language)(_EXTREMES[way], point=letter)
+        if way in _EXTREMES
+        else plain(symbol(note, language))
+    )

@@ -53,7 +53,7 @@ def result_table(
         if column.drawn:
             cells = [fixed(mm[k], 1, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
-            letter = column.quantity or letter
+            letter = symbol(column.quantity, language) if column.quantity else letter
         places = _decimals(value)
         cells = [fixed(value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])

@@ -39,7 +39,7 @@ def scene(parts: Parts, source: str) -> Scene:
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
-    shown = places.attended([sheet.place or usual for sheet in sheets], formats)
+    shown = places.attended([sheet.place or usual for sheet in sheets], formats, asked)
     return Scene(
         source=source,
         title=head.title,

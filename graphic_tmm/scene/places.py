@@ -23,25 +23,31 @@ def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
 
     ``asked``: the sections that are there; a chapter without one shows something of every mechanism.
     """
-
-    def called(one: Chapter) -> bool:
-        own = asking(one)
-        return mechanism and one.board == MECHANISM if own is None else own.name in asked
-
     there = places()
-    return tuple(name for name in known() if there[name][1].rank and called(there[name][0]))
+    ranked = (name for name in known() if there[name][1].rank)
+    return tuple(name for name in ranked if _called(there[name][0], asked, mechanism=mechanism))
+
+
+def _called(one: Chapter, asked: Set[str], *, mechanism: bool) -> bool:
+    """Whether a scene calls for what a chapter shows."""
+    own = asking(one)
+    return mechanism and one.board == MECHANISM if own is None else own.name in asked
 
 
 def attended(
-    orders: Sequence[tuple[str, ...]], formats: Sequence[str]
+    orders: Sequence[tuple[str, ...]], formats: Sequence[str], asked: Set[str]
 ) -> tuple[tuple[str, ...], ...]:
     """Return what stands on sheets together with what attends it, where none of them names that.
+
+    ``asked``: the sections that are there; what attends is shown where its chapter is called for.
 
     The smallest sheets hold nothing but what they are asked for.
     """
     found = list(orders)
     large = [not format.startswith(SMALLEST) for format in formats]
-    for name, (_, place) in places().items():
+    for name, (one, place) in places().items():
+        if not _called(one, asked, mechanism=True):
+            continue
         there = (k for k, order in enumerate(found) if large[k] and place.attends in order)
         first = next(there, None)
         if first is not None and not any(name in order for order in found):

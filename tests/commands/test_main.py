@@ -33,7 +33,7 @@ def test_steps_number_the_protocol_and_put_numbers_in() -> None:
     text = invoke("steps", "engine", "--plan", "velocities", "--position", "2").stdout
     assert "План скоростей, положение 2" in text
     assert "v_A = ω_1·l_OA = 50·0,3 = 15 м/с" in text
-    assert "ω_2 = ab·μ_v/(AB·μ_l) = (−53,5)·0,25/(128·0,005) = −20,9 1/с" in text
+    assert "ω_2 = ab·μ_v/(AB·μ_l) = (−53,5)·0,25/(128·0,005) = −20,9 с⁻¹" in text
     numbers = [int(n) for n in re.findall(r"^ *(\d+)\. ", text, re.MULTILINE)]
     assert numbers == list(range(1, len(numbers) + 1))
     english = invoke("steps", "engine", "-p", "velocities", "-n", "2", "-l", "en").stdout

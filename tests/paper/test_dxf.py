@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import subprocess
 import sys
 
 import pytest
-from support.dxf_read import opened, sheet_of
+from support.dxf_read import at, opened, sheet_of
 from support.gallery import paper
 
 from graphic_tmm.errors import SheetError
@@ -47,7 +48,7 @@ def test_the_extents_are_those_of_the_ink(sheet) -> None:
 
 
 def test_the_paper_shows_the_sheet_at_its_size(document, sheet) -> None:
-    layout = document.layout("A1")
+    layout = document.layout(sheet.format)
     assert (layout.dxf.paper_width, layout.dxf.paper_height) == (sheet.width, sheet.height)
     assert (layout.dxf.scale_numerator, layout.dxf.scale_denominator) == (1, 1)
     (window,) = [v for v in layout.viewports() if v.dxf.id != 1]
@@ -111,13 +112,14 @@ def places(entity) -> list[tuple[float, float]]:
     return [tuple(entity.dxf.get(end))[:2] for end in ends]
 
 
-def test_the_check_line_is_100_mm(document) -> None:
-    long = [
-        abs(line.dxf.end.y - line.dxf.start.y)
-        for line in document.modelspace().query("LINE")
-        if line.dxf.start.x == line.dxf.end.x == 5.5
+def test_the_check_line_is_100_mm(document, sheet) -> None:
+    (drawn,) = [s for d in sheet.drawings for s in d.strokes if dict(s.data).get("check-line")]
+    ends = [complex(x, y) for x, y, _ in drawn.path]
+    found = [[at(made.dxf.start), at(made.dxf.end)] for made in document.modelspace().query("LINE")]
+    near = [
+        pair for pair in found if max(abs(a - b) for a, b in zip(pair, ends, strict=True)) < 1e-6
     ]
-    assert any(abs(length - 100.0) < 1e-9 for length in long)
+    assert [abs(b - a) for a, b in near] == pytest.approx([100.0], abs=1e-9)
 
 
 ALL_KINDS = """
@@ -167,6 +169,18 @@ def test_a_scene_gives_the_same_bytes_whatever_the_hash_seed(tmp_path) -> None:
         tuple(path.read_bytes() for path in sorted((tmp_path / seed).iterdir())) for seed in "12345"
     }
     assert [len(files) for files in found] == [len(paper("crank-rocker")[1])]
+
+
+def test_a_place_that_is_none_and_an_unknown_pen_are_refused() -> None:
+    for bad in (math.nan, math.inf):
+        with pytest.raises(SheetError, match="finite"):
+            dxf(sheet_of(line("main", 0j, complex(bad, 1))))
+        with pytest.raises(SheetError, match="finite"):
+            dxf(sheet_of(line("body", 0j, complex(bad, 1), 9j, closed=True)))
+        with pytest.raises(SheetError, match="finite"):
+            dxf(sheet_of(labels=(Label("a", complex(1, bad)),)))
+    with pytest.raises(SheetError, match="crayon"):
+        dxf(sheet_of(line("crayon", 0j, 1j)))
 
 
 def test_without_ezdxf_the_remedy_is_told(sheet, monkeypatch: pytest.MonkeyPatch) -> None:

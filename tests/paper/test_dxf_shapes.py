@@ -20,7 +20,7 @@ from graphic_tmm.paper.symbols.kinematic import fixed_pivot, slider, stone
 
 @each("name, crank", [("crank-rocker", 20.0), ("shaper", 110.0)])
 def test_a_crank_is_as_long_as_its_scale_says(name: str, crank: float) -> None:
-    """The circle of the crank pin, of l/μ_l (``crank``: OA as the scene's file has it, mm)."""
+    """The circle of the crank pin, broken at letters, of l/μ_l (``crank``: OA as the scene has it, mm)."""
     sheet = paper(name)[1][0]
     texts = " ".join(label.text for drawing in sheet.drawings for label in drawing.labels)
     scale = float(re.search(r"μ_l = ([\d.,]+)", texts)[1].replace(",", "."))

@@ -30,10 +30,16 @@ def test_one_page_a_sheet_of_exactly_its_size(drawn) -> None:
         for page, sheet in zip(file.pages, drawn, strict=True):
             assert page.width * MM == pytest.approx(sheet.width, abs=0.001)
             assert page.height * MM == pytest.approx(sheet.height, abs=0.001)
-            upright = [
-                line["height"] * MM for line in page.lines if abs(line["x0"] * MM - 5.5) < 0.01
+            (check,) = [
+                s for d in sheet.drawings for s in d.strokes if "check-line" in dict(s.data)
             ]
-            assert any(abs(height - 100.0) < 0.005 for height in upright)
+            x, y = (min(vertex[axis] for vertex in check.path) for axis in (0, 1))
+            lengths = [
+                (line["width"] + line["height"]) * MM
+                for line in page.lines
+                if abs(complex(line["x0"] * MM - x, line["y0"] * MM - y)) < 0.01
+            ]
+            assert any(abs(length - 100.0) < 0.005 for length in lengths)
             assert sheet.drawings[-1].title.split()[0] in page.extract_text()
 
 

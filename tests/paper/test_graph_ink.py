@@ -11,6 +11,7 @@ import shapely
 from support.each import each
 from support.gallery import SHEETS
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicTask
@@ -21,6 +22,7 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import box, flat, shape
+from graphic_tmm.paper.views import pole_figures
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 
@@ -124,3 +126,23 @@ def test_a_curve_that_a_reading_is_taken_from_is_a_curve_of_the_log() -> None:
         curves = [s for s in log.steps if s.it.kind is Curve and s.it.view == f"diagram {symbol}"]
         drawn_curves = {s.title for s in graph(work, symbol).strokes if isinstance(s, Bezier)}
         assert drawn_curves == {step.it.letter for step in curves}
+
+
+@each("symbol", ["V", "a"])
+def test_the_distance_of_the_pole_is_dimensioned_above_the_graph(symbol: str) -> None:
+    work = drawn("windrower", "displacement", "chords")
+    log, view = work.construction, f"diagram {symbol}"
+    (pole,) = [s for s in log.steps if s.it.view == view and s.it.role == roles.POLE]
+    (text,) = (told := pole_figures(log, work.reading, view, "en")).values()
+    names = Names(work.project.names, symbol, "t", lengths=told)
+    made = draw_graph(log, work.reading, view, work.project.count, names, "X")
+    (label,) = [label for label in made.labels if label.text == text]
+    strokes = [s for s in made.strokes if s.part == "dimension" and isinstance(s, Stroke)]
+    assert strokes
+    assert {s.of for s in strokes} == {(pole.it.slot,)} == {label.of}
+    spot = complex(work.reading[pole.it][0, 0])
+    tips = [s.path[0][0] for s in strokes if s.closed]
+    assert sorted(tips) == pytest.approx([spot.real, 0.0], abs=1e-9)
+    curves = [z.imag for s in made.strokes if isinstance(s, Bezier) for z in flat(s.controls)]
+    assert all(s.path[-1][1] > max(curves) for s in strokes)
+    assert text == f"{pole.uses[1].name} = {-spot.real:.4g}"

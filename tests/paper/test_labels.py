@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import math
+import random
 
+import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -62,3 +65,96 @@ def test_arcs_and_curves_have_their_shape() -> None:
     assert abs(shape(circle("thin", 5 + 0j, 2.0)).length - 12.566) < 0.1
     smooth = shape(Bezier("thin", (0j, 1 + 0j, 2 + 0j, 3 + 0j)))
     assert abs(smooth.length - 3.0) < 1e-9
+
+
+def field(seed: int, count: int) -> tuple[list[Wanted], list[Stroke]]:
+    """Points close to each other, each with a label of one to three letters; lines of two kinds among them."""
+    chance = random.Random(seed)
+
+    def spot() -> complex:
+        return complex(chance.uniform(0, 70), chance.uniform(0, 50))
+
+    wanted = [
+        Wanted("abc"[: chance.randint(1, 3)] + f"_{{{k}}}", spot(), 3.5) for k in range(count)
+    ]
+    lines = [
+        line(chance.choice(("thin", "thin", "medium")), spot(), spot()) for _ in range(count // 2)
+    ]
+    return wanted, lines
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_leader_is_read_as_a_minus(seed: int) -> None:
+    """None is short, and none stands level with the letters of its label."""
+    wanted, lines = field(seed, 30)
+    labels = place(wanted, lines)
+    rows = zip(wanted, labels, strict=True)
+    drawn = leaders(wanted, labels)
+    frames = [
+        box(k) for one, k in rows if box(k).distance(shapely.Point(one.at.real, one.at.imag)) > 3.2
+    ]
+    assert len(drawn) == len(frames)
+    for leader, frame in zip(drawn, frames, strict=True):
+        (x0, y0, _), (x1, y1, _) = leader.path
+        low, high = frame.bounds[1], frame.bounds[3]
+        band = (low + high) / 2
+        level = abs(y1 - y0) < math.tan(math.radians(20)) * abs(x1 - x0)
+        length = math.hypot(x1 - x0, y1 - y0)
+        assert length >= 5.9
+        assert not (level and abs(y1 - band) < 2.0 and length < 8.0)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_labels_of_a_crowded_field_stand_apart_and_off_heavy_lines(seed: int) -> None:
+    wanted, lines = field(100 + seed, 30)
+    labels = place(wanted, lines)
+    boxes = [box(label) for label in labels]
+    assert all(a.disjoint(b) for a, b in itertools.combinations(boxes, 2))
+    ink = interrupt([*lines, *leaders(wanted, labels)], labels)
+    thin = [shape(stroke) for stroke in ink if stroke.pen == "thin"]
+    assert all(a.disjoint(b) for a in boxes for b in thin)
+    heavy = [shape(stroke) for stroke in ink if stroke.pen == "medium"]
+    assert not any(a.intersects(b) for a in boxes for b in heavy)
+
+
+def fine(stroke: Stroke | Bezier) -> shapely.LineString:
+    """A stroke as a polyline of short pieces."""
+    if not isinstance(stroke, Bezier):
+        return shape(stroke)
+    spots = []
+    for k in range(0, len(stroke.controls) - 1, 3):
+        a, b, c, d = stroke.controls[k : k + 4]
+        for u in (n / 300 for n in range(301)):
+            v = 1 - u
+            spots.append(v**3 * a + 3 * v * v * u * b + 3 * v * u * u * c + u**3 * d)
+    return shapely.LineString([(z.real, z.imag) for z in spots])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_circles_arcs_and_curves_are_broken_too_and_keep_their_kind(seed: int) -> None:
+    """What is left runs along the old line, and together with what stands under the letter is all of it."""
+    chance = random.Random(seed)
+    label = Label("O_2", complex(chance.uniform(-9, 5), chance.uniform(-9, 5)), 5.0)
+    controls = tuple(complex(chance.uniform(-15, 15), chance.uniform(-15, 15)) for _ in range(7))
+    for stroke in (
+        circle("thin", 0j, chance.uniform(6, 10)),
+        arc("centre", 1 + 1j, 8.0, chance.uniform(0, 360), chance.uniform(40, 350)),
+        Bezier("thin", controls),
+    ):
+        marked = stroke._replace(of=(3, 5), position=2, part="link")
+        made = interrupt([marked], [label])
+        frame = box(label).buffer(0.4, join_style="mitre")
+        whole = fine(stroke)
+        left = sum(fine(one).length for one in made)
+        due = whole.difference(frame).length
+        assert left <= due + 0.05 * whole.length
+        assert left >= due - 0.05 * whole.length - 0.8 * (len(made) + 2)
+        for one in made:
+            assert (type(one), one.of, one.position, one.part) == (type(stroke), (3, 5), 2, "link")
+            assert whole.buffer(0.2).covers(fine(one))
+            assert fine(one).intersection(frame.buffer(-0.1)).length < 0.2
+
+
+def test_what_a_page_tells_the_length_of_is_not_broken() -> None:
+    told = line("thin", -30 + 0j, 30 + 0j)._replace(data=(("mm", "60"),))
+    assert interrupt([told], [Label("O", -2 - 2j, 5.0)]) == (told,)

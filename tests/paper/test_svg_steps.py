@@ -121,4 +121,4 @@ def test_the_check_line_is_100_mm() -> None:
             root = ElementTree.fromstring(svg(sheet))
             (path,) = root.findall(f".//{NS}path[@data-check-line]")
             x, y, u, v = (float(number) for number in re.findall(r"[\d.]+", path.get("d")))
-            assert (x - u, abs(y - v)) == (0.0, 100.0)
+            assert {abs(x - u), abs(y - v)} == {0.0, 100.0}

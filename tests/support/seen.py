@@ -140,8 +140,8 @@ class Seen:
 
     @cached_property
     def thin(self) -> shapely.Geometry:
-        """All thin lines with their breaks at letters closed, and what hides them."""
-        lines = [_line(*ends) for ends in self.lines("thin")]
+        """All thin lines and those of extremes, with their breaks at letters closed, and what hides them."""
+        lines = [_line(*ends) for ends in self.lines("thin", "medium")]
         hidden = [
             shapely.affinity.translate(box(label), -self.shift.real, -self.shift.imag)
             for label in self.view.labels

@@ -13,6 +13,8 @@ from graphic_tmm.paper.drawing import Ink, Wanted, line
 from graphic_tmm.paper.finish import Named, shared
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
+EVERY, APART = (1, 2, 5, 10), 1.2
+"""Of positions that stand too close every second, fifth … is numbered: their middle way, of the height."""
 OVER = 9.0
 """How far an axis goes on behind what stands on it, mm."""
 
@@ -40,11 +42,15 @@ def numbered(
 ) -> list[Wanted]:
     """Return the numbers of positions at their points; positions that coincide share one label.
 
+    Where they have no room every second, fifth … is numbered.
+
     ``mark``: of the point that is numbered; ``spots``: where its numbers stand, ``toward``: on which side.
     """
-    ways = np.broadcast_to(toward, spots.shape)
+    ways, every = np.broadcast_to(toward, spots.shape), _every(spots, ink.heights.number)
     named, aim = [], dict[complex, complex]()
     for k, (name, spot, way) in enumerate(zip(names, spots, ways, strict=True)):
+        if k % every:
+            continue
         at = complex(spot)
         named.append(Named(at, name, (mark.slot,), k))
         aim.setdefault(at, complex(way))
@@ -52,3 +58,11 @@ def numbered(
         Wanted(one.text, one.at, ink.heights.number, radius, aim[one.at], one.of, one.position)
         for one in shared(named)
     ]
+
+
+def _every(spots: Complexes, height: float) -> int:
+    """Return every how many-th position has room for its number."""
+    steps = np.abs(np.diff(spots))
+    apart = steps[np.isfinite(steps) & (steps > height * 0.1)]
+    middle = float(np.median(apart)) if apart.size else height * APART
+    return next((n for n in EVERY if n * middle >= APART * height), EVERY[-1])

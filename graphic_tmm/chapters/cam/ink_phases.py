@@ -20,6 +20,8 @@ from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 SHARE = 0.62
 """Radius of the arcs, of that of the working profile in the lower dwell."""
+ROOM = 4.0
+"""Arcs of a smaller radius have no room for letters, of their height."""
 HEAD = 3.0
 """Length of an arrowhead on an arc, mm."""
 BEYOND = 2.0
@@ -47,11 +49,12 @@ def _radius(ink: CamInk) -> float:
 
 
 def _phases(ink: CamInk) -> Iterator[Phase]:
-    """The phases that there are: rise, upper dwell, return, lower dwell."""
+    """The phases that there are: rise, upper dwell, return, lower dwell; none where they have no room."""
     turn, sense, spots = ink.cam.diagrams.turn, -ink.cam.sense, ink.all(_marks(ink))
     at = (0, turn.rise.last, turn.fall.first, turn.fall.last)
     ways = [complex(spots[k]) for k in at]
-    if not finite(*ways, complex(_radius(ink))) or 0j in ways:
+    radius = _radius(ink)
+    if not finite(*ways, complex(radius)) or 0j in ways or radius < ROOM * ink.heights.number:
         return
     for n, (start, end) in enumerate(zip(ways, [*ways[1:], ways[0]], strict=True), 1):
         angle = (sense * math.degrees(cmath.phase(end / start))) % 360.0

@@ -78,7 +78,7 @@ CHAPTER = Chapter(
             sizes=lambda scene, view: ("graphs",),
         ),
     ),
-    sizes=(Size("graphs", least=0.2, cap=0.94, step=1.25),),
+    sizes=(Size("graphs", least=0.2, small=0.7, cap=0.94, step=1.4),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=lambda scene: {VELOCITIES: True},
     sections=SECTIONS,

@@ -19,6 +19,8 @@ from graphic_tmm.readers.columns import (
 PLAN = DIAGRAMS.chapter
 COMPARED = ("V", "a")
 """What plans give too."""
+EVEN = 1e-11
+"""Figures that differ by less of their own size differ by rounding only."""
 
 
 def diagram_columns(drawn: Drawn) -> Iterator[Column]:
@@ -46,5 +48,6 @@ def diagram_columns(drawn: Drawn) -> Iterator[Column]:
 def _difference(letter: str, found: Reals, due: Reals) -> Column:
     """Return by how much figures differ from what is due, in % of the largest due of their drawing."""
     largest = np.fmax.reduce(np.abs(due), axis=1, keepdims=True, initial=0.0)
-    row = 100.0 * (found - due) / np.where(largest > 0.0, largest, np.nan)
+    apart = np.where(np.isclose(found, due, rtol=EVEN, atol=0.0), 0.0, found - due)
+    row = 100.0 * apart / np.where(largest > 0.0, largest, np.nan)
     return Column(PLAN, letter, letter, "%", empty(row.shape[1]), row)

@@ -51,7 +51,7 @@ def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     rows = tuple(diagram_columns(drawn))
     return [
         stacked(PLAN, views, told, high),
-        result_table(PLAN, rows, drawn.names, language),
+        result_table(PLAN, rows, drawn.names, language, heights=high),
     ]
 
 

@@ -80,7 +80,7 @@ CHAPTER = Chapter(
             sizes=lambda scene, view: ("graphs",),
         ),
     ),
-    sizes=(Size("engine", least=0.5, cap=0.4),),
+    sizes=(Size("engine", least=0.5, small=0.7, cap=0.4),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     sections=SECTIONS,

@@ -23,10 +23,7 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked
-from graphic_tmm.readers.result_table import (
-    SIZE,
-    result_table,
-)
+from graphic_tmm.readers.result_table import result_table
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -53,12 +50,17 @@ def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     _, rows = speaking(language), engine_columns(drawn)
-    forces = result_table("engine", rows, project.names, language)
+    high = heights(drawn.scene, "engine diagrams")
+    forces = result_table("engine", rows, project.names, language, heights=high)
     carried = _(
         "the frame carries P (P and −P close in it); the bearings carry Q = K + T; "
         "the foundation carries P_{in} and the couple N·OB, which equals M"
     ).split("; ")
-    return [*_diagrams(drawn, made, lettered), captioned(forces, *carried), _results(drawn)]
+    return [
+        *_diagrams(drawn, made, lettered),
+        captioned(forces, *carried, heights=high),
+        _results(drawn),
+    ]
 
 
 def _shown(drawn: Drawn) -> list[int]:
@@ -143,12 +145,13 @@ def _results(drawn: Drawn) -> Drawing:
         for name, (value, of) in single(engine_results(drawn)).items()
     ]
     heads = [words["value"], words["results"], words["unit"]]
-    align = ["left", "centre", "left"]
+    align, high = ["left", "centre", "left"], heights(drawn.scene, "engine diagrams")
     return table(
         "table-lumping",
         _("The rod's mass lumped"),
         heads,
         rows,
-        size=SIZE,
+        size=high.number,
+        title_size=high.title,
         align=align,
     )

@@ -98,7 +98,7 @@ CHAPTER = Chapter(
             sizes=lambda scene, view: ("sketch" if view == FLYWHEEL.chapter else "graphs",),
         ),
     ),
-    sizes=(Size("sketch", cap=0.4, step=1.25, seen=False),),
+    sizes=(Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     sections=SECTIONS,

@@ -36,10 +36,7 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, length_figure, mu_text, pole_figures, stacked
-from graphic_tmm.readers.result_table import (
-    SIZE,
-    result_table,
-)
+from graphic_tmm.readers.result_table import result_table
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -58,7 +55,9 @@ def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
         views.append(_sketch(drawn, made))
     rows = tuple(flywheel_columns(drawn))
-    return [*views, result_table(PLAN, rows, drawn.names, language), _results(drawn)]
+    high = heights(drawn.scene, PLAN)
+    told = result_table(PLAN, rows, drawn.names, language, heights=high)
+    return [*views, told, _results(drawn)]
 
 
 def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
@@ -142,7 +141,8 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
     drawing = draw_flywheel(sizes, reduction, title, language, marks)
     told = rim_too_wide(drawn, language)
     scale = f"1:{number(reduction, language)}"
-    return captioned(drawing, title, scale, *(told.split(": ") if told else ()))
+    lines, high = told.split(": ") if told else (), heights(drawn.scene, PLAN)
+    return captioned(drawing, title, scale, *lines, heights=high)
 
 
 def _results(drawn: Drawn) -> Drawing:
@@ -161,4 +161,13 @@ def _results(drawn: Drawn) -> Drawing:
         )
     heads = [words["value"], words["results"], words["unit"]]
     align = ["left", "centre", "left"]
-    return table("table-results", words["flywheel"], heads, rows, size=SIZE, align=align)
+    high = heights(drawn.scene, PLAN)
+    return table(
+        "table-results",
+        words["flywheel"],
+        heads,
+        rows,
+        size=high.number,
+        title_size=high.title,
+        align=align,
+    )

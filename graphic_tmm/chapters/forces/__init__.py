@@ -22,9 +22,9 @@ scale; so the same sum is the sum of moments of the plan as a rigid lever about 
 becomes M·ab/l. It gives the balancing force once more by one equation without reactions: both must agree
 (usually within 5 % by hand).
 
-Draws: places ``forces`` (groups detached with their polygons, the driving link), ``lever``, ``force
-table``. Builds on kinematics; on diagrams (loads by the travel of a slider); on indicator (gas on a
-piston).
+Draws: places ``forces`` (groups detached with their polygons and equations, the driving link), ``lever``,
+``force table``, ``load diagram``. Builds on kinematics; on diagrams (loads by the travel of a slider); on
+indicator (gas on a piston).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кинетостатический анализ; теорема Жуковского о
 жёстком рычаге); Попов С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the windrower
@@ -41,11 +41,13 @@ from graphic_tmm.chapters.forces import views
 from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.captions import CAPTIONS, called
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
+from graphic_tmm.chapters.forces.given import given
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
 from graphic_tmm.chapters.forces.sections import SECTIONS
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED
+from graphic_tmm.chapters.forces.views_loads import PLACE, load_views
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
@@ -104,10 +106,12 @@ CHAPTER = Chapter(
             sizes=lambda scene, view: ("lever",),
         ),
         Place("force table", 62, views.force_table, follows=(POSITIONS,)),
+        Place(PLACE, 0, load_views, follows=(POSITIONS,), attends=POSITIONS),
     ),
     sizes=SIZES,
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    given=given,
     sections=SECTIONS,
     record=record,
     reach=reach,

@@ -70,7 +70,7 @@ class Reactive(NamedTuple):
 class Shown(NamedTuple):
     """What a figure shows: its links, forces and couples on them, reactions.
 
-    ``circles``: friction circles, their pins and radii (m). ``balance``: of the driving link, its letter and
+    ``circles``: friction circles, their pins and radii (m). ``balance``: of the driving link, the line and
     the arm of the force that balances it.
     """
 
@@ -80,7 +80,7 @@ class Shown(NamedTuple):
     couples: Sequence[Couple]
     reactions: Sequence[Reactive]
     circles: Sequence[tuple[Mark, Mark]] = ()
-    balance: tuple[str, Mark] | None = None
+    balance: tuple[Mark, Mark] | None = None
 
 
 def draw_group(
@@ -275,7 +275,7 @@ class _Loads:
 
         That of the balancing force is the crank.
         """
-        if self.shown.balance is not None and force.letter == self.shown.balance[0]:
+        if self.shown.balance is not None and force.line == self.shown.balance[0]:
             return self.seen.number(self.shown.balance[1], self.index)
         own = self.shown.figure.lines.get(force.line)
         for step in self.seen.steps:

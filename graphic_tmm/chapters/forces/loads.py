@@ -67,13 +67,15 @@ class Couple(NamedTuple):
 class Loads:
     """What acts on the links: as kinetostatics takes it, and as it is carried onto the lever.
 
-    They differ where an inertia force and couple are replaced by one force.
+    They differ where an inertia force and couple are replaced by one force. ``given``: the sizes of the loads
+    that the scene gives, in their order.
     """
 
     forces: list[Force] = field(default_factory=list)
     couples: list[Couple] = field(default_factory=list)
     on_lever: list[Force] = field(default_factory=list)
     couples_on_lever: list[Couple] = field(default_factory=list)
+    given: list[Mark] = field(default_factory=list)
 
     @property
     def outer(self) -> tuple[Mark, ...]:
@@ -144,7 +146,7 @@ def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads
             _inertia(ground, link, loads, single=link.number in order.single)
     for k, load in enumerate(order.loads, 1):
         try:
-            loads.add(_given(ground, load))
+            loads.add(_given(ground, load, loads))
         except StructureError as error:
             raise error.inside(f"load {k}") from None
     if gas is not None:
@@ -221,14 +223,14 @@ def _gas(ground: Ground, cylinder: Cylinder) -> Force:
     return Force("P", link, point, line, cylinder.indicator.force, image)
 
 
-def _given(ground: Ground, load: Load) -> Force | Couple:
+def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
     links = ground.mechanism.by_number
     if load.link not in links or load.link == ground.mechanism.frame.number:
         raise StructureError(
             said("there is no moving link {link}", link=load.link), "link", head="load"
         )
     if load.point is None:
-        return _moment(ground, load)
+        return _moment(ground, load, loads)
     if load.point not in links[load.link].points:
         known = ", ".join(links[load.link].points)
         raise StructureError(
@@ -244,7 +246,7 @@ def _given(ground: Ground, load: Load) -> Force | Couple:
     point, image = _at(ground, load.link, load.point)
     letter = _letter(ground, "F", load.link)
     if load.direction != AGAINST:
-        size = _size(ground, load, letter, "N")
+        size = _size(ground, load, letter, "N", loads)
         line = draft.draw(ray, f"({letter})", point, draft.direction(float(load.direction)))
         return Force(letter, load.link, point, line, size, image)
     reading = reading_of(draft, ground.velocities, image)
@@ -257,7 +259,7 @@ def _given(ground: Ground, load: Load) -> Force | Couple:
             ),
             "direction",
         )
-    size = _size(ground, load, f"|{letter}|", "N")
+    size = _size(ground, load, f"|{letter}|", "N", loads)
     line = _against(ground, letter, point, image, reading)
     value = draft.draw(with_motion, letter, size, reading, ground.pin_speed, unit="N")
     return Force(letter, load.link, point, line, value, image)
@@ -285,11 +287,11 @@ def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mar
     return draft.draw(square, f"({letter})", point, along, sense=-turns)
 
 
-def _moment(ground: Ground, load: Load) -> Couple:
+def _moment(ground: Ground, load: Load, loads: Loads) -> Couple:
     draft, plan = ground.draft, ground.velocities
     letter = _letter(ground, "M", load.link)
     if load.direction != AGAINST:
-        return Couple(letter, load.link, _size(ground, load, letter, "N·m"))
+        return Couple(letter, load.link, _size(ground, load, letter, "N·m", loads))
     rate = plan.rates.get(load.link)
     if rate is None:
         raise StructureError(
@@ -299,14 +301,20 @@ def _moment(ground: Ground, load: Load) -> Couple:
             ),
             "direction",
         )
-    size = _size(ground, load, f"|{letter}|", "N·m")
+    size = _size(ground, load, f"|{letter}|", "N·m", loads)
     fastest = plan.rates[ground.mechanism.drive.link]
     value = draft.draw(against_turning, letter, size, rate, fastest, unit="N·m")
     return Couple(letter, load.link, value)
 
 
-def _size(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
-    """Take the size of a load: constant, by position, by angle; or find it by a travel."""
+def _size(ground: Ground, load: Load, letter: str, unit: str, loads: Loads) -> Mark:
+    """Take the size of a load: constant, by position, by angle; or find it by a travel. Note it."""
+    found = _sized(ground, load, letter, unit)
+    loads.given.append(found)
+    return found
+
+
+def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     draft, intervals = ground.draft, ground.intervals
     if load.travel is not None:
         return by_travel(

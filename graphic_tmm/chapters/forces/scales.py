@@ -39,9 +39,9 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = (
-    Size("forces", least=0.1, cap=0.42, fixed=_fixed),
-    Size("groups", least=0.25, cap=0.42),
-    Size("lever", least=0.05, cap=0.45),
+    Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
+    Size("groups", least=0.25, small=0.6, cap=0.42),
+    Size("lever", least=0.05, small=0.6, cap=0.45),
 )
 """Of polygons, of detached groups, of the lever: shares of the usual room."""
 
@@ -55,10 +55,10 @@ def polygon_scales(project: Project) -> list[Mark]:
 
 
 class Reaches(NamedTuple):
-    """How far the polygons reach, by view (N), what is detached, by its μ (m), and the lever's plan (m/s)."""
+    """How far the polygons reach, by view (N), what is detached, by view (m), and the lever's plan (m/s)."""
 
     polygons: Mapping[str, float]
-    detached: Mapping[Mark, float]
+    detached: Mapping[str, float]
     lever: float
 
 
@@ -76,7 +76,7 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
         spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
         found[mu.view] = extent([np.concatenate([[0j], *spots])])
     far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
-    apart = {figure.mu: _apart(figure, reading, made.places) for figure in made.figures}
+    apart = {figure.view: _apart(figure, reading, made.places) for figure in made.figures}
     return Reaches(found, apart, far)
 
 
@@ -111,7 +111,8 @@ def _detached(fitting: Fitting, known: Reaches) -> dict[Mark, object]:
     """Return μ_l of what is detached: a standard one at which its links take their room in all positions."""
     room = narrowest(sheet.format for sheet in fitting.scene.sheets).room
     room *= DETACHED * fitting.sizes["groups"]
-    return {mu: standard_length(far, room) for mu, far in known.detached.items() if far > 0.0}
+    far = {figure.mu: known.detached[figure.view] for figure in FORCES.on(fitting).figures}
+    return {mu: standard_length(reach, room) for mu, reach in far.items() if reach > 0.0}
 
 
 def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:

@@ -51,11 +51,15 @@ class Solved(NamedTuple):
 
 
 class Tangent(NamedTuple):
-    """A tangential component: its letter, its value (N), its arm about the closing point (Length)."""
+    """A tangential component: its letter, its value (N), its arm about the closing point (Length).
+
+    ``side``: the ends of its side of the polygon.
+    """
 
     letter: str
     value: Mark
     arm: Mark
+    side: tuple[Mark, Mark] | None = None
 
 
 def solve_group(
@@ -83,7 +87,7 @@ def solve_group(
     chain = views.begin(draft)
     start = chain.end
     if first.link in tangents and isinstance(first, PinLeg):
-        chain.add_across(*_across(first, tangents[first.link]))
+        tangents[first.link] = _across(chain, first, tangents[first.link])
     loads = chain.end
     for force in acting.forces.get(first.link, []):
         chain.add(force.letter, force.line, force.value)
@@ -92,7 +96,7 @@ def solve_group(
         chain.add(force.letter, force.line, force.value)
     loaded = chain.end
     if second.link in tangents and isinstance(second, PinLeg):
-        chain.add_across(*_across(second, tangents[second.link]))
+        tangents[second.link] = _across(chain, second, tangents[second.link])
     held = isinstance(first, GuideLeg) and first.inner
     lines = [
         _unknown(draft, first, middle if held else start, slopes),
@@ -139,8 +143,11 @@ def _tangents(
     return found
 
 
-def _across(leg: PinLeg, tangent: Tangent) -> tuple[str, Mark, Mark]:
-    return tangent.letter, leg.line, tangent.value
+def _across(chain: Chain, leg: PinLeg, found: Tangent) -> Tangent:
+    """Lay a tangential component off: square to its leg."""
+    start = chain.end
+    chain.add_across(found.letter, leg.line, found.value)
+    return found._replace(side=(start, chain.end))
 
 
 class _Corners(NamedTuple):

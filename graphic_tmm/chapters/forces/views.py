@@ -169,17 +169,17 @@ def _equation(polygon: Polygon, language: str) -> str:
 def _group(made: Forces, solved: Solved) -> Shown:
     closing, unknown = solved.closing, list[Reactive]()
     links = closing.group.links
-    ends = {letter: (tail, head) for letter, tail, head in solved.polygon.sides}
-    for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
+    # the sides of unknown size end a polygon, that of the first leg last
+    last = reversed(solved.polygon.sides[-2:])
+    for leg, reaction, along in zip(closing.legs, solved.reactions, last, strict=False):
         at = leg.pivot if isinstance(leg, PinLeg) else closing.point
         tangent = solved.tangents.get(leg.link)
-        if tangent is None:
+        if tangent is None or tangent.side is None:
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
             continue
-        found = Reactive(tangent.letter, at, *ends[tangent.letter], tangent.value, tangent.arm)
-        unknown.append(found._replace(link=leg.link))
-        along = f"{reaction.letter}^{{n}}"
-        unknown.append(Reactive(along, at, *ends[along]))
+        found = Reactive(tangent.letter, at, *tangent.side, tangent.value, tangent.arm, leg.link)
+        letter, tail, head = along
+        unknown += [found, Reactive(letter, at, tail, head)]
     pins = [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
     return Shown(
         solved.figure,
@@ -206,7 +206,7 @@ def _driver(drawn: Drawn, made: Forces) -> Shown:
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = made.acting.couples.get(crank, [])
     circles = _circles(made, [pivot, body.marks[plans.structure.pin]])
-    balance = (driven.force.letter, driven.arm) if driven.force else None
+    balance = (driven.force.line, driven.arm) if driven.force else None
     return Shown(driven.figure, (crank,), forces, couples, [found], circles, balance)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
@@ -26,6 +27,8 @@ DOT = 0.5
 """Radius of a point, mm."""
 OVER = 8.0
 """How far the circles and the axis of the tooth go on, mm."""
+EVERY, APART = (1, 2, 5, 10), 1.2
+"""Of feet that stand too close every second, fifth … is numbered: so far apart, of the height of a number."""
 HEAD = 3.0
 """Length of an arrowhead on an arc, mm."""
 
@@ -167,12 +170,21 @@ class _Rolling:
         quarter = (self.at(wheel.middle) + self.far) / 2
         of = (wheel.at_pitch.slot, wheel.middle.slot)
         yield Wanted(f"s_{{{wheel.sizes.number}}}", quarter, small, 1.0, quarter - self.centre, of)
+        every = self.every(small)
         for n, (foot, end) in enumerate(zip(self.feet, self.points, strict=True)):
+            if (n + wheel.roll.first) % every:
+                continue
             text, toward = str(n + wheel.roll.first), foot - end + 2 * (self.centre - foot) / 3
             yield Wanted(text, foot, small, DOT, toward, (wheel.feet.slot,), n)
         for mark, _, text, low, _ in self.spans():
             end = self.centre + cmath.rect(self.radius(mark), math.radians(low))
             yield Wanted(text, end, small, 0.5, -1j * (end - self.centre), (mark.slot,))
+
+    def every(self, height: float) -> int:
+        """Every how many-th foot has room for its number."""
+        steps = [abs(b - a) for a, b in pairwise(self.feet)]
+        least = min((step for step in steps if step > 0.0), default=height * APART)
+        return next((n for n in EVERY if n * least >= APART * height), EVERY[-1])
 
 
 def _leading(by_mark: dict[Mark, Step], ends: tuple[Mark, ...]) -> set[Mark]:

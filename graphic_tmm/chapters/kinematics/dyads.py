@@ -149,7 +149,7 @@ def _rpr(site: Site) -> Closing:
         side: Mark | None = site.side
     else:
         height = site.draft.length(f"h_{{{pin}}}", offset)
-        guide = draft.draw(tangent, f"({pin})", a, c, height, site.side)
+        guide = draft.draw(tangent, f"({inner.name})", a, c, height, site.side)
         line, side = draft.draw(join, f"({centre}{pin})", c, a), None
     distance = draft.draw(measure, f"{centre}{pin}", c, a)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide, side)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.record import Construction
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Label
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
@@ -22,16 +23,18 @@ def draw_equations(
     title: str,
     found: Sequence[Equation],
     heights: Heights = HEIGHTS["A1"],
+    language: str = "en",
 ) -> Drawing:
     """Return the equations of a plan under their title, each group's with its directions below it.
 
     What the log says of the crank stands first.
     """
     large, small = heights.point, heights.number
-    rows = [(title, heights.title), *((text, large) for text in _crank(construction, plan))]
+    told = [(text, large) for text in _crank(construction, plan)]
     for equation in found:
-        rows.append((f"{equation.group}:  {equation.markup}", large))
-        rows.append((f"({equation.directions})", small))
+        told.append((f"{equation.group}:  {equation.markup}", large))
+        told.append((f"({equation.directions})", small))
+    rows = [(title, heights.title), *((symbol(text, language), size) for text, size in told)]
     labels, base = list[Label](), 0.0
     for text, size in rows:
         made = letter(text, size=size)

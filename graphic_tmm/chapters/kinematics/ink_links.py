@@ -196,14 +196,16 @@ class LinksInk:
         """Return the guides of the frame, over the travel of their sliders, hatched on the far side."""
         made = list[Ink]()
         for figure in self.of(self.frame.name, "guide"):
-            reach = self.reaches[figure]
-            _, path, *_ = figure.marks
-            way, through = self.along(figure, 0), _place(self.reading[path].at, 0)
-            anchor = self.spots(self.frame.name, 0)[reach.anchor]
-            foot = through + ((anchor - through) / way).real * way
-            ends = foot + (reach.low - OVERRUN) * way, foot + (reach.high + OVERRUN) * way
-            made += body(guide(*ends), "guide", [path])
+            made += body(guide(*self.rail(figure)), "guide", figure.marks[1:2])
         return made
+
+    def rail(self, figure: Figure) -> tuple[complex, complex]:
+        """Return the ends of a guide of the frame."""
+        reach, path = self.reaches[figure], figure.marks[1]
+        way, through = self.along(figure, 0), _place(self.reading[path].at, 0)
+        anchor = self.spots(self.frame.name, 0)[reach.anchor]
+        foot = through + ((anchor - through) / way).real * way
+        return foot + (reach.low - OVERRUN) * way, foot + (reach.high + OVERRUN) * way
 
 
 def _place(row: np.ndarray, index: int) -> complex:

@@ -6,7 +6,10 @@ again; what stays is the paths of points and the bodies that the plan tells.
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +20,12 @@ from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.ink_numbers import (
+    PIN,
+    guide_names,
+    link_numbers,
+    path_numbers,
+)
 from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle
@@ -33,10 +42,11 @@ TRACELESS = frozenset({REFINE})
 """Operations of these plans that leave no trace: angles that are tried out, each on a board of its own."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
-PAIR, PIN = 2.2, 1.2
-"""How far the signs of a pair and of a pin of a thin position reach, with some room, mm."""
-HEAVY, THIN = ("rod", "main"), ("thin", "thin")
-"""Pens of rods and of guides: in the main position a rod runs over what slides, a guide under it."""
+PAIR = 2.2
+"""How far the sign of a pair reaches, with some room, mm."""
+HEAVY, FULL, THIN = ("rod", "main"), ("medium", "medium"), ("thin", "thin")
+"""Pens of rods and of guides: in the main position a rod runs over what slides, a guide under it; in extreme
+positions; in all others."""
 
 
 def draw_positions_ink(
@@ -50,30 +60,44 @@ def draw_positions_ink(
     crank: tuple[Mark, Mark],
     sense: int,
     title: str,
+    driver: int = 1,
+    extremes: Sequence[int] = (),
     heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the plan of positions.
 
-    ``reaches``: how far each guide is used, mm; ``main``: the index of the position drawn heavy; ``skipped``:
-    those that cannot be drawn; ``crank``: the marks of its pivot and pin; ``sense``: of its rotation.
+    ``reaches``: how far each guide is used, mm; ``main``: the index of the position drawn heavy, ``extremes``:
+    of those in full line, ``skipped``: of those that cannot be drawn; ``crank``: the marks of its pivot and
+    pin; ``sense``: of its rotation; ``driver``: the number of its link.
     """
     places = [i for i in range(len(names)) if i not in skipped]
     ink = PositionsInk(construction, reading, reaches, places)
     traces = figure(ink.seen, Manner({french_curve.name: _path}, lambda _, step: _stays(step)))
     strokes: list[Ink] = [*ink.guides(), *ink.crank_circle(crank), *traces.staying]
-    for index in ink.places:
+    full = [index for index in extremes if index in places and index != main]
+    for index in places:
         if index != main:
-            strokes += ink.thin(index)
+            strokes += ink.thin(index, FULL if index in full else THIN)
     strokes += ink.heavy(main)
     strokes += ink.turning(crank, sense, main)
+    letters = ink.letters((ink.frame.name, *ink.names), main, heights.point)
+    pins = ink.numbers(crank, names, heights.number)
+    bow = ink.bow(crank, sense, main)
+    speed = Wanted(f"ω_{driver}", bow.middle, heights.point, 1.0, bow.out, (crank[0].slot,), main)
     wanted = [
-        *ink.letters((ink.frame.name, *ink.names), main, heights.point),
-        *ink.numbers(crank, names, heights.number),
+        *letters,
+        speed,
+        *pins,
+        *guide_names(ink, main, heights.number),
+        *path_numbers(ink, crank, names, places, [main, *full], heights.number),
     ]
+    circled = link_numbers(ink, main, strokes, [*letters, speed, *pins], heights.number)
+    strokes += [stroke for one in circled for stroke in one.strokes]
     return Drawing(
         PLAN,
         title,
         tuple(strokes),
+        tuple(one.label for one in circled),
         rubbed=traces.rubbed,
         shows=ink.seen.views,
         wanted=tuple(wanted),
@@ -126,6 +150,16 @@ def clear_start(reach: float, bearing: float, sense: int) -> float:
     return next((start for start in starts if clear(start)), starts[0])
 
 
+class Bow(NamedTuple):
+    """The arrow of ω1: about what, mm, from where (degrees); its middle, and the way out from there."""
+
+    centre: complex
+    radius: float
+    start: float
+    middle: complex
+    out: complex
+
+
 class PositionsInk(LinksInk):
     """The plan of positions while it is inked: the links in their ``places``, and what stands about them."""
 
@@ -145,12 +179,12 @@ class PositionsInk(LinksInk):
         strokes = [s for name in self.names for s in self.lines(name, index, HEAVY)]
         return [*strokes, *self.symbols(self.names, index), *self.pivots()]
 
-    def thin(self, index: int) -> list[Ink]:
-        """The whole mechanism in another position, in thin lines."""
+    def thin(self, index: int, pens: tuple[str, str] = THIN) -> list[Ink]:
+        """The whole mechanism in another position, in lines only."""
         return [
             stroke
             for name in self.names
-            for stroke in (*self.lines(name, index, THIN), *self.notches(name, index))
+            for stroke in (*self.lines(name, index, pens), *self.notches(name, index))
         ]
 
     def pivots(self) -> list[Ink]:
@@ -170,11 +204,18 @@ class PositionsInk(LinksInk):
 
     def turning(self, crank: tuple[Mark, Mark], sense: int, main: int) -> list[Ink]:
         """The arrow that tells which way the crank turns."""
+        bow = self.bow(crank, sense, main)
+        arrow = round_arrow(bow.centre, bow.radius, bow.start, sense * SWEEP)
+        return [*body(arrow, "turning", crank, main)]
+
+    def bow(self, crank: tuple[Mark, Mark], sense: int, main: int) -> Bow:
+        """Where that arrow stands."""
         pivot, pin = (self.at(mark, main) for mark in crank)
         reach = min(10.0, 0.6 * abs(pin - pivot))
         bearing = float(np.degrees(np.angle(pin - pivot)))
-        bow = round_arrow(pivot, reach, clear_start(reach, bearing, sense), sense * SWEEP)
-        return [*body(bow, "turning", crank, main)]
+        start = clear_start(reach, bearing, sense)
+        out = cmath.rect(1.0, math.radians(start + sense * SWEEP / 2))
+        return Bow(pivot, reach, start, pivot + reach * out, out)
 
     def letters(self, names: Sequence[str], main: int, size: float = 5.0) -> list[Wanted]:
         """The letters of links in the main position; points at one place share a label."""

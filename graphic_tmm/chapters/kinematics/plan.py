@@ -23,7 +23,7 @@ from graphic_tmm.chapters.kinematics.positions import (
     side_values,
 )
 from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
-from graphic_tmm.chapters.kinematics.row import draw_row
+from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
@@ -46,8 +46,9 @@ class KinematicPlans:
     """The plans of a mechanism as recorded.
 
     ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the
-    positions (indices) that get an acceleration plan; ``numbers``: where each position stands in the row, in
-    intervals of it; ``count`` of the positions make the closed row.
+    positions (indices) that get an acceleration plan, ``extremes``: those that are extreme positions;
+    ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
+    closed row.
     """
 
     mechanism: Mechanism
@@ -59,6 +60,7 @@ class KinematicPlans:
     velocities: Motion | None
     accelerations: Motion | None
     accelerated: tuple[int, ...]
+    extremes: tuple[int, ...]
     guides: tuple[Figure, ...]
     numbers: np.ndarray
     count: int
@@ -141,6 +143,7 @@ def record(bench: Bench) -> KinematicPlans:
         velocities,
         accelerations,
         accelerated,
+        extreme_places(row),
         guides(draft.board.construction()),
         _numbers(angles, row.count, mechanism.drive),
         row.count,

@@ -66,6 +66,12 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     return Numbered(phi, tuple(names), np.broadcast_to(values[phi], (1, size)))
 
 
+def extreme_places(row: Row) -> tuple[int, ...]:
+    """Return the positions (indices) of a row that are extreme positions of a point."""
+    zero = (0,) if isinstance(row.zero, Extreme) else ()
+    return (*zero, *(row.count + k for k, extra in enumerate(row.extra) if extra == OTHER))
+
+
 def _refuse_repeated(row: Row) -> None:
     for place, extra in enumerate(row.extra):
         if extra in row.extra[:place]:

@@ -33,9 +33,9 @@ from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
 
-SMALL, VECTORS = 50.0, 80.0
-"""Room for the longest vector of a plan, mm, to begin with. Below 50 mm the ruler's half division of 0.25 mm is
-more than 0.5 %."""
+SMALL, VECTORS, UNSEEN = 50.0, 80.0, 150.0
+"""Room for the longest vector of a plan, mm, to begin with, and where no sheet shows it. Below 50 mm the half
+division of a ruler, 0.25 mm, is more than 0.5 %."""
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
@@ -218,6 +218,7 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
         usual,
         in_mm=True,
         small=small,
+        unseen=UNSEEN if small else 0.0,
         cap=cap,
         extent=own,
         fixed=fixed,

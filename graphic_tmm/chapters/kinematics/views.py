@@ -19,6 +19,7 @@ from graphic_tmm.chapters.kinematics.plan import (
 )
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
+from graphic_tmm.chapters.kinematics.transmission import best
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -45,14 +46,13 @@ EQUATIONS = {
 def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of positions."""
     made, words = KINEMATICS.on(drawn), captions(drawn.scene.language)
-    there = [k for k in range(len(drawn.names)) if k not in drawn.undrawn]
-    wanted = [k for k in there if drawn.names[k] == drawn.scene.main]
-    candidates = wanted or [k for k in made.accelerated if k in there] or there[1:] or there
     view = draw_positions_ink(
         drawn.construction,
         drawn.reading,
         reaches(drawn),
-        main=candidates[0],
+        main=main_position(drawn),
+        driver=made.structure.driver,
+        extremes=made.extremes,
         names=drawn.names,
         skipped=drawn.undrawn,
         crank=made.crank,
@@ -64,6 +64,17 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     size = heights(drawn.scene, POSITIONS)
     leading = done._replace(stand=Stand(kind="lead"))
     return [captioned(leading, words["positions"], mu, heights=size)]
+
+
+def main_position(drawn: Drawn) -> int:
+    """Return the position (index) drawn heavy: the scene's, else one that shows the mechanism at its best."""
+    made, names = KINEMATICS.on(drawn), drawn.names
+    there = [k for k in range(len(names)) if k not in drawn.undrawn]
+    told = next((k for k in there if names[k] == drawn.scene.main), None)
+    if told is not None:
+        return told
+    angles = [float(angle or 0.0) for angle in drawn.project.angles]
+    return best(made.tried, angles, [k for k in made.accelerated if k in there], there)
 
 
 def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -133,7 +144,8 @@ def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         told = list(equations(log, plan, turned=drawn.scene.turned))
         if told:
             size = heights(drawn.scene, "equations")
-            found += noted([draw_equations(log, plan, title, told, size)], plan)
+            view = draw_equations(log, plan, title, told, size, drawn.scene.language)
+            found += noted([view], plan)
     return found
 
 

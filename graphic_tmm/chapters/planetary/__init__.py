@@ -18,8 +18,9 @@ where it touches the fixed wheel: so v_A (or v_B) gives the other one. Rays from
 lines, cut off segments proportional to ω on a line parallel to the axis: the plan of angular velocities,
 from which the ratio is measured once more, and told beside the one by Willis (`rates`).
 
-Draws: place ``planetary``: pitch circles, kinematic scheme, pictures, conditions, the choice of trains; on
-a board of its own whose positions are the satellites. Builds on no chapter.
+Draws: place ``planetary``: pitch circles, kinematic scheme (with the pair of wheels behind the train, of its
+module), pictures, conditions, the choice of trains; on a board of its own whose positions are the
+satellites. Builds on no chapter.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (планетарные механизмы: кинематика, подбор чисел
 зубьев); Попов С. А., Тимофеев Г. А., Курсовое проектирование; the course project of the windrower (scene

@@ -49,6 +49,8 @@ TRACELESS = frozenset({next_satellite.name})
 """Operations that leave no trace: the axis of a satellite is there already."""
 PITCH = 0.6
 """Clear height between the lines of a caption, of the height of its letters."""
+COLUMN = 24.0
+"""Lines below the plan of rates wider than it are broken, but not into shorter ones; of their height."""
 BELOW = (5.0, 8.0, 9.0)
 """From the views, the axis and the pole down to their captions, mm."""
 
@@ -124,7 +126,7 @@ def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
     low = min([ink.centre.imag - ink.beyond, *(side.far.imag for side in ink.scheme.pair.values())])
     heights = (low, ink.centre.imag, ink.pole.imag)
     half = (min(picture) + max(picture)) / 2 - ink.scheme.right - 2.0
-    widths = (math.inf, 2 * half, math.inf)
+    widths = (math.inf, 2 * half, max(max(rates) - min(rates), COLUMN * ink.heights.point))
     labels: list[Label] = []
     taken = [shapely.box(*sides) for sides in occupied(ink.scheme)]
     for lines, xs, y, down, most in zip(
@@ -134,7 +136,7 @@ def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
         told = [
             (part, size)
             for text, size in zip(lines, sizes, strict=False)
-            for part in wrapped(text, size, most)
+            for part in _broken(text, size, most)
         ]
         middle = (min(xs) + max(xs)) / 2
         block = _block(told, middle, y - down)
@@ -144,6 +146,21 @@ def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
         labels += block
         taken += [box(one) for one in block]
     return labels
+
+
+def _broken(text: str, size: float, most: float) -> list[str]:
+    """Return a line of a caption in lines no wider than ``most`` mm: an equality before its signs =."""
+    first, *rest = text.split(" = ")
+    if not rest:
+        return wrapped(text, size, most)
+    lines = [f"{first} = {rest[0]}"]
+    for part in rest[1:]:
+        longer = f"{lines[-1]} = {part}"
+        if letter(longer, size=size).width <= most:
+            lines[-1] = longer
+        else:
+            lines.append(f"= {part}")
+    return lines
 
 
 def _block(lines: Sequence[tuple[str, float]], middle: float, y: float) -> list[Label]:

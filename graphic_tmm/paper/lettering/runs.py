@@ -34,9 +34,7 @@ class Runs(NamedTuple):
 
 
 @lru_cache(maxsize=4096)
-def set_in_runs(
-    text: str, *, size: float, inclined: bool, writable: Callable[[str], bool] = str.isprintable
-) -> Runs:
+def set_in_runs(text: str, *, size: float, inclined: bool, writable: Callable[[str], bool]) -> Runs:
     """Return a marked-up line as `letters.letter` sets it, in runs of the letters that are ``writable``.
 
     Raises SheetError as `letters.letter` does.

@@ -17,7 +17,16 @@ from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.labels import box, shape
-from graphic_tmm.paper.pens import CENTRE, DASHED, KINDS, LETTERING, PHANTOM, Pen, pens
+from graphic_tmm.paper.pens import (
+    CENTRE,
+    DASHED,
+    KINDS,
+    LETTERING,
+    PHANTOM,
+    Pen,
+    pens,
+    refuse_unknown,
+)
 from graphic_tmm.paper.write.dxf_blocks import Blocks, gathered, symbol_of
 from graphic_tmm.paper.write.dxf_ink import Inker, weight
 from graphic_tmm.paper.write.dxf_text import Letterer, add_styles
@@ -43,7 +52,7 @@ def dxf(sheet: Sheet, *, stroked: bool = False) -> str:
     Raises
     ------
     SheetError
-        If ezdxf is not installed.
+        If ezdxf is not installed, a coordinate is not finite, or a pen is unknown.
     """
     try:
         from ezdxf import units
@@ -63,6 +72,8 @@ def dxf(sheet: Sheet, *, stroked: bool = False) -> str:
         writer = _Writer(document, pens(sheet.format), speech, stroked=stroked)
         for drawing in sheet.drawings:
             writer.draw(drawing)
+        left, low, right, top = _extents(sheet)
+        document.modelspace().reset_extents((left, low, 0), (right, top, 0))
         for kind in sorted(document.entitydb.dxf_types_in_use()):
             document.classes.add_class(kind)  # which ezdxf would do in the order of a set
         out = io.StringIO()
@@ -81,10 +92,7 @@ def _set_up(document: Any, sheet: Sheet) -> None:
         document.linetypes.add(name, [sum(dashes), *signed], description=name.lower())
     add_styles(document)
     size, middle = (sheet.width, sheet.height), (sheet.width / 2, sheet.height / 2)
-    left, low, right, top = _extents(sheet)
-    model = document.modelspace()
-    model.reset_limits((0, 0), size)
-    model.reset_extents((left, low, 0), (right, top, 0))
+    document.modelspace().reset_limits((0, 0), size)
     document.set_modelspace_vport(sheet.height, middle)
     document.layouts.rename("Layout1", sheet.format)
     paper = document.layout(sheet.format)
@@ -136,6 +144,7 @@ class _Writer:
 
     def draw(self, drawing: Drawing) -> None:
         """Write the strokes in the order of the pens, then the lettering."""
+        refuse_unknown((stroke.pen for stroke in drawing.strokes), self.box, drawing.name)
         signs = gathered(drawing.strokes, self.box)
         for key, pen in self.box.items():
             for sign in (sign for sign in signs if sign.pen == key):

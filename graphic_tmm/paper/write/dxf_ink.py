@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Mapping
 from typing import Any
 
+from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Ink, Path, Stroke
 from graphic_tmm.paper.labels import shape
 from graphic_tmm.paper.pens import Pen
@@ -27,7 +29,9 @@ def weight(width: float) -> int:
 
 
 def spot(z: complex) -> tuple[float, float]:
-    """Return a place as DXF has it."""
+    """Return a place as DXF has it; SheetError if it is none."""
+    if not cmath.isfinite(z):
+        raise SheetError(f"a coordinate of the sheet is not a finite number: {z}")
     return round(z.real, DIGITS), round(z.imag, DIGITS)
 
 
@@ -51,6 +55,7 @@ class Inker:
             self.filled(stroke, style)
         else:
             if pen.fill == "white":
+                vertices(stroke.path)  # refused if it has no place
                 corners = [spot(complex(x, y)) for x, y in shape(stroke).coords[:-1]]
                 self.space.add_wipeout(corners, dxfattribs=style)
             if pen.width:

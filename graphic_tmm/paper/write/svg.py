@@ -24,7 +24,7 @@ from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.numbers import number as spoken
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
-from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, tracing
+from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, refuse_unknown, tracing
 from graphic_tmm.paper.write.svg_path import clockwise, length, number, path_data
 
 if TYPE_CHECKING:
@@ -104,9 +104,7 @@ class _Writer:
         """Return the group of a drawing: its pens in their order, then its lettering."""
         group = self.layer(clean(drawing.title or drawing.name))
         group.update({"id": name, "class_": f"drawing {_slug(drawing.name)}"})
-        unknown = {stroke.pen for stroke in drawing.strokes} - set(box)
-        if unknown:
-            raise SheetError(f"{drawing.name}: no such pen: {', '.join(sorted(unknown))}")
+        refuse_unknown((stroke.pen for stroke in drawing.strokes), box, drawing.name)
         for key, pen in box.items():
             strokes = [stroke for stroke in drawing.strokes if stroke.pen == key]
             if strokes:

@@ -259,3 +259,12 @@ def test_what_a_flat_cam_shows_is_lettered_as_what_it_is() -> None:
     assert "ρ, m" in shown
     assert "Radius of curvature of the profile" in shown
     assert not any(text.startswith(("κ", "dS/dφ,")) for text in shown)
+
+
+def test_positions_that_stand_close_are_numbered_by_twos_or_fives() -> None:
+    small = made(CamTask(**{**C6, "mu_l": 0.003}, r0=0.0521, roller=0.0168))
+    texts = ", ".join(label.text for label in centre(small).labels).split(", ")
+    told = {int(text) for text in texts if text.isdigit()}
+    every = min(told - {0})
+    assert every in (2, 5)
+    assert told == set(range(0, small.cam.diagrams.turn.positions, every))

@@ -220,13 +220,24 @@ def test_a_figure_that_was_changed_is_found() -> None:
     work = drawn("lever")
     found = sheet(work)
     view, told = found["group-2-3-4"], found["equations-2-3-4"]
-    wrong = tuple(
-        s._replace(data={**s.data, "arm": "71.00"}) if s.data["segment"] == "G2" else s
-        for s in view.strokes
-    )
+    check_group(view, told)
+
+    def off(one: Told) -> Told:
+        arm = f"{one.number('arm') + 1.0:.2f}"
+        return one._replace(data={**one.data, "arm": arm})
+
+    wrong = tuple(off(s) if s.data["segment"] == "Pi2" else s for s in view.strokes)
     with pytest.raises(AssertionError):
         check_group(view._replace(strokes=wrong), told)
-    words = tuple(w.replace("1134·68,0", "1134·66,0") for w in told.words)
+    exact = [mu_of(view, "l"), mu_of(found["forces-2-3-4"], "F")]
+    assert check_printed(told, exact)
+    larger = re.compile(r"(?<=·)(\d+)(?=,\d)")
+    words = tuple(
+        larger.sub(lambda number: str(int(number[1]) + 2), word, count=1)
+        if word.startswith("R₁₂^t")
+        else word
+        for word in told.words
+    )
     assert words != told.words
     with pytest.raises(AssertionError):
-        check_printed(told._replace(words=words), [mu_of(view, "l")])
+        check_printed(told._replace(words=words), exact)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -217,3 +217,17 @@ def test_the_table_of_sliding_is_that_of_the_windrower() -> None:
     texts = [label.text for label in dimension_table(of.reading, of.gear, "ru", "X", WALL).labels]
     for figure in ("56,382", "93,969", "168,683", "73,123", "110,043", "16,483", "26,96", "1,158"):
         assert figure in texts
+
+
+def test_feet_that_stand_close_are_numbered_by_fives() -> None:
+    """At 1:2 the tangents of a tooth stand a millimetre apart: letters of 3.5 mm have no room at each."""
+    of = drawn(GearTask(15, 25, 0.008, 0.83, 0.445, mu=0.002))
+    made = draw_rolling_ink(of.log, of.reading, of.gear, 0, "X", WALL)
+    feet = [one for one in made.wanted if one.of == (of.gear.wheels[0].feet.slot,)]
+    assert {int(one.text) for one in feet} == {5, 10, 15}
+    apart = [abs(b.at - a.at) for a, b in pairwise(feet)]
+    assert min(apart) > 3.5
+    usual = drawn()
+    whole = draw_rolling_ink(usual.log, usual.reading, usual.gear, 0, "X", WALL)
+    numbers = [one for one in whole.wanted if one.text.isdigit()]
+    assert len(numbers) == usual.gear.wheels[0].roll.count

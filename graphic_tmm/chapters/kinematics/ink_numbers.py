@@ -1,0 +1,262 @@
+"""Numbers and names about a plan of positions: of links, of positions along every path, of guides.
+
+A link bears its number in a thin circle with a line to it. The numbers of the positions stand at the crank pin,
+at every slider and at every end of a rocker; where these stand too close, two share a label and the rest are
+left out. A guide bears at both ends the name that the equations call it by.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, circle, line
+from graphic_tmm.paper.figure import body
+from graphic_tmm.paper.labels import shape
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.symbols.kinematic import (
+    FOOT_HEIGHT,
+    GROUND_LENGTH,
+    SLIDER_LENGTH,
+    SLIDER_WIDTH,
+    STONE_LENGTH,
+    STONE_WIDTH,
+)
+from graphic_tmm.readers.equations import ends_of
+
+PIN = 1.2
+"""How far a pin of a thin position reaches, with some room, mm."""
+TOGETHER, CLOSE = 1.0, 2.4
+"""Positions nearer than this share a label; nearer than the other to a numbered one they go without, mm."""
+ROUND = 0.85
+"""Radius of the circle about the number of a link, of the height of its figure."""
+LEAST = 6.0
+"""A shorter line of a link bears no number, mm."""
+BOX = {
+    "slider": complex(SLIDER_LENGTH, SLIDER_WIDTH) / 2,
+    "stone": complex(STONE_LENGTH, STONE_WIDTH) / 2,
+}
+"""Half the length and the width of what slides, mm."""
+LIGHTER = ("thin", "dashed", "centre", "paper")
+"""Pens whose lines a circle may hide."""
+SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)
+"""Where along a line of the link the number is tried."""
+AWAY = (3.0, 5.0, 8.0, 12.0, 17.0)
+"""How far from the link the circle is tried, mm; chosen by eye."""
+KEPT = 7.0
+"""Room for a letter about a point, mm."""
+HEAVY, LIGHT, LETTER, FAR = 60.0, 3.0, 40.0, 1.0
+"""What it costs to cross a heavy or a thin line or the room of a letter, and to stand a millimetre off."""
+
+
+class Numbered(NamedTuple):
+    """The number of a link as it stands: circle, line to the link, figure."""
+
+    strokes: tuple[Ink, ...]
+    label: Label
+
+
+def path_numbers(
+    ink: LinksInk,
+    crank: tuple[Mark, Mark],
+    names: Sequence[str],
+    places: Sequence[int],
+    first: Sequence[int],
+    size: float,
+) -> Iterator[Wanted]:
+    """Yield the numbers of positions along the paths of sliders and rocker ends.
+
+    ``first``: the positions numbered before all others, the main one at their head. What stands under the main
+    position's slider, or on the crank pin of its own position, bears no number.
+    """
+    order = [*first, *(k for k in places if k not in first)]
+    for path in _paths(ink, crank):
+        groups: list[tuple[complex, complex, list[int]]] = []
+        for k in order:
+            spot, away = path.aside(k)
+            hidden = k not in first and abs(spot - path.aside(first[0])[0]) < path.hides
+            if hidden or abs(spot - ink.at(crank[1], k)) < 2 * CLOSE:
+                continue
+            near = next((one for one in groups if abs(one[0] - spot) < CLOSE), None)
+            if near is None:
+                groups.append((spot, away, [k]))
+            elif abs(near[0] - spot) < TOGETHER and len(near[2]) < 2:
+                near[2].append(k)
+        for spot, away, found in groups:
+            told = ", ".join(names[k] for k in found)
+            at = found[0] if len(found) == 1 else None
+            yield Wanted(told, spot, size, path.reach, away, (path.mark.slot,), at)
+
+
+class Path(NamedTuple):
+    """What is numbered beside the crank pin: its mark; how far its sign reaches, and hides others, mm.
+
+    ``aside``: a position (index) -> where it stands then, and to which side its number goes.
+    """
+
+    mark: Mark
+    reach: float
+    hides: float
+    aside: Callable[[int], tuple[complex, complex]]
+
+
+def _paths(ink: LinksInk, crank: tuple[Mark, Mark]) -> Iterator[Path]:
+    for slid in (one for one in ink.figures if one.kind == "slider"):
+        box, aside = BOX[slid.kind], partial(_beside, ink, slid)
+        yield Path(slid.marks[0], box.imag, box.real + 1.0, aside)
+    for pivot, pin in _ends(ink, crank):
+        yield Path(pin, PIN, 0.0, partial(_outside, ink, pivot, pin))
+
+
+def _beside(ink: LinksInk, slid: Figure, k: int) -> tuple[complex, complex]:
+    """Beside a guide, off its hatching."""
+    return ink.foot(slid, k), 1j * ink.along(slid, k)
+
+
+def _outside(ink: LinksInk, pivot: Mark, pin: Mark, k: int) -> tuple[complex, complex]:
+    """Outside the arc on which the end of a rocker moves."""
+    at = ink.at(pin, k)
+    return at, at - ink.at(pivot, k)
+
+
+def _ends(ink: LinksInk, crank: tuple[Mark, Mark]) -> Iterator[tuple[Mark, Mark]]:
+    """Yield the pivot and each further pair of a link that turns on the frame, but for the crank."""
+    seen = {one.marks[0] for one in ink.figures if one.kind == "slider"} | {crank[1]}
+    for link in (one for one in ink.figures if one.kind == "link"):
+        pivot = next((mark for mark in link.marks if mark in ink.frame.marks), None)
+        for pin in link.marks if pivot is not None else ():
+            if pin in ink.joined and pin not in ink.frame.marks and pin not in seen:
+                assert pivot is not None
+                seen.add(pin)
+                yield pivot, pin
+
+
+def guide_names(ink: LinksInk, main: int, size: float) -> Iterator[Wanted]:
+    """Yield the names of guides at both ends, as the equations call them; two letters of points are none."""
+    told = set[tuple[str, complex]]()
+    for guide in (one for one in ink.figures if one.kind == "guide"):
+        path = guide.marks[1]
+        name = path.name.rstrip("′").strip("()")
+        if len(ends_of(name)) > 1:
+            continue
+        fixed = guide.name == ink.frame.name
+        rails = [ink.rail(guide)] if fixed else [bar.ends for bar in ink.bars(guide.name, main)]
+        for ends in rails:
+            for end, other in (ends, ends[::-1]):
+                key = (name, complex(round(end.real, 3), round(end.imag, 3)))
+                if key not in told:
+                    told.add(key)
+                    place = None if fixed else main
+                    yield Wanted(markup(name), end, size, 0.5, end - other, (path.slot,), place)
+
+
+def link_numbers(
+    ink: LinksInk, main: int, strokes: Sequence[Ink], letters: Sequence[Wanted], size: float
+) -> list[Numbered]:
+    """Return the numbers of all links in circles, clear of what is drawn and of where letters will stand."""
+    heavy = [shape(one) for one in strokes if one.pen not in LIGHTER]
+    light = [shape(one) for one in strokes if one.pen in LIGHTER]
+    spots = shapely.MultiPoint([(one.at.real, one.at.imag) for one in letters])
+    made = []
+    for name in (*ink.names, ink.frame.name):
+        tried = [*_tried(ink, name, main)]
+        if not tried:
+            continue
+        costs = _costs(tried, heavy, light, spots, ROUND * size)
+        at, way, _ = tried[int(np.argmin(np.round(costs, 6)))]
+        centre = at + way * (1.0 + ROUND * size / abs(way))
+        marks = ink.frame.marks if name == ink.frame.name else ink.marks(name)
+        place = None if name == ink.frame.name else main
+        made.append(_circled(name, at, centre, size, marks, place))
+        heavy.append(shape(made[-1].strokes[0]))
+        heavy.append(shape(made[-1].strokes[1]))
+    return made
+
+
+Tried = tuple[complex, complex, float]
+"""Where a line leaves its link, the way to the circle (mm), what it costs to be off the middle."""
+
+
+def _tried(ink: LinksInk, name: str, main: int) -> Iterator[Tried]:
+    """Yield where the number of a link may stand: beside its lines, about its slider, beside a fixed pivot."""
+    if name == ink.frame.name:
+        for mark in (one for one in ink.frame.marks if one in ink.joined):
+            for side in (1.0, -1.0):
+                foot = ink.at(mark, main) + complex(side * GROUND_LENGTH / 2, -FOOT_HEIGHT)
+                yield from ((foot, side * away + 0j, 0.0) for away in AWAY)
+        return
+    for stroke in ink.lines(name, main, ("rod", "main")):
+        assert isinstance(stroke, Stroke)
+        corners = [complex(x, y) for x, y, _ in stroke.path]
+        for a, b in pairwise([*corners, *corners[:1]] if stroke.closed else corners):
+            if abs(b - a) >= LEAST:
+                yield from _along(a, b)
+    for slid in ink.of(name, "slider", "stone"):
+        yield from _about(ink.foot(slid, main), ink.along(slid, main), BOX[slid.kind])
+
+
+def _along(a: complex, b: complex) -> Iterator[Tried]:
+    """Both sides of a line."""
+    for share in SHARES:
+        at, off = a + share * (b - a), 6.0 * abs(share - 0.5)
+        for normal in (1j, -1j):
+            way = normal * (b - a) / abs(b - a)
+            yield from ((at, way * away, off) for away in AWAY)
+
+
+def _about(middle: complex, way: complex, half: complex) -> Iterator[Tried]:
+    """All about a slider, of half its length and width, that lies along ``way``."""
+    for turn in range(0, 360, 15):
+        out = cmath.rect(1.0, math.radians(turn))
+        reach = min(half.real / max(abs(out.real), 1e-9), half.imag / max(abs(out.imag), 1e-9))
+        at = middle + out * way * reach
+        yield from ((at, out * way * away, 2.0) for away in AWAY)
+
+
+def _costs(
+    tried: Sequence[Tried],
+    heavy: Sequence[shapely.Geometry],
+    light: Sequence[shapely.Geometry],
+    spots: shapely.Geometry,
+    radius: float,
+) -> Reals:
+    """Return what each place costs: lines crossed by the circle and the line to it, letters, the way."""
+    at, way, off = (np.asarray(row) for row in zip(*tried, strict=True))
+    one = way / np.abs(way)
+    centre, near, far = at + way + one * radius, at + 0.8 * one, at + way
+    middles = shapely.points(centre.real, centre.imag)
+    ends = [[near.real, near.imag], [far.real, far.imag]]
+    links = shapely.linestrings(np.moveaxis(np.asarray(ends), 2, 0))
+    costs = off.real + FAR * np.abs(way)
+    for shapes, weight in ((heavy, HEAVY), (light, LIGHT)):
+        tree = shapely.STRtree(shapes)
+        crossed = tree.query(middles, predicate="dwithin", distance=radius + 1.0)[0]
+        met = tree.query(links, predicate="intersects")[0]
+        for hits in (crossed, met):
+            costs = costs + weight * np.bincount(hits, minlength=len(tried))
+    room = (shapely.distance(middles, spots) - radius) / KEPT
+    return np.asarray(costs + LETTER * np.clip(1.0 - np.nan_to_num(room, nan=1.0), 0.0, 1.0))
+
+
+def _circled(
+    name: str, at: complex, centre: complex, size: float, marks: Sequence[Mark], place: int | None
+) -> Numbered:
+    """Return a number in its circle, which hides thin lines under it, and the line from its link."""
+    radius, made = ROUND * size, letter(name, size=size)
+    edge = centre + (at - centre) / abs(at - centre) * radius
+    ring = [circle("thin", centre, radius), circle("paper", centre, radius), line("thin", at, edge)]
+    base = centre - 0.5j * (made.ascent - made.descent)
+    of = tuple(dict.fromkeys(mark.slot for mark in marks))
+    label = Label(name, base, size, "middle", of=of, position=place)
+    return Numbered(tuple(body(ring, "number", marks, place)), label)

@@ -1,0 +1,70 @@
+"""The position that shows a mechanism best: its motion is passed on well there, and nothing stands still."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.survey import Survey
+
+POOR = 0.35
+"""Where motion is passed on worse than this at all of some positions, another is looked for."""
+DIGITS = 9
+"""Decimals of what is compared that are not rounding."""
+
+
+def best(tried: Survey, angles: Sequence[float], wanted: Sequence[int], all: Sequence[int]) -> int:
+    """Return the position (index) of those ``wanted`` that shows the mechanism best; of ``all`` if none does.
+
+    ``angles``: of the crank in every position, degrees.
+    """
+    passed = np.nan_to_num(transmission(tried, np.asarray(angles)), nan=-1.0)
+    rows = np.round(passed, DIGITS)
+    found = [max(places, key=lambda k: rows[k]) for places in (wanted, all) if places]
+    return found[0] if rows[found[0]] >= POOR else found[-1]
+
+
+def transmission(tried: Survey, angles: Reals) -> Reals:
+    """Return how well motion is passed on at crank angles (degrees): 1 at its best, 0 at a dead centre.
+
+    The smallest over all groups of the sine of the angle at which both lines of its velocities meet, of the
+    speed of its closing point as a share of the largest, and of the sine of the angle between the crank and
+    what hangs on it, which else lies on the crank.
+    """
+    body = tried.positions.bodies[tried.structure.driver]
+    crank = (body.marks[tried.structure.pivot], body.marks[tried.structure.pin])
+    groups = [(c, tried.velocities.closed[c.group.name]) for c in tried.positions.closings]
+    lines = [leg.line for closing, _ in groups for leg in closing.legs]
+    row = angles.astype(np.float64)[None, :]
+    reading = tried.at(row, [*crank, *lines, *(image for _, image in groups)])
+    arm = reading[crank[1]] - reading[crank[0]]
+    found = [np.ones(row.shape)]
+    for closing, image in groups:
+        found += [_sine(reading, closing), _speed(reading, image)]
+        hung = [leg.line for leg in closing.legs if leg.body == body.link.number]
+        found += [np.abs((np.conj(arm) * reading[line].along).imag) / np.abs(arm) for line in hung]
+    shares = np.stack([np.broadcast_to(one, row.shape) for one in found])
+    return np.asarray(np.min(shares, axis=0)[0])
+
+
+def _sine(reading: Reading, closing: Closing) -> Reals:
+    first, second = (_way(reading, leg) for leg in closing.legs)
+    return np.asarray(np.abs((np.conj(first) * second).imag))
+
+
+def _way(reading: Reading, leg: PinLeg | GuideLeg) -> Complexes:
+    """The direction of the velocity that a leg leaves free: square to a link, along a guide."""
+    along = np.asarray(reading[leg.line].along)
+    return along * 1j if isinstance(leg, PinLeg) else along
+
+
+def _speed(reading: Reading, image: Mark) -> Reals:
+    speed = np.asarray(np.abs(reading[image]))
+    there = speed[np.isfinite(speed)]
+    most = float(there.max()) if there.size else 0.0
+    return speed / most if most > 0.0 else np.ones_like(speed)

@@ -1,0 +1,193 @@
+"""What an examiner looks for on a plan of positions: numbers of links and positions, names, full lines."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import pytest
+import shapely
+from support.gallery import NAMES, SHEETS, drawn
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics import views
+from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Drawing, Label, Stroke
+from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.readers.equations import equations
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
+
+SLIDER = """
+title = "Slider"
+language = "en"
+[frame]
+O = [0, 0]
+x = {{ through = [0, 0], angle = 0 }}
+[[link]]
+number = 1
+points = {{ O = [0, 0], A = [0.1, 0] }}
+[[link]]
+number = 2
+points = {{ A = [0, 0], B = [{rod}, 0] }}
+[[link]]
+number = 3
+points = {{ B = [0, 0] }}
+slides = {{ on = "frame", along = "x", side = "+" }}
+[drive]
+link = 1
+speed = 10
+positions = 8
+accelerations = {at}
+{more}
+"""
+
+
+@cache
+def plan(name: str) -> Drawing:
+    (view,) = views.position_views(drawn(name), True)
+    return view
+
+
+def spot(work: Drawn, mark: Mark, k: int) -> complex:
+    row = work.reading[mark][0]
+    return complex(row[k if row.size > 1 else 0])
+
+
+def middle(label: Label) -> complex:
+    return complex(*box(label).centroid.coords[0])
+
+
+def rings(view: Drawing) -> list[Stroke]:
+    return [s for s in view.strokes if s.part == "number" and isinstance(s, Stroke) and s.closed]
+
+
+def centre(ring: Stroke) -> complex:
+    (a, b, _), (c, d, _) = ring.path
+    return complex(a + c, b + d) / 2
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_link_bears_its_number_in_a_circle_that_nothing_crosses(name: str) -> None:
+    view, mechanism = plan(name), KINEMATICS.on(drawn(name)).mechanism
+    found = [ring for ring in rings(view) if ring.pen == "thin"]
+    labels = [
+        next(one for one in view.labels if abs(middle(one) - centre(ring)) < 0.3) for ring in found
+    ]
+    due = sorted(str(number) for number in mechanism.by_number)
+    assert sorted(label.text for label in labels) == due
+    for ring, own in zip(found, labels, strict=True):
+        disc = shapely.Polygon(shape(ring).coords)
+        for stroke in view.strokes:
+            if stroke.part != "number" and stroke.pen in ("main", "rod", "body", "joint"):
+                assert not shape(stroke).intersects(disc), (own.text, stroke.part)
+        for other in view.labels:
+            assert other is own or not box(other).intersects(disc), (own.text, other.text)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
+    work, view = drawn(name), plan(name)
+    main, frame = views.main_position(work), KINEMATICS.on(work).mechanism.frame.number
+    lines = [s for s in view.strokes if s.part == "number" and not s.closed]
+    for ring in (one for one in rings(view) if one.pen == "thin"):
+        label = next(one for one in view.labels if abs(middle(one) - centre(ring)) < 0.3)
+        if label.text == str(frame):
+            continue
+        own = [s for s in lines if s.of == ring.of]
+        links = [
+            s for s in view.strokes if s.part in ("link", "slider", "stone") and s.position == main
+        ]
+        mine = [s for s in links if set(s.of) & set(ring.of) and len(set(s.of) - set(ring.of)) == 0]
+        near = min(
+            shape(s).distance(shapely.Point(stroke.path[0][:2])) for s in mine for stroke in own
+        )
+        assert near < 0.01, label.text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_arrow_of_the_crank_bears_its_letter(name: str) -> None:
+    made = KINEMATICS.on(drawn(name))
+    (label,) = [one for one in plan(name).labels if one.text.startswith("ω")]
+    assert label.text == f"ω_{made.structure.driver}"
+    pivot = spot(drawn(name), made.crank[0], 0)
+    assert shapely.Point(pivot.real, pivot.imag).distance(box(label)) < 20.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_guide_is_called_on_the_plan_as_in_the_equations(name: str) -> None:
+    log = drawn(name).construction
+    told = [one.directions for p in ("velocities", "accelerations") for one in equations(log, p)]
+    names = set(re.findall(r"(\w+)–\1", " ".join(told)))
+    texts = [label.text for label in plan(name).labels if label.size == 3.5]
+    for guide in names:
+        assert texts.count(guide) == 2, guide
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_extreme_positions_are_drawn_in_full_line_and_no_others(name: str) -> None:
+    text = tomllib.loads((SHEETS / name / "scene.toml").read_text(encoding="utf-8"))["drive"]
+    count = text.get("positions", 12)
+    due = {0} if isinstance(text.get("zero"), dict) else set()
+    due |= {count + k for k, one in enumerate(text.get("extra", ())) if one == "other extreme"}
+    full = {s.position for s in plan(name).strokes if s.part == "link" and s.pen == "medium"}
+    assert full == due
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: str) -> None:
+    work, view = drawn(name), plan(name)
+    main = views.main_position(work)
+    for one in (f for f in work.construction.figures if f.kind == "slider"):
+        mark = one.marks[0]
+        told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
+        numbers = [part for label in told for part in label.text.split(", ")]
+        assert len(numbers) == len(set(numbers))
+        pin = KINEMATICS.on(work).crank[1]
+        for k, number in enumerate(work.names):
+            at = spot(work, mark, k)
+            lone = all(
+                abs(at - spot(work, mark, j)) > CLOSE for j in range(len(work.names)) if j != k
+            )
+            clear = abs(at - spot(work, mark, main)) > 12.0 and abs(at - spot(work, pin, k)) > 12.0
+            if lone and clear:
+                assert number in numbers
+        for label in told:
+            for part in label.text.split(", "):
+                at = spot(work, mark, work.names.index(part))
+                assert box(label).distance(shapely.Point(at.real, at.imag)) < 22.0
+
+
+def made(tmp_path: Path, **said: object) -> Drawn:
+    path = tmp_path / "scene.toml"
+    path.write_text(SLIDER.format(**{"rod": 0.35, "at": "[]", "more": "", **said}), "utf-8")
+    work = make(read(path)).mechanism
+    assert work is not None
+    return work
+
+
+@pytest.mark.parametrize("at", ["[]", "[0]", "[0, 4]", "[0, 1]", "[3, 4]"])
+@pytest.mark.parametrize("rod", [0.15, 0.35, 1.0])
+def test_the_main_position_is_no_dead_centre(at: str, rod: float, tmp_path: Path) -> None:
+    work = made(tmp_path, at=at, rod=rod)
+    k = views.main_position(work)
+    phi = math.radians(work.project.angles[k] or 0.0)
+
+    def travel(angle: float) -> float:
+        return (0.1 * cmath.exp(1j * angle)).real + math.sqrt(rod**2 - (0.1 * math.sin(angle)) ** 2)
+
+    speed = abs(travel(phi + 1e-6) - travel(phi - 1e-6)) / 2e-6
+    assert speed > 0.3 * 0.1
+    if at in ("[0, 1]", "[3, 4]") and rod > 0.2:
+        assert work.names[k] in at  # one of those with a plan of accelerations, if it will do
+
+
+def test_a_scene_may_name_the_main_position_itself(tmp_path: Path) -> None:
+    work = made(tmp_path, more='[plans]\nmain = "4"')
+    assert work.names[views.main_position(work)] == "4"
