@@ -143,6 +143,8 @@ def _taken(
             low = middle
         else:
             high = middle - 1
+    while low < len(ends) - 1 and held(waiting[: ends[low]], tries):
+        low += 1
     taken = list(waiting[: ends[low - 1]]) if low else []
     if not taken and ends[0] > 1 and held(waiting[:1]):
         taken = list(waiting[:1])
