@@ -1,4 +1,4 @@
-"""From drawn boards to sheets: their views packed onto paper, each sheet in its frame."""
+"""From drawn boards to sheets: their views composed onto paper, each sheet in its frame."""
 
 from __future__ import annotations
 
@@ -94,12 +94,6 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     return [
         (order, (room(order, k == 0), room(order, False))) for k, order in enumerate(scene.sheets)
     ]
-
-
-def counted(scene: Scene, views: Views) -> int:
-    """Return how many sheets views take, found fast; raises as `composed`."""
-    wanted, _ = _wanted(scene, views)
-    return len(sheets.shared(wanted))
 
 
 def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawing]]:

@@ -31,8 +31,9 @@ Order = tuple[Unit, ...]
 
 
 def first_order(outlines: Sequence[Outline]) -> Order:
-    """Return the units of boxes in the order in which they came."""
+    """Return the units of boxes in the order in which they came, what leads first."""
     units = units_of(outlines, range(len(outlines)))
+    units.sort(key=lambda unit: unit.stand.kind != "lead")
     return tuple(
         unit._replace(stand=Stand(LEAD, "lead")) if unit.stand.kind == "lead" else unit
         for unit in units

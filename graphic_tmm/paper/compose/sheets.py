@@ -143,6 +143,8 @@ def _taken(
             low = middle
         else:
             high = middle - 1
+    while low < len(ends) - 1 and held(waiting[: ends[low]], tries):
+        low += 1
     taken = list(waiting[: ends[low - 1]]) if low else []
     if not taken and ends[0] > 1 and held(waiting[:1]):
         taken = list(waiting[:1])
@@ -165,7 +167,9 @@ def _ends(waiting: Sequence[Outline]) -> list[int]:
 def _gathered(boxes: Sequence[Outline], sheets: list[Shared], tries: int) -> list[Shared]:
     """Return the sheets without those that hold little which has room on others."""
     for one in sorted(sheets, key=lambda sheet: _area(boxes, sheet.boxes)):
-        follows = sum(sheet.order == one.order for sheet in sheets) > 1
+        if one not in sheets:  # it has taken up what was left over of another one
+            continue
+        follows = any(sheet.order == one.order for sheet in sheets[: sheets.index(one)])
         if not follows or _area(boxes, one.boxes) > SMALL * one.room.area:
             continue
         others = _moved(boxes, one, [sheet for sheet in sheets if sheet is not one], tries)
@@ -183,6 +187,7 @@ def _moved(
         ):
             sheet = others[place]
             more = (*sheet.boxes, *unit.members)
+            more = tuple(sorted(more)) if sheet.order == one.order else more
             if sheet.alone or (sheet.order != one.order and unit.stand.kind not in search.LOOSE):
                 continue
             if fits([boxes[k] for k in more], sheet.room, tries) is not None:
