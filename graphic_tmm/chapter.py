@@ -239,6 +239,7 @@ class Chapter:
 _ADDED: list[Chapter] = []
 
 
+@cache
 def chapters(board: str | None = None) -> tuple[Chapter, ...]:
     """Return the chapters that there are, in the order of the book; only those of a ``board`` if it is told."""
     found = sorted((*_found(), *_ADDED), key=lambda chapter: chapter.number)
@@ -250,9 +251,15 @@ def boards() -> tuple[str, ...]:
     return tuple(dict.fromkeys(one.board for one in chapters() if one.board))
 
 
-def places() -> dict[str, tuple[Chapter, Place]]:
+@cache
+def places() -> Mapping[str, tuple[Chapter, Place]]:
     """Return what sheets can show, by name, each with its chapter."""
     return {place.name: (one, place) for one in chapters() for place in one.places}
+
+
+def _forget() -> None:
+    chapters.cache_clear()
+    places.cache_clear()
 
 
 def in_order(board: str) -> tuple[Chapter, ...]:
@@ -282,7 +289,9 @@ def _found() -> tuple[Chapter, ...]:
 def added(chapter: Chapter) -> Iterator[None]:
     """Add a chapter that stands elsewhere, as long as the context lasts."""
     _ADDED.append(chapter)
+    _forget()
     try:
         yield
     finally:
         _ADDED.remove(chapter)
+        _forget()

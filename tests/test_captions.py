@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
+from pathlib import Path
 
 import pytest
 from support import triangle
 from support.command import invoke
 from support.each import each
+from support.gallery import SHEETS
 
 from graphic_tmm.captions import COMMON, captions, view_name
 from graphic_tmm.chapter import added, chapters
@@ -62,6 +64,9 @@ def test_a_result_is_called_by_its_caption_or_its_letter(
     assert (result_name(result, "en"), result_name(result, "ru")) == (english, russian)
 
 
-def test_a_warning_names_the_point_of_a_diagram() -> None:
-    told = invoke("table", "slider-diagrams", "-f", "json", "--hand", "student", "--seed", "7")
+def test_a_warning_names_the_point_of_a_diagram(tmp_path: Path) -> None:
+    text = (SHEETS / "slider-diagrams" / "scene.toml").read_text(encoding="utf-8")
+    path = tmp_path / "scene.toml"
+    path.write_text(text.replace('integral = "none"', 'integral = "drawn"'), encoding="utf-8")
+    told = invoke("table", str(path), "-f", "json", "--hand", "student", "--seed", "7")
     assert "диаграмма перемещений точки B, шаг" in told.stderr

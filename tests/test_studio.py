@@ -143,8 +143,6 @@ def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
     made = whole.mechanism
     due = [order.format for order in made.scene.sheets]
     due += ["A4"] * (name == "slider-diagrams")  # three diagrams take two sheets
-    due += ["A4"] * (name == "accelerating-crank")  # the equations have no room beside the plans
-    due += ["A4"] * (name == "oscillating-cylinder")  # nor the table beside them
     assert [sheet.format for sheet in papers] == due
 
 

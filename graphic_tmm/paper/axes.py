@@ -65,6 +65,8 @@ def position_numbers(
     the row is numbered; of others that stand too close the first.
     """
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
+    if not there:
+        return ()
     ink = _Inked(strokes)
     low, high = -TICK - CLEAR - size, TICK + CLEAR
     rows = [
@@ -120,6 +122,8 @@ def _level(
 
     ``cost``: of the level.
     """
+    if not named:
+        return _Row((), cost)
     ordered = sorted(named, key=lambda one: one.at.real)
     made = [letter(one.text, size=size) for one in ordered]
     feet, wide = np.array([one.at.real for one in ordered]), np.array([one.width for one in made])

@@ -40,12 +40,14 @@ SHORTEST, FLAT = 6.0, 20.0
 """A leader is no shorter, mm, and rises by more degrees than this, or it would be read as a minus."""
 _SOFT, HEAVY = (
     ("thin", "centre", "dashed", "phantom"),
-    ("main", "medium", "joint", "body", "rod", "over", "paper"),
+    ("main", "medium", "joint", "body", "rod", "over"),
 )
 """Pens whose lines give way to letters; pens of lines that no letter may stand on."""
+RINGED = "number"
+"""The part of a view that is circles about numbers, and lines to them: no letter may stand on it."""
 _LABEL, _CROSSED, _MISREAD = 1000.0, 150.0, 400.0
 """What it costs to stand on a label, to cross one with a leader, to have one that is read as a minus."""
-_COSTS = {"heavy": 200.0, "firm": 16.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
+_COSTS = {"heavy": 200.0, "firm": 60.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
 """What it costs to stand on a line once, to be a millimetre farther, to stand 60° off where it is wanted."""
 
 
@@ -102,7 +104,7 @@ def place(
 def gives_way(stroke: Ink) -> bool:
     """Whether a stroke is broken where a letter stands on it; one whose length a page tells is not."""
     solid = isinstance(stroke, Stroke) and stroke.filled
-    return stroke.pen in _SOFT and not solid and not stroke.data
+    return stroke.pen in _SOFT and not solid and not stroke.data and stroke.part != RINGED
 
 
 def _inks(strokes: Sequence[Ink]) -> list[_Lines]:
@@ -110,7 +112,8 @@ def _inks(strokes: Sequence[Ink]) -> list[_Lines]:
     kinds: dict[str, list[list[complex]]] = {}
     for stroke in strokes:
         if stroke.pen != "paper":
-            kind = "heavy" if stroke.pen in HEAVY else "soft" if gives_way(stroke) else "firm"
+            kept = stroke.pen in HEAVY or stroke.part == RINGED
+            kind = "heavy" if kept else "soft" if gives_way(stroke) else "firm"
             kinds.setdefault(kind, []).append(outline(stroke))
     spots = np.array([z for lines in kinds.values() for points in lines for z in points])
     if not spots.size:
@@ -231,5 +234,6 @@ def interrupt(strokes: Sequence[Ink], labels: Sequence[Label]) -> tuple[Ink, ...
         hits.setdefault(soft[i], []).append(frames[j])
     made: list[Ink] = []
     for k, stroke in enumerate(strokes):
-        made += broken(stroke, hits[k], CLEAR) if k in hits else [stroke]
+        # one that would vanish stays
+        made += (broken(stroke, hits[k], CLEAR) if k in hits else []) or [stroke]
     return tuple(made)

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import shapely
-
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.shapes import corners, outline
 
 GAP = 7.0
 """Clear space between views, and between a view and the frame, mm."""
@@ -44,15 +42,14 @@ def bounds(drawing: Drawing) -> Box:
     """
     if drawing.cell is not None:
         return drawing.cell
-    shapes = [shape(stroke) for stroke in drawing.strokes] + [
-        box(label) for label in drawing.labels
-    ]
-    if not shapes:
+    spots = [spot for stroke in drawing.strokes for spot in outline(stroke)]
+    spots += [corner for label in drawing.labels for corner in corners(label)]
+    if not spots:
         raise SheetError(
             said("nothing of the view '{title}' can be drawn: change its data", title=drawing.title)
         )
-    left, bottom, right, top = shapely.total_bounds(shapes)
-    return float(left), float(bottom), float(right), float(top)
+    x, y = [spot.real for spot in spots], [spot.imag for spot in spots]
+    return min(x), min(y), max(x), max(y)
 
 
 def share(view: Drawing, within: Within) -> float:

@@ -16,6 +16,7 @@ from graphic_tmm.board.operations.instruments import (
     bearing,
     coincide,
     cut,
+    homologous,
     join,
     lay_off,
     measure,
@@ -137,6 +138,11 @@ def from_both(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield from segment("thin", seen.point(base, k), seen.point(step.it, k))
 
 
+def from_start(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The segment drawn from where it begins."""
+    yield from segment("thin", seen.point(step.uses[0], k), seen.point(step.it, k))
+
+
 def erected(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
     """The perpendicular from the base to the curve."""
     yield from segment("thin", seen.point(step.uses[1], k), seen.point(step.it, k))
@@ -165,11 +171,6 @@ def squared(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
     yield from segment("thin", at, foot)
 
 
-def carried(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """The image carried to another plan: its vector from the pole."""
-    yield from segment("thin", seen.point(step.uses[0], k), seen.point(step.it, k))
-
-
 RULES: dict[str, Rule] = {
     lay_off.name: laid_off,
     place.name: placed,
@@ -178,7 +179,8 @@ RULES: dict[str, Rule] = {
     g.level_off.name: levelled,
     g.touching.name: touched,
     arm.name: squared,
-    carry.name: carried,
+    carry.name: from_start,
+    homologous.name: from_start,
 }
 """By operation."""
 BY_KIND: dict[Kind, Rule] = {

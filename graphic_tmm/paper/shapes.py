@@ -19,10 +19,14 @@ from graphic_tmm.paper.lettering.letters import (
 @lru_cache(maxsize=4096)
 def box(label: Label) -> shapely.Polygon:
     """Return the ink box of a label, turned as the label is."""
+    return shapely.Polygon([(z.real, z.imag) for z in corners(label)])
+
+
+def corners(label: Label) -> list[complex]:
+    """Return the corners of the ink box of a label."""
     ink = frame(label)
-    corners = (0j, ink.width + 0j, complex(ink.width, ink.height), 1j * ink.height)
-    placed = [ink.corner + corner * ink.along for corner in corners]
-    return shapely.Polygon([(z.real, z.imag) for z in placed])
+    own = (0j, ink.width + 0j, complex(ink.width, ink.height), 1j * ink.height)
+    return [ink.corner + corner * ink.along for corner in own]
 
 
 def frame(label: Label) -> Frame:
@@ -36,9 +40,9 @@ def frame(label: Label) -> Frame:
 
 def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
     """Return a stroke as a shape; curves by points near enough for placing."""
-    corners = [(z.real, z.imag) for z in outline(stroke)]
+    points = [(z.real, z.imag) for z in outline(stroke)]
     solid = isinstance(stroke, Stroke) and stroke.filled
-    return shapely.Polygon(corners) if solid else shapely.LineString(corners)
+    return shapely.Polygon(points) if solid else shapely.LineString(points)
 
 
 def outline(stroke: Stroke | Bezier) -> list[complex]:

@@ -38,13 +38,9 @@ def pole_figures(log: Construction, reading: Reading, view: str, language: str) 
     for pole in log.roles(view, roles.POLE):
         step = log.step(pole)
         if step is not None:
-            found[step.uses[1]] = length_figure(reading, step.uses[1], language)
+            value = number(float(reading[step.uses[1]][0, 0]), language)
+            found[step.uses[1]] = f"{step.uses[1].name} = {value}"
     return found
-
-
-def length_figure(reading: Reading, length: Mark, language: str) -> str:
-    """Return a length as it is dimensioned on a drawing, with its letter: H_V = 20."""
-    return f"{length.name} = {number(float(reading[length][0, 0]), language)}"
 
 
 def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawing]:

@@ -48,7 +48,7 @@ def result_table(
     shown = known_at(columns)
     rows = []
     for column in columns:
-        letter = words.get(column.letter) or markup(symbol(column.letter, language))
+        letter = words.get(column.letter) or markup(column.ends or symbol(column.letter, language))
         mm, value = column.told
         if column.drawn:
             cells = [fixed(mm[k], 1, language) for k in shown]

@@ -92,7 +92,7 @@ VALUES = [
     ('"0.002 m/mm"', '"0.002 m/mm"\nOA = "50 mm"', ["scales.OA", "leave one of them out"]),
     ('"exact"', '"nobody"', ["hand.name", "one of"]),
     ('"0.1 mm"', '"5 m"', ["hand.ruler", 'is no ruler; write "0.1 mm"']),
-    ('"A1"', '"A3"', ["sheet 1, format", 'one of "A1"']),
+    ('"A1"', '"A9"', ["sheet 1, format", 'one of "A1"']),
     ('["positions", "velocities"]', "[]", ["sheet 1, place", "a list of plans is wanted"]),
     ('["positions", "velocities"]', '["plans"]', ["sheet 1, place", "one of"]),
     ('name = "Rocker"', "name = []", ["title_block.name", "a text in quotes is wanted"]),

@@ -60,7 +60,11 @@ def _limits(drawn: Drawn, language: str) -> tuple[str, ...]:
 def _told(key: str) -> Size:
     name = {"cam.mu_l": CAM.chapter, "cam.base": GRAPHS}[key]
     return Size(
-        name, cap=CAPS[key], step=1.25, fixed=lambda scene: key if key in scene.told else ""
+        name,
+        small=0.75,
+        cap=CAPS[key],
+        step=1.25,
+        fixed=lambda scene: key if key in scene.told else "",
     )
 
 

@@ -35,7 +35,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.paper.views import captioned, length_figure, mu_text, pole_figures, stacked
+from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
 from graphic_tmm.readers.result_table import result_table
 
 SKETCH = 110.0
@@ -87,7 +87,7 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
             along,
             {"energy": curves, "work": works}.get(key, {}),
             pole_figures(log, reading, view, language)
-            | {made.segment: length_figure(reading, made.segment, language)},
+            | {made.segment: _segment_figure(drawn, made.segment)},
         )
         graph = draw_graph(log, reading, view, project.count, letters, title, heights=high)
         scales = [
@@ -105,7 +105,7 @@ def _energy_mass(drawn: Drawn, second: EnergyMass, lettered: bool) -> Drawing:
     title = captions(language)["energy-mass"]
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     least, most = (_angle(drawn, mark) for mark in second.angles)
-    figures = (length_figure(reading, second.segment, language), least, most)
+    figures = (_segment_figure(drawn, second.segment), least, most)
     axes = (
         on_axis("ΔT", unit("J", language)),
         on_axis(symbols.symbol("J_r", language), unit("kg·m²", language)),
@@ -114,6 +114,11 @@ def _energy_mass(drawn: Drawn, second: EnergyMass, lettered: bool) -> Drawing:
     found = draw_energy_mass_ink(log, reading, second, names, title, figures, axes, high)
     scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
     return captioned(finished(found, lettered), title, ", ".join(scales), heights=high)
+
+
+def _segment_figure(drawn: Drawn, segment: Mark) -> str:
+    """Return a segment as it is dimensioned: [cd] = 60.7."""
+    return f"[{segment.name}] = {number(_value(drawn, segment), drawn.scene.language)}"
 
 
 def _value(drawn: Drawn, mark: Mark) -> float:

@@ -134,7 +134,7 @@ def draw_group(
         for rho in [seen.number(radius, index) / seen.number(shown.figure.mu, index)]
     ]
     above = _Above(construction, reading, shown, index)
-    displaced = loads.displaced(above, times)
+    displaced = loads.displaced(above, times, decimals)
     strokes = (*bodies.strokes(), *circles, *loads.arrows.strokes, *displaced, *traces.staying)
     drawn = (*strokes, *traces.rubbed)
     rubbed = (*traces.rubbed, *pricks(seen, drawn, index), *pricks(above, drawn, index, times))
@@ -329,7 +329,7 @@ class _Loads:
                 size = self.high.number
                 yield Wanted(text, (about + foot) / 2, size, 0.8, out, (step.it.slot,), self.index)
 
-    def displaced(self, loads: Seen, times: float) -> Iterator[Ink]:
+    def displaced(self, loads: Seen, times: float, decimals: int) -> Iterator[Ink]:
         """How far a force that stands for a force and a couple lies off the mass centre."""
         k = self.index
         for step in loads.steps:
@@ -340,6 +340,7 @@ class _Loads:
             if finite(a, b) and abs(b - a) >= LEAST:
                 of = (across.slot, loads.by_mark[across].uses[1].slot, by.slot, step.it.slot)
                 yield line("thin", a, b)._replace(of=of, position=k)
-                text, way = markup(self.called(by.name)), 1j * (b - a)
+                told, way = fixed(abs(b - a), decimals, self.language), 1j * (b - a)
+                text = f"{markup(self.called(by.name))} = {told}"
                 number = Wanted(text, (a + b) / 2, self.high.number, 0.8, way, (by.slot,), k)
                 self.offs.append(number)

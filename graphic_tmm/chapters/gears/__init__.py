@@ -49,7 +49,7 @@ CHAPTER = Chapter(
     captions=CAPTIONS,
     board=GEARS.chapter,
     places=(Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),),
-    sizes=(Size(GEARS.chapter, cap=0.9, step=1.25, fixed=_fixed),),
+    sizes=(Size(GEARS.chapter, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
     sections=SECTIONS,
     record=record,

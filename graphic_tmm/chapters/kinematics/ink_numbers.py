@@ -22,9 +22,8 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.labels import shape
+from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.symbols.kinematic import (
     FOOT_HEIGHT,
     GROUND_LENGTH,
@@ -253,10 +252,11 @@ def _circled(
     name: str, at: complex, centre: complex, size: float, marks: Sequence[Mark], place: int | None
 ) -> Numbered:
     """Return a number in its circle, which hides thin lines under it, and the line from its link."""
-    radius, made = ROUND * size, letter(name, size=size)
+    radius = ROUND * size
     edge = centre + (at - centre) / abs(at - centre) * radius
     ring = [circle("thin", centre, radius), circle("paper", centre, radius), line("thin", at, edge)]
-    base = centre - 0.5j * (made.ascent - made.descent)
     of = tuple(dict.fromkeys(mark.slot for mark in marks))
-    label = Label(name, base, size, "middle", of=of, position=place)
+    label = Label(name, centre, size, "middle", of=of, position=place)
+    middle = box(label).centroid
+    label = label._replace(at=2 * centre - complex(middle.x, middle.y))
     return Numbered(tuple(body(ring, "number", marks, place)), label)

@@ -1,8 +1,9 @@
 """Plans of velocities and accelerations in ink, each position by itself or all from a common pole.
 
 A vector is what was measured between two points or laid off as a calculated length; a line in which two loci
-met goes a little on behind the point. Images that coincide share one label, a vector of no length has no
-arrow.
+met goes a little on behind the point. On a plan of accelerations the lines stay on which images were found by
+similarity; on one of velocities they are vectors. Images that coincide share one label, a vector of no length
+has no arrow.
 """
 
 from __future__ import annotations
@@ -13,9 +14,17 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along
+from graphic_tmm.board.operations.instruments import (
+    homologous,
+    lay_off,
+    measure,
+    measure_along,
+    similar,
+)
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.kinematics.accelerations import VIEW as ACCELERATIONS
+from graphic_tmm.chapters.kinematics.segments import Vector, vectors
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.finish import TOGETHER, Named, lettered, shared
@@ -23,6 +32,7 @@ from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
+from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
@@ -30,44 +40,6 @@ from graphic_tmm.paper.symbols.kinematic import pole
 
 SHORTEST = 0.01
 """A vector below this share of the longest of its plan is a point, and so is one below half a millimetre."""
-
-
-class Vector(NamedTuple):
-    """A vector of a plan: its two marks and the segment's letter; ``absolute`` if it starts at the pole.
-
-    ``step``: the one that drew or measured it first.
-    """
-
-    start: Mark
-    end: Mark
-    segment: str
-    absolute: bool
-    step: Step
-
-
-def vectors(construction: Construction, plan: str) -> tuple[Vector, ...]:
-    """Return the vectors of a plan in the order in which they were drawn or measured."""
-    view = construction.view(plan)
-    assert view is not None
-    by_mark = {step.it: step for step in construction.steps}
-    found: dict[tuple[Mark, Mark], Vector] = {}
-    for step in construction.steps:
-        if step.it.view != plan:
-            continue
-        ends = _ends(step, by_mark)
-        if ends is not None:
-            start, end, segment = ends
-            found.setdefault((start, end), Vector(start, end, segment, start == view.pole, step))
-    return tuple(found.values())
-
-
-def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | None:
-    if step.op in (measure, measure_along):
-        return step.uses[0], step.uses[1], step.it.name
-    if step.op is lay_off:
-        drawn = by_mark[step.uses[0]]
-        return drawn.uses[0], step.it, step.uses[1].name
-    return None
 
 
 class Place(NamedTuple):
@@ -136,11 +108,22 @@ def _manner(seen: Seen, told: Sequence[Vector], mu: float, unit: str, *, common:
             if abs(b - a) >= least:
                 yield from _vector(one, a, b, mu, unit, thin=common)
 
+    drawn = {frozenset((one.start, one.end)) for one in told}
+
+    def alike(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        for base in step.uses[: 2 if step.op is similar else 1]:
+            if frozenset((base, step.it)) not in drawn:
+                yield from segment("thin", seen.point(base, k), seen.point(step.it, k))
+
+    kept = seen.views == (ACCELERATIONS,)
+
     def stays(seen: Seen, step: Step) -> bool:
+        if step.op in (similar, homologous):
+            return kept and not common
         return step.it in by_mark or (not common and usual(seen, step))
 
-    inked = (measure.name, measure_along.name, lay_off.name)
-    return Manner(dict.fromkeys(inked, vector), stays)
+    rules = dict.fromkeys((measure.name, measure_along.name, lay_off.name), vector)
+    return Manner({**rules, similar.name: alike, homologous.name: alike}, stays)
 
 
 def _vector(

@@ -71,7 +71,8 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
 def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
     """Measure the vector from the pole to the image of every moving point that has no reading yet.
 
-    The point of a moving link that lies under a stone on its guide is one of them.
+    The point of a moving link that lies under a stone on its guide is one of them, and so is a rocker's under
+    the crank's pin.
     """
     pole = plan.images.pole
     images = [
@@ -85,6 +86,7 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
         for leg in closing.legs
         if isinstance(leg, GuideLeg) and not leg.inner
     ]
+    images += plan.closed.values()
     for image in images:
         if image == pole or image in plan.measured:
             continue

@@ -16,6 +16,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     POSITIONS,
     VELOCITIES,
 )
+from graphic_tmm.chapters.kinematics.segments import end_letters
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, row_of
@@ -29,7 +30,10 @@ RATE_NAMES = {VELOCITIES: "omega", ACCELERATIONS: "epsilon"}
 
 
 def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
-    """Return the columns of one plan at its positions: segments, magnitudes; rates with their sign."""
+    """Return the columns of one plan at its positions: segments, magnitudes; rates with their sign.
+
+    On a sheet a segment is called by the letters at its ends, elsewhere by that of its length.
+    """
     motion, reading, log = KINEMATICS.on(drawn).motion(plan), drawn.of(plan), drawn.construction
     view = log.view(plan)
     if reading is None or view is None or view.scale is None:
@@ -37,6 +41,7 @@ def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
     if motion is None and plan != POSITIONS:
         return ()
     count, places, found = len(drawn.names), drawn.row(plan), []
+    called = end_letters(log, plan) if motion is not None else {}
     for step in log.steps:
         # a length that is laid off is a segment of its plan; of the links' lengths only what is read is told
         if (
@@ -49,7 +54,10 @@ def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
             sought = quantity(step.it.name) if motion is not None else ""
             segment = segment_name(step.it.letter)
             unit = UNITS[plan]
-            found.append(Column(plan, segment, step.it.name, unit, *rows, quantity=sought))
+            ends = called.get(step.it, "")
+            found.append(
+                Column(plan, segment, step.it.name, unit, *rows, quantity=sought, ends=ends)
+            )
     for link, mark in sorted(motion.rates.items()) if motion is not None else ():
         letter = f"{RATE_LETTERS[plan]}_{link}"
         row = row_of(reading.figure(mark), places, count)

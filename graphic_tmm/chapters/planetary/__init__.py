@@ -57,7 +57,7 @@ CHAPTER = Chapter(
     captions=CAPTIONS,
     board=_NAME,
     places=(Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),),
-    sizes=(Size(_NAME, cap=0.65, step=1.25, fixed=_fixed),),
+    sizes=(Size(_NAME, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
     sections=SECTIONS,
     record=record,

@@ -125,7 +125,7 @@ def test_the_engine_stands_complete_on_one_sheet() -> None:
         "J_{м}",
         "1,769",
         "1,623",
-        "cd = 60,7",
+        "[cd] = 60,7",
     } <= texts
     assert "μ_A = 16,76 Дж/мм, μ_φ = 0,05236 рад/мм" in texts
     assert "H = 40" in texts

@@ -82,6 +82,9 @@ extra = ["97 deg"]
 inertia = true
 [forces]
 positions = "all"
+[scales]                          # at which the ruler rounds the segments that are to be alike alike
+mu_v = "0.01 (m/s)/mm"
+mu_a = "0.1 (m/s^2)/mm"
 [[sheet]]
 place = ["forces", "lever", "force table"]
 """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cache
 
 import numpy as np
@@ -11,11 +12,14 @@ import shapely
 from support.each import each
 from support.gallery import NAMES, PLANS, drawn
 
+from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.ink_plans import (
     Place,
     draw_plan,
     vectors,
 )
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.labels import box
@@ -222,3 +226,56 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
 def test_the_number_of_a_position_follows_in_the_index() -> None:
     assert markup("a", "5") == "a_{5}"
     assert markup("a3", "5*") == "a_{3,5*}"
+
+
+@pytest.mark.parametrize("name", ["windrower", "shaper", "oscillating-cylinder"])
+def test_the_rockers_point_under_the_pin_has_its_vector(name: str) -> None:
+    """Its acceleration is that of a point of a link turning about a fixed pivot: r·√(ω⁴ + ε²)."""
+    work = drawn(name, exact=True)
+    made = KINEMATICS.on(work)
+    pivot = work.reading[made.positions.closings[0].legs[1].pivot][0]
+    reach = np.abs(work.reading[made.crank[1]] - pivot)[0] * work.scales["positions"].value
+    rows = {(c.plan, c.segment): c.value[0] for c in kinematic_columns(work)}
+    omega, epsilon = rows["velocities", "omega3"], rows["accelerations", "epsilon3"]
+    due = reach * np.sqrt(omega**4 + epsilon**2)
+    found = rows["accelerations", "πa3"]
+    there = np.isfinite(found)
+    assert there.sum() == len(work.row("accelerations"))
+    assert found[there] == pytest.approx(due[there], rel=1e-9)
+    for index in range(len(work.row("accelerations"))):
+        assert "πa3" in arrows(plan(name, "accelerations", index))
+
+
+def test_images_found_by_similarity_stand_on_their_lines() -> None:
+    work, view = drawn("crank-rocker", exact=True), plan("crank-rocker", "accelerations", 0)
+    log = work.project.construction
+    steps = [s for s in log.steps if s.op.name == "similar" and s.it.view == "accelerations"]
+    due = [s for s in steps if s.it.name in ("s2", "e")]
+    assert len(due) == 2
+    for step in due:
+        sides = [s for s in view.strokes if s.of == (step.it.slot,) and s.pen == "thin"]
+        assert len({s.path for s in sides}) >= 2
+    velocity = plan("crank-rocker", "velocities", 1)
+    alike = {s.it.slot for s in log.steps if s.op.name == "similar" and s.it.view == "velocities"}
+    assert not [s for s in velocity.strokes if s.pen == "thin" and set(s.of) & alike]
+
+
+@each("name, which", PLANS)
+def test_a_table_calls_a_segment_by_letters_of_the_plan(name: str, which: str) -> None:
+    work = drawn(name, exact=True)
+    points = {m.name for m in work.project.marks(which) if m.kind.__name__ == "Point"} | {"p", "π"}
+    columns = [c for c in kinematic_columns(work) if c.plan == which and c.drawn]
+    assert columns
+    for column in columns:
+        ends = [
+            (column.ends[:k], column.ends[k:])
+            for k in range(1, len(column.ends))
+            if {column.ends[:k], column.ends[k:]} <= points
+        ]
+        assert ends, column.letter
+    assert len({c.ends for c in columns}) == len(columns)
+    draw = views.velocity_table if which == "velocities" else views.acceleration_table
+    (table,) = draw(work, True)
+    texts = {label.text for label in table.labels}
+    assert {markup(c.ends) for c in columns} <= texts
+    assert not [text for text in texts if re.match(r"[nktr]_\{[a-z]", text)]

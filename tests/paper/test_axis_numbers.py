@@ -87,6 +87,7 @@ def test_a_position_that_is_not_there_bears_no_number() -> None:
     feet[2] = feet[2]._replace(at=complex("nan"))
     labels = position_numbers(feet, others, [], SIZE)
     assert [label.text for label in labels] == ["0", "1", "3", "4", "5", "0"]
+    assert position_numbers([feet[2]], [], [], SIZE) == ()
 
 
 def test_an_axis_is_called_by_its_quantity_and_unit() -> None:
