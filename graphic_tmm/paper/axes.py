@@ -13,10 +13,11 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.drawing import Ink, Label
 from graphic_tmm.paper.finish import Named
 from graphic_tmm.paper.graph_rules import TICK
-from graphic_tmm.paper.labels import CLEAR, HEAVY, HEAVY_HALF, shape
+from graphic_tmm.paper.labels import CLEAR, HEAVY, HEAVY_HALF
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.shapes import shape
 
 BESIDE = 0.8
 """Clear width between a number and the perpendicular of its position, mm."""
