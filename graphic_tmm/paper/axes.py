@@ -18,7 +18,6 @@ from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.paper.shapes import shapes
-from graphic_tmm.paper.shapes import shape
 
 BESIDE = 0.8
 """Clear width between a number and the perpendicular of its position, mm."""
