@@ -58,14 +58,16 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         laid = sheets.composed(wanted)
         remarks = (*remarks, *oversized(wanted, laid, scene.language))
     made = []
+    numbers = [sheet.order for sheet, _ in laid]
     for index, (sheet, places) in enumerate(laid):
         format = wanted[sheet.order].format
+        own = numbers[: index + 1].count(sheet.order)
         edge = frame(
             format,
             language=scene.language,
-            first=index == 0,
-            number=index + 1,
-            count=len(laid),
+            first=own == 1,
+            number=own,
+            count=numbers.count(sheet.order),
             fields=_fields(scene, boards, sheet.order),
             check=scene.print_check,
         )
@@ -91,9 +93,7 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     def room(order: SheetOrder, first: bool) -> Room:
         return room_on(order.format, scene.language, first)
 
-    return [
-        (order, (room(order, k == 0), room(order, False))) for k, order in enumerate(scene.sheets)
-    ]
+    return [(order, (room(order, True), room(order, False))) for order in scene.sheets]
 
 
 def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawing]]:
