@@ -25,8 +25,8 @@ from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.frame.frame import drawing_area
-from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read

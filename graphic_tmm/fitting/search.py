@@ -11,7 +11,7 @@ Mechanism and parts go one road: all of them are tried together, on the sheets t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 
 from graphic_tmm.chapter import chapters, places
 from graphic_tmm.drawn import Drawn
@@ -54,8 +54,8 @@ class Search:
             self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
         least = self._saving(least, free)
-        for most in (self.rooms.count(least), self.written.count(least)):
-            most = max(len(self.scene.sheets), most)
+        for rooms in (self.rooms, self.written):
+            most = max(len(self.scene.sheets), rooms.count(least))
             found = None if math.isinf(most) else self._lifted_all(least, free, most)
             if found is not None:
                 return found
@@ -78,7 +78,7 @@ class Search:
     def lettered(self, steps: list[Sizes], most: float) -> Sizes | None:
         """Return the largest of sizes, in order, that take no more sheets with their letters; None: all do."""
         for sizes in reversed(steps):
-            if self.written.count(sizes) <= most:
+            if not self.written.takes_more(sizes, most):
                 return sizes
         return None
 
@@ -97,7 +97,8 @@ class Search:
     def lifted(self, sizes: Sizes, names: Iterable[str], most: float) -> list[Sizes]:
         """Return sizes step by step, one lifted each time, the relatively smallest first, on no more sheets.
 
-        All of them keep to their caps first; then those that have room go a little beyond.
+        All of them keep to their caps first; then those that have room go a little beyond. What a sheet had no
+        room for once is not tried again, when it holds even more.
         """
         steps, names = [sizes], [name for name in names if self.own[name][1].cap > 0.0]
         for over in OVER:
@@ -105,8 +106,11 @@ class Search:
             while free:
                 name = min(free, key=lambda one: self._share(one, steps[-1]))
                 larger = self._larger(name, steps[-1])
-                if larger is None or not self._may(name, steps[-1], larger, over, most):
+                if larger is None or not self._may(name, steps[-1], larger, over):
                     free.remove(name)
+                elif self.rooms.takes_more(larger, most):
+                    free.remove(name)
+                    names.remove(name)
                 else:
                     steps.append(larger)
         return steps
@@ -115,12 +119,11 @@ class Search:
         """Return what a size takes of what it may take of its sheets."""
         return self.rooms.large(name, sizes) / self.own[name][1].cap
 
-    def _may(self, name: str, sizes: Sizes, larger: Sizes, over: float, most: float) -> bool:
-        """Whether a size may be so much larger: no view comes apart, none takes too much, nor more sheets."""
+    def _may(self, name: str, sizes: Sizes, larger: Sizes, over: float) -> bool:
+        """Whether a size may be so much larger: no view comes apart, none takes too much."""
         if self.rooms.views(name, larger) > self.rooms.views(name, sizes):
             return False
-        taken = self._share(name, larger)
-        return 0.0 < taken <= over and self.rooms.count(larger) <= most
+        return 0.0 < self._share(name, larger) <= over
 
     def _larger(self, name: str, sizes: Sizes) -> Sizes | None:
         """Return sizes of which one is the next larger of which something else comes; None if there is none."""
@@ -158,15 +161,14 @@ class Search:
             sizes = less
         return sizes
 
-    def by_hand(self, own: Mechanism, sizes: Sizes) -> tuple[Sizes, Drawn | None]:
-        """Return the sizes, and what is drawn with them by the scene's own hand if all of it is wanted.
+    def by_hand(self, own: Mechanism, sizes: Sizes, wanted: Set[str] | None) -> tuple[Sizes, Drawn]:
+        """Return the sizes, and what is drawn with them by the scene's own hand.
 
         Near a singular position a rounded reading may make a plan much larger than it is: it gives way too.
         """
         plans = {name for name, size in own.sizes.items() if size.in_mm}
-        drawn = None
         for _ in range(TRIALS):
-            drawn = own.final(sizes, exact=False)
+            drawn = own.final(sizes, wanted, exact=False)
             found = [
                 TooLarge(place, view.name, share(view, rooms[0].within))
                 for order, rooms in self.rooms.orders

@@ -8,9 +8,7 @@ from typing import NamedTuple
 
 from graphic_tmm.paper.drawing import Drawing, Wanted
 from graphic_tmm.paper.labels import CLEAR, interrupt, leaders, place
-from graphic_tmm.paper.lettering.letters import (
-    letter,
-)
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds
 
 TOGETHER = 0.35
@@ -18,7 +16,11 @@ TOGETHER = 0.35
 
 
 def finished(view: Drawing, lettered: bool = True) -> Drawing:
-    """Return a view with its wanted letters placed; not ``lettered``: with about the room that they take."""
+    """Return a view with its wanted letters placed; not ``lettered``: with about the room that they take.
+
+    What is wanted nowhere (NaN, infinite) is left out.
+    """
+    view = view._replace(wanted=tuple(one for one in view.wanted if cmath.isfinite(one.at)))
     if not view.wanted:
         return view
     if not lettered:

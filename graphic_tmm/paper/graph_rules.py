@@ -22,9 +22,9 @@ from graphic_tmm.board.values import Curve, Kind, Line, Point
 from graphic_tmm.paper.curve_parts import cut
 from graphic_tmm.paper.drawing import Bezier, Ink, circle, line
 from graphic_tmm.paper.figure import Manner
-from graphic_tmm.paper.labels import flat
 from graphic_tmm.paper.rules import LEAST, pricked, rule_of, segment
 from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.shapes import flat
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 6.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -13,14 +14,10 @@ from numpy.typing import NDArray
 from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.clipping import Frame, broken
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, line
-from graphic_tmm.paper.lettering.letters import (
-    letter,
-)
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.occupied import Line, Occupied, Rect, upright
-from graphic_tmm.paper.raster import Raster
-from graphic_tmm.paper.shapes import box, flat, frame, outline, shape
-
-__all__ = ["box", "flat", "gives_way", "interrupt", "leaders", "place", "shape"]
+from graphic_tmm.paper.raster import FAR, Raster
+from graphic_tmm.paper.shapes import box, frame, outline, shape
 
 CLEAR = 0.8
 """Clear space about a label, mm."""
@@ -43,6 +40,10 @@ _SOFT, HEAVY = (
     ("main", "medium", "joint", "body", "rod", "over"),
 )
 """Pens whose lines give way to letters; pens of lines that no letter may stand on."""
+HATCHING = "hatching"
+"""The part of a view whose strokes may vanish under a letter."""
+SHORT = 8.0
+"""Of a line shorter than this, mm, nothing may be left where a letter stands on it: letters keep off it."""
 RINGED = "number"
 """The part of a view that is circles about numbers, and lines to them: no letter may stand on it."""
 _LABEL, _CROSSED, _MISREAD = 1000.0, 150.0, 400.0
@@ -97,7 +98,7 @@ def place(
     occupied = Occupied()
     for label in taken:
         occupied.letter(*upright(frame(label)))
-    inks = _inks(strokes)
+    inks = _inks(wanted, strokes)
     return tuple(_placed(one, inks, occupied) for one in wanted)
 
 
@@ -107,19 +108,18 @@ def gives_way(stroke: Ink) -> bool:
     return stroke.pen in _SOFT and not solid and not stroke.data and stroke.part != RINGED
 
 
-def _inks(strokes: Sequence[Ink]) -> list[_Lines]:
-    """Return the lines that letters keep off, by kind."""
+def _inks(wanted: Sequence[Wanted], strokes: Sequence[Ink]) -> list[_Lines]:
+    """Return the lines that letters keep off, by kind, as far as they run about the letters."""
     kinds: dict[str, list[list[complex]]] = {}
     for stroke in strokes:
         if stroke.pen != "paper":
+            corners = outline(stroke)
             kept = stroke.pen in HEAVY or stroke.part == RINGED
-            kind = "heavy" if kept else "soft" if gives_way(stroke) else "firm"
-            kinds.setdefault(kind, []).append(outline(stroke))
-    spots = np.array([z for lines in kinds.values() for points in lines for z in points])
-    if not spots.size:
+            soft = gives_way(stroke) and not _lost(stroke, corners)
+            kinds.setdefault("heavy" if kept else "soft" if soft else "firm", []).append(corners)
+    if not wanted or not kinds:
         return []
-    x, y = spots.real, spots.imag
-    about = (float(x.min()), float(y.min()), float(x.max()), float(y.max()))
+    about = _about(wanted, [z for lines in kinds.values() for points in lines for z in points])
     wide = {"heavy": HEAVY_HALF}
     return [
         _Lines(
@@ -130,6 +130,31 @@ def _inks(strokes: Sequence[Ink]) -> list[_Lines]:
         )
         for kind, lines in kinds.items()
     ]
+
+
+def _lost(stroke: Ink, corners: Sequence[complex]) -> bool:
+    """Whether nothing might be left of a line on which a letter stands, though it says something."""
+    long = sum(abs(b - a) for a, b in pairwise(corners))
+    return stroke.part != HATCHING and long < SHORT
+
+
+def _about(wanted: Sequence[Wanted], ink: Sequence[complex]) -> Rect:
+    """Return where letters may come to stand on ink: about their points, no farther than there is any."""
+    reaches = []
+    for one in wanted:
+        made = letter(one.text, size=one.size)
+        size = max(made.right - made.left, made.ascent + made.descent)
+        reaches.append(one.radius + max(map(max, RINGS)) + 2 * (size + CLEAR + HEAVY_HALF))
+    reach, spots = np.array(reaches), np.array([one.at for one in wanted])
+    corners = np.array(ink)
+    corners = corners[np.abs(corners) < FAR]
+    edges = []
+    for letters, lines in ((spots.real, corners.real), (spots.imag, corners.imag)):
+        low, high = float((letters - reach).min()), float((letters + reach).max())
+        first, last = float(lines.min(initial=FAR)), float(lines.max(initial=-FAR))
+        edges.append((max(low, first), max(low, first, min(high, last))))
+    (left, right), (bottom, top) = edges
+    return Rect(left, bottom, right, top)
 
 
 def _tried(one: Wanted, rings: Reals, inks: Sequence[_Lines]) -> _Boxes:
@@ -234,6 +259,6 @@ def interrupt(strokes: Sequence[Ink], labels: Sequence[Label]) -> tuple[Ink, ...
         hits.setdefault(soft[i], []).append(frames[j])
     made: list[Ink] = []
     for k, stroke in enumerate(strokes):
-        # one that would vanish stays
-        made += (broken(stroke, hits[k], CLEAR) if k in hits else []) or [stroke]
+        left = broken(stroke, hits[k], CLEAR) if k in hits else [stroke]
+        made += left if left or stroke.part == HATCHING else [stroke]  # what would vanish stays
     return tuple(made)

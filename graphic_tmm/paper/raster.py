@@ -17,50 +17,84 @@ from graphic_tmm.board.values import Reals
 
 CELL = 0.4
 """Width of a cell, mm; half of what is kept clear about a letter."""
-SAMPLE = 0.2
-"""Samples of a line stand no farther apart, mm: none of the cells it crosses in the middle is left out."""
+SAMPLES = 2
+"""Samples of a line in a cell that it crosses in the middle: none of these is left out."""
+MOST = 2**22
+"""Cells of a raster, about: an A1 sheet has three million. On what is larger they are wider."""
+FAR, STILL = 1e15, 1e-9
+"""What lies farther than this, mm, is nowhere; a step shorter than this, mm, is none."""
 Counts = NDArray[np.int64]
+Spots = NDArray[np.complex128]
 Frame = tuple[float, float, float, float]
 
 
 class Raster:
-    """The ink of some lines over a frame (left, bottom, right, top), mm; what lies outside is not there."""
+    """The ink of some lines over a frame (left, bottom, right, top), mm; what lies outside is not there.
+
+    However large the frame is and however long the lines are, there are about `MOST` cells; what has no place
+    (NaN, infinite) leaves no ink.
+    """
 
     def __init__(self, lines: Iterable[Sequence[complex]], frame: Frame) -> None:
         left, bottom, right, top = frame
         self.left, self.bottom = left, bottom
-        self.wide, self.high = (max(1, math.ceil(d / CELL)) for d in (right - left, top - bottom))
-        spots = _samples(lines)
-        x = np.floor((spots.real - left) / CELL).astype(np.int64)
-        y = np.floor((spots.imag - bottom) / CELL).astype(np.int64)
-        there = (x >= 0) & (x < self.wide) & (y >= 0) & (y < self.high)
-        cells = y[there] * self.wide + x[there]
+        width, height = right - left, top - bottom
+        self.cell = max(
+            CELL, math.sqrt(width) * math.sqrt(height / MOST), max(width, height) / MOST
+        )
+        self.wide, self.high = (max(1, math.ceil(d / self.cell)) for d in (width, height))
+        spots = _samples(*_inside(*_pieces(lines), frame), self.cell / SAMPLES)
+        x = np.minimum(np.floor((spots.real - left) / self.cell).astype(np.int64), self.wide - 1)
+        y = np.minimum(np.floor((spots.imag - bottom) / self.cell).astype(np.int64), self.high - 1)
+        cells = np.maximum(y, 0) * self.wide + np.maximum(x, 0)
         ink = np.bincount(cells, minlength=self.wide * self.high).reshape(self.high, self.wide)
         self.sums = np.zeros((self.high + 1, self.wide + 1), dtype=np.int64)
         self.sums[1:, 1:] = ink.cumsum(axis=0).cumsum(axis=1)
 
     def length(self, left: Reals, bottom: Reals, right: Reals, top: Reals) -> Reals:
         """Return about how long the lines are inside boxes, mm; arrays of one shape."""
-        x0, x1 = (_edge(v - self.left, self.wide) for v in (left, right))
-        y0, y1 = (_edge(v - self.bottom, self.high) for v in (bottom, top))
+        x0, x1 = (self._edge(v - self.left, self.wide) for v in (left, right))
+        y0, y1 = (self._edge(v - self.bottom, self.high) for v in (bottom, top))
         found = self.sums[y1, x1] - self.sums[y0, x1] - self.sums[y1, x0] + self.sums[y0, x0]
-        return np.asarray(found * SAMPLE)
+        return np.asarray(found * (self.cell / SAMPLES))
+
+    def _edge(self, way: Reals, most: int) -> Counts:
+        return np.clip(np.rint(way / self.cell), 0, most).astype(np.int64)
 
 
-def _edge(way: Reals, most: int) -> Counts:
-    return np.clip(np.rint(way / CELL).astype(np.int64), 0, most)
+def _pieces(lines: Iterable[Sequence[complex]]) -> tuple[Spots, Spots]:
+    """Return the straight pieces of polylines: starts and ends; none that has no place."""
+    pairs = [pair for points in lines for pair in pairwise(points)]
+    starts, ends = np.array(pairs, dtype=complex).reshape(-1, 2).T
+    there = (np.abs(starts) < FAR) & (np.abs(ends) < FAR)
+    return starts[there], ends[there]
 
 
-def _samples(lines: Iterable[Sequence[complex]]) -> NDArray[np.complex128]:
-    """Return places along polylines, about `SAMPLE` mm apart."""
-    starts: list[complex] = []
-    ways: list[complex] = []
-    for points in lines:
-        starts += points[:-1]
-        ways += (b - a for a, b in pairwise(points))
-    start, way = np.array(starts, dtype=complex), np.array(ways, dtype=complex)
-    counts = np.ceil(np.abs(way) / SAMPLE).astype(np.int64)
-    ends = np.cumsum(counts)
-    within = np.arange(ends[-1] if ends.size else 0) - np.repeat(ends - counts, counts)
+def _inside(starts: Spots, ends: Spots, frame: Frame) -> tuple[Spots, Spots]:
+    """Return what of straight pieces lies in a frame."""
+    way = ends - starts
+    first, last = np.zeros(way.shape), np.ones(way.shape)
+    for at, step, low, high in (
+        (starts.real, way.real, frame[0], frame[2]),
+        (starts.imag, way.imag, frame[1], frame[3]),
+    ):
+        still = np.abs(step) < STILL
+        stride = np.where(still, 1.0, step)
+        u, v = ((np.where(still, 0.0, side - at) / stride) for side in (low, high))
+        met = ~still
+        first = np.where(met, np.maximum(first, np.minimum(u, v)), first)
+        last = np.where(met, np.minimum(last, np.maximum(u, v)), last)
+        last = np.where(still & ((at < low) | (at > high)), -1.0, last)
+    there = first < last
+    start, way, first, last = starts[there], way[there], first[there], last[there]
+    return start + first * way, start + last * way
+
+
+def _samples(starts: Spots, ends: Spots, apart: float) -> Spots:
+    """Return places along straight pieces, about ``apart`` mm from each other."""
+    way = ends - starts
+    counts = np.ceil(np.abs(way) / apart).astype(np.int64)
+    last = np.cumsum(counts)
+    within = np.arange(last[-1] if last.size else 0) - np.repeat(last - counts, counts)
     share = (within + 0.5) / np.repeat(counts, counts)
-    return np.asarray(np.repeat(start, counts) + share * np.repeat(way, counts))
+    return np.asarray(np.repeat(starts, counts) + share * np.repeat(way, counts))

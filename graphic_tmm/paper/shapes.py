@@ -11,9 +11,11 @@ import shapely
 
 from graphic_tmm.paper.clipping import Frame
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke
-from graphic_tmm.paper.lettering.letters import (
-    letter,
-)
+from graphic_tmm.paper.lettering.letters import letter
+
+TRUE, CHORDS = 0.1, 256
+"""Chords of arcs and curves run no farther off them, mm: an eighth of what is kept clear about a letter; no arc
+gets more chords than this."""
 
 
 @lru_cache(maxsize=4096)
@@ -45,6 +47,18 @@ def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
     return shapely.Polygon(points) if solid else shapely.LineString(points)
 
 
+def shapes(strokes: Sequence[Stroke | Bezier]) -> np.ndarray:
+    """Return strokes as shapes, all of them at once; see `shape`."""
+    lines = [outline(stroke) for stroke in strokes]
+    spots = np.array([spot for points in lines for spot in points], dtype=complex)
+    which = np.repeat(np.arange(len(lines)), [len(points) for points in lines])
+    made = np.asarray(shapely.linestrings(spots.real, spots.imag, indices=which))
+    for k, stroke in enumerate(strokes):
+        if isinstance(stroke, Stroke) and stroke.filled:
+            made[k] = shape(stroke)
+    return made
+
+
 def outline(stroke: Stroke | Bezier) -> list[complex]:
     """Return the corners of a stroke; curves by points near enough for placing."""
     if isinstance(stroke, Bezier):
@@ -62,11 +76,13 @@ def outline(stroke: Stroke | Bezier) -> list[complex]:
 
 
 def flat(controls: Sequence[complex]) -> list[complex]:
-    """Return points along a chain of cubic arcs, eight to an arc."""
-    t = np.linspace(0.0, 1.0, 9)[1:]
+    """Return points along a chain of cubic arcs, eight to an arc or as many as it takes to stay close to it."""
     points = [controls[0]]
     for k in range(0, len(controls) - 1, 3):
         a, b, c, d = controls[k : k + 4]
+        bend = 6 * max(abs(a - 2 * b + c), abs(b - 2 * c + d))  # of the arc, at most
+        count = _count(math.sqrt(bend / (8 * TRUE)), 8)
+        t = np.linspace(0.0, 1.0, count + 1)[1:]
         points += list(
             (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d
         )
@@ -77,6 +93,13 @@ def _bow(start: complex, end: complex, bulge: float) -> list[complex]:
     """Return points inside an arc given by its bulge."""
     quarter = math.atan(bulge)
     centre = (start + end) / 2 + (end - start) * 0.5j / math.tan(2 * quarter)
-    count = max(2, math.ceil(abs(4 * quarter) / math.radians(20)))
+    turn = abs(4 * quarter)
+    chords = turn * math.sqrt(abs(start - centre) / (8 * TRUE))
+    count = _count(chords, math.ceil(turn / math.radians(20)))
     turns = [4 * quarter * k / count for k in range(1, count)]
     return [centre + (start - centre) * complex(math.cos(t), math.sin(t)) for t in turns]
+
+
+def _count(chords: float, least: int) -> int:
+    """Return how many chords an arc gets: ``least`` where ``chords`` is no number."""
+    return max(2, least, 0 if math.isnan(chords) else math.ceil(min(chords, CHORDS)))

@@ -15,7 +15,7 @@ from support.command import invoke
 from support.each import each
 from support.words import BLOCK, quoted, worded
 
-from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 

@@ -8,7 +8,7 @@ import pytest
 import shapely
 from support.each import each
 
-from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.dimensions import dimension, shelf
 from graphic_tmm.paper.symbols.hatching import HATCH, hatched
 

@@ -22,7 +22,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
-from graphic_tmm.paper.labels import box, flat, shape
+from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.views import pole_figures
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder

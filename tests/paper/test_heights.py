@@ -11,10 +11,10 @@ from support.gallery import SHEETS
 
 from graphic_tmm.paper.drawing import Drawing, line
 from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.paper.labels import box
 from graphic_tmm.paper.lettering.heights import HEIGHTS, heights, heights_on
 from graphic_tmm.paper.lettering.letters import SIZES
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.views import captioned
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import itertools
 import math
 import random
@@ -12,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke, Wanted, arc, circle, line
-from graphic_tmm.paper.labels import box, interrupt, leaders, place, shape
+from graphic_tmm.paper.labels import interrupt, leaders, place
+from graphic_tmm.paper.shapes import box, shape
 
 spots = st.builds(complex, st.integers(0, 60), st.integers(0, 60))
 clouds = st.lists(spots, min_size=1, max_size=8, unique=True)
@@ -153,6 +155,52 @@ def test_circles_arcs_and_curves_are_broken_too_and_keep_their_kind(seed: int) -
             assert (type(one), one.of, one.position, one.part) == (type(stroke), (3, 5), 2, "link")
             assert whole.buffer(0.2).covers(fine(one))
             assert fine(one).intersection(frame.buffer(-0.1)).length < 0.2
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_large_circles_and_curves_are_broken_under_letters_too(seed: int) -> None:
+    """However large a circle is, its chords do not stand for it: what is left of it clears the letters."""
+    chance = random.Random(seed)
+    radius = 10 ** chance.uniform(1.5, 3)
+    ends = [radius * cmath.exp(1j * turn) for turn in (0.0, 1.5)]
+    rims = [
+        circle("thin", 0j, radius),
+        Bezier("thin", (ends[0], ends[0] * (1 + 0.5j), ends[1], 0j)),
+    ]
+    turns = [chance.uniform(0.1, 1.4) for _ in range(4)]
+    wanted = [Wanted("b_2", radius * cmath.exp(1j * turn), 5.0) for turn in turns]
+    for rim in rims:
+        labels = place(wanted, [rim])
+        left = [fine(one) for one in interrupt([rim], labels)]
+        if not isinstance(rim, Bezier):
+            left = [arcs(one) for one in interrupt([rim], labels)]
+        assert not any(one.intersects(box(k)) for one in left for k in labels)
+
+
+def arcs(stroke: Stroke | Bezier) -> shapely.LineString:
+    """A stroke of arcs about the origin as a polyline of short pieces."""
+    assert isinstance(stroke, Stroke)
+    spots = [complex(x, y) for x, y, _ in stroke.path]
+    made: list[complex] = []
+    for a, b in itertools.pairwise(spots + spots[: stroke.closed]):
+        way = cmath.phase(b / a) % math.tau
+        made += [a * cmath.exp(1j * way * k / 2000) for k in range(2001)]
+    return shapely.LineString([(z.real, z.imag) for z in made])
+
+
+def test_hatching_vanishes_under_a_letter_and_what_says_something_does_not() -> None:
+    label = Label("O", -2 - 2j, 5.0)
+    short = line("thin", -0.5 + 0j, 0.5 + 0.5j)
+    assert interrupt([short, short._replace(part="hatching")], [label]) == (short,)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_letters_keep_off_short_lines(seed: int) -> None:
+    """Of which nothing would be left."""
+    chance = random.Random(seed)
+    dash = line("thin", 2 + 2j, 2 + 2j + 2 * cmath.exp(1j * chance.uniform(0, math.pi)))
+    (label,) = place([Wanted("A_3", 0j, 3.5, toward=1 + 1j)], [dash])
+    assert box(label).disjoint(shape(dash))
 
 
 def test_what_a_page_tells_the_length_of_is_not_broken() -> None:

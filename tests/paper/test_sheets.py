@@ -10,7 +10,7 @@ import shapely
 from support.gallery import FOLDERS, paper
 
 from graphic_tmm.files import write
-from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files
 

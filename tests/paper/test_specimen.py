@@ -8,12 +8,12 @@ import pytest
 import shapely
 
 from graphic_tmm.chapters.lettering.specimen import LARGE, SHOWN, kinds, specimen
-from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.lettering.glyphs import characters
 from graphic_tmm.paper.lettering.letters import (
     SIZES,
     plain,
 )
+from graphic_tmm.paper.shapes import box, shape
 
 VIEWS = {view.name: view for view in specimen("ru", 7.0)}
 

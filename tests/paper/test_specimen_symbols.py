@@ -8,9 +8,9 @@ import pytest
 
 from graphic_tmm.chapters.lettering.specimen_symbols import CELL, specimen_symbols
 from graphic_tmm.paper.drawing import Bezier
-from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.pens import pens
+from graphic_tmm.paper.shapes import box, shape
 
 LINES, SYMBOLS = specimen_symbols("ru", HEIGHTS["A1"])
 

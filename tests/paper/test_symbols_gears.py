@@ -8,7 +8,7 @@ import pytest
 import shapely
 
 from graphic_tmm.paper.drawing import Stroke
-from graphic_tmm.paper.labels import flat, shape
+from graphic_tmm.paper.shapes import flat, shape
 from graphic_tmm.paper.symbols.gears import CENTRE_BEYOND, HEIGHT, RIM, cam, gear, gear_side, wavy
 from graphic_tmm.paper.symbols.kinematic import JOINT_RADIUS
 

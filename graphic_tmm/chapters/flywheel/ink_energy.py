@@ -19,10 +19,10 @@ from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.graph import ASIDE
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ruled
-from graphic_tmm.paper.labels import flat
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.shapes import flat
 from graphic_tmm.paper.symbols.dimensions import angular, dimension
 
 ON = 10.0

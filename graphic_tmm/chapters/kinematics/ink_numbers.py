@@ -22,8 +22,8 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.kinematic import (
     FOOT_HEIGHT,
     GROUND_LENGTH,

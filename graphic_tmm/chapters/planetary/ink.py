@@ -34,12 +34,12 @@ from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.rates import RATES, VELOCITIES
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted
 from graphic_tmm.paper.figure import body, figure, showing
-from graphic_tmm.paper.labels import box
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.paper.seen import Seen
+from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.views import wrapped
 
 NAME = "planetary"

@@ -16,7 +16,6 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Sheet
-from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.pens import (
     CENTRE,
     DASHED,
@@ -27,6 +26,7 @@ from graphic_tmm.paper.pens import (
     pens,
     refuse_unknown,
 )
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.write.dxf_blocks import Blocks, gathered, symbol_of
 from graphic_tmm.paper.write.dxf_ink import Inker, weight
 from graphic_tmm.paper.write.dxf_text import Letterer, add_styles

@@ -8,8 +8,8 @@ from typing import Any
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Bezier, Ink, Path, Stroke
-from graphic_tmm.paper.labels import shape
 from graphic_tmm.paper.pens import Pen
+from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.write.dxf_shapes import Arc, Circle, Line, recognised
 
 DIGITS = 6

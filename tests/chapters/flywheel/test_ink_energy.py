@@ -18,7 +18,7 @@ from graphic_tmm.chapters.indicator.ink import (
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.labels import box, flat, shape
+from graphic_tmm.paper.shapes import box, flat, shape
 
 
 def flywheel() -> Flywheel:

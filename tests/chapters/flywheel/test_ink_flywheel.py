@@ -10,7 +10,7 @@ import shapely
 from graphic_tmm.chapters.flywheel.ink_sketch import KEYS, Sizes, draw_flywheel
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.shapes import box, shape
 
 A2 = Sizes(0.45, 0.3825, 0.115, 0.055)
 

@@ -18,9 +18,9 @@ from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
 from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.labels import box, flat, shape
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.write.svg import svg
 
 WINDROWER = GearTask(15, 25, 0.008, 0.83, 0.445, stations=(23.5, 47.0, 94.0, 141.0, 164.5))

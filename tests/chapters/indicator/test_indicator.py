@@ -17,7 +17,7 @@ from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Row
-from graphic_tmm.paper.labels import flat
+from graphic_tmm.paper.shapes import flat
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 

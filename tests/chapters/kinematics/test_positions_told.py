@@ -19,7 +19,7 @@ from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
-from graphic_tmm.paper.labels import box, shape
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make

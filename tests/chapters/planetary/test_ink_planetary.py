@@ -28,11 +28,11 @@ from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
 from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.labels import box, shape
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.gears import RIM
 from graphic_tmm.paper.write.svg import svg
 
