@@ -1,4 +1,4 @@
-"""How sheets are lettered: `python tests/benchmarks/measure.py FILE.svg ...`.
+"""How sheets are lettered: `python tests/benchmarks/measure.py FILE.svg ...`, or `--random 24` mechanisms.
 
 Of each sheet: its labels; pairs of them that overlap (ink, or more than 0.5 mm² of their hulls); labels crossed
 by a main line and by a thin one (more than 0.25 mm of it); what stands outside the frame.
@@ -6,7 +6,11 @@ by a main line and by a thin one (more than 0.25 mm of it); what stands outside 
 
 from __future__ import annotations
 
+import argparse
 import sys
+import tempfile
+from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
@@ -74,14 +78,35 @@ def _crossing(
     return found
 
 
+def drawn(count: int) -> Iterator[Path]:
+    """Yield the sheets of random mechanisms, drawn as they are asked for."""
+    from support.sheets_of_random import scenes
+
+    from graphic_tmm.scene.read import read
+    from graphic_tmm.studio import sheet_files
+
+    with tempfile.TemporaryDirectory() as folder:
+        for k, text in enumerate(scenes(count)):
+            file = Path(folder) / f"random{k}.toml"
+            file.write_text(text, encoding="utf-8")
+            for name, svg in sheet_files(read(file))[1].items():
+                sheet = Path(folder) / name
+                sheet.write_text(str(svg), encoding="utf-8")
+                yield sheet
+
+
 def main() -> None:
     """Print a table in Markdown, the sum last."""
+    asked = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    asked.add_argument("files", nargs="*", type=Path)
+    asked.add_argument("--random", type=int, default=0)
+    told = asked.parse_args()
     print("| sheet | labels | overlapping | crossed by main lines | by thin ones | outside |")
     print("|---|---|---|---|---|---|")
     rows = []
-    for name in sys.argv[1:]:
-        rows.append(measured(Path(name)))
-        print(f"| {Path(name).stem} |", " | ".join(map(str, rows[-1])), "|", flush=True)
+    for file in chain(told.files, drawn(told.random)):
+        rows.append(measured(file))
+        print(f"| {file.stem} |", " | ".join(map(str, rows[-1])), "|", flush=True)
     print("| all |", " | ".join(str(sum(column)) for column in zip(*rows, strict=True)), "|")
 
 
