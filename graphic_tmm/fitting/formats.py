@@ -26,6 +26,8 @@ from graphic_tmm.scene.records import Scene, SheetOrder
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
 """As large as usual on which format things are drawn to find out whether one holds them."""
+FORMATTED = "formatted"
+"""What is kept beside a scene: the same with formats."""
 FAR_TOO_LARGE = 0.55
 """A format is far too large if one of no more than this share of its area holds the same views."""
 
@@ -52,18 +54,24 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     """
     if all(order.format != AUTO for order in scene.sheets):
         return scene
+    kept: Scene | None = scene.cache.get(FORMATTED) if given is None else None
+    if kept is not None:
+        return kept
     told = {sheet.order: sheet.format for sheet in given.sheets} if given is not None else {}
     drawn: dict[str, list[Drawn]] = {}
     found = [
         order
         if order.format != AUTO
-        else replace(order, format=told.get(k) or _smallest(scene, order, k == 0, drawn))
+        else replace(order, format=told.get(k) or _smallest(scene, order, drawn))
         for k, order in enumerate(scene.sheets)
     ]
-    return replace(scene, sheets=tuple(found))
+    made = replace(scene, sheets=tuple(found))
+    if given is None:
+        scene.cache[FORMATTED] = made
+    return made
 
 
-def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, list[Drawn]]) -> str:
+def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) -> str:
     """Return the smallest format that holds what is ordered; the usual one where that takes several sheets."""
     for format in growing():
         like = TRIED[format.split()[0]]
@@ -71,7 +79,7 @@ def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, lis
         tried = replace(scene, sheets=sheets)
         if like not in drawn:
             drawn[like] = list(_boards(tried))
-        room = room_on(format, scene.language, first)
+        room = room_on(format, scene.language, True)
         views = [
             part
             for place in order.place
@@ -85,11 +93,9 @@ def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, lis
 
 def _boards(scene: Scene) -> Iterator[Drawn]:
     """Yield the boards of a scene drawn in their usual sizes; what cannot be drawn is refused later."""
-    made: list[Callable[[], Board]] = [
-        partial(Part, scene, board, None) for board in own_boards(scene)
-    ]
+    made: list[Callable[[], Board]] = [partial(Part, scene, board) for board in own_boards(scene)]
     if scene.mechanism is not None:
-        made.append(partial(Mechanism, scene, None))
+        made.append(partial(Mechanism, scene))
     for make in made:
         with suppress(TmmError):
             yield make().draw(usual(scene))

@@ -29,9 +29,9 @@ def drawn_as(
     """Return the boards of a scene drawn in sizes that were found before: nothing is tried."""
     known = usual(scene)
     found = {**known, **{name: size for name, size in sizes.items() if name in known}}
-    boards: list[Board] = [Mechanism(scene, wanted)] if mechanism else []
-    boards += [Part(scene, board, wanted) for board in own_boards(scene)]
-    drawn = (board.final(found, exact=exact) for board in boards)
+    boards: list[Board] = [Mechanism(scene)] if mechanism else []
+    boards += [Part(scene, board) for board in own_boards(scene)]
+    drawn = (board.final(found, wanted, exact=exact) for board in boards)
     return tuple(one for one in drawn if one is not None)
 
 

@@ -13,6 +13,7 @@ from graphic_tmm.fitting.compose import orders
 from graphic_tmm.fitting.formats import views_of
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.fitting.tried import Board
+from graphic_tmm.paper.compose.search import fits
 from graphic_tmm.paper.compose.sheets import Order, shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Within
@@ -24,6 +25,9 @@ NEAR = 32.0
 """A view that is about so near, mm, to what a sheet holds is measured with its letters. Chosen by eye."""
 WIDE = 0.7
 """What a view's width counts against its height: sheets that lie are so much higher than wide."""
+
+SLACK = 0.5
+"""How much larger, mm, than with the exact hand a view may come out by the scene's own."""
 
 Key = tuple[object, ...]
 Cells = list[Drawing]
@@ -60,22 +64,61 @@ class Rooms:
         self._cells: dict[Key, Cells] = {}
         self._depends: dict[str, tuple[str, ...]] = {}
         self._counts: dict[Key, float] = {}
+        self._several: set[Key] = set()
         self._last: dict[str, tuple[Key | None, list[Drawing]]] = {}
 
     def count(self, sizes: Sizes) -> float:
         """Return how many sheets the scene takes; without end if one of its views fits none."""
         return sum(self._sheets(k, sizes) for k in range(len(self.orders)))
 
-    def _sheets(self, number: int, sizes: Sizes) -> float:
+    def takes_more(self, sizes: Sizes, most: float) -> bool:
+        """Whether the scene takes more sheets than ``most``; how many more nobody is told."""
+        left = most
+        for number in range(len(self.orders)):
+            later = range(number + 1, len(self.orders))
+            others = sum(any(True for _ in self._of(k, sizes)) for k in later)
+            left -= self._sheets(number, sizes, left - others)
+            if left < 0:
+                return True
+        return False
+
+    def _sheets(self, number: int, sizes: Sizes, most: float = math.inf) -> float:
+        """Return how many sheets an order takes; without end if that is more than ``most`` and soon known."""
         order, rooms = self.orders[number]
         key = (number, *(self._key(place, sizes) for place in self._single(order.place)))
+        if key in self._several and most <= 1:
+            return math.inf
         if key not in self._counts:
-            outlines = [Outline.of(one.view) for one in self._of(number, sizes)]
+            outlines = self._outlines(number, sizes)
+            if most <= 1 and len(outlines) > 1:
+                if fits(outlines, rooms[0]) is None:
+                    self._several.add(key)
+                    return math.inf
+                self._counts[key] = 1
+                return 1
             try:
                 self._counts[key] = len(shared([Order(tuple(outlines), rooms, order.format)]))
             except ViewError:
                 self._counts[key] = math.inf
         return self._counts[key]
+
+    def _outlines(self, number: int, sizes: Sizes) -> list[Outline]:
+        within = self.orders[number][1][0].within
+        return [_wider(Outline.of(one.view), within) for one in self._of(number, sizes)]
+
+    def together(self, sizes: Sizes) -> float:
+        """Return how many sheets the scene takes if what is left over of an order may stand on another's.
+
+        That is what is composed in the end; `count` is sooner known, and never less.
+        """
+        wanted = [
+            Order(tuple(self._outlines(k, sizes)), rooms, order.format)
+            for k, (order, rooms) in enumerate(self.orders)
+        ]
+        try:
+            return len(shared(wanted))
+        except ViewError:
+            return math.inf
 
     def too_large(self, sizes: Sizes) -> list[TooLarge]:
         """Return the views of boards that no sheet holds."""
@@ -195,6 +238,12 @@ def _parts(view: Drawing, within: Within) -> Cells:
         Drawing(part.name, part.title, cell=bounds(part), stand=part.stand, foot=part.foot)
         for part in settled(view, within)
     ]
+
+
+def _wider(outline: Outline, within: Within) -> Outline:
+    """Return a box as large as it may come out by the scene's own hand, if a sheet holds it then."""
+    wide, high = outline.width + SLACK, outline.height + SLACK
+    return outline._replace(width=wide, height=high) if within.share(wide, high) >= 1.0 else outline
 
 
 def _at_the_edge(view: Drawing, within: Within) -> bool:

@@ -44,8 +44,8 @@ class Board(Protocol):
     def draw(self, sizes: Sizes) -> Drawn:
         """Return the board drawn with the exact hand."""
 
-    def final(self, sizes: Sizes, *, exact: bool) -> Drawn | None:
-        """Return the board as it is drawn in the end; None if nobody wants it."""
+    def final(self, sizes: Sizes, wanted: Set[str] | None, *, exact: bool) -> Drawn | None:
+        """Return the board as it is drawn in the end; None if it is none of what is ``wanted`` (None: all)."""
 
 
 class Mechanism:
@@ -53,8 +53,8 @@ class Mechanism:
 
     name = MECHANISM
 
-    def __init__(self, scene: Scene, wanted: Set[str] | None) -> None:
-        self.scene, self.wanted = scene, wanted
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
         self.whole = record(scene)
         shown = scene.called == scene.shown
         self.project = self.whole if shown else record(scene, wanted=scene.shown)
@@ -112,12 +112,12 @@ class Mechanism:
     def _executed(self, project: Project, sizes: Sizes, by: Rescaling) -> Drawn:
         return executed(project, sizes, self.reach, self.doubts, exact=True, numbers=by.numbers)
 
-    def final(self, sizes: Sizes, *, exact: bool) -> Drawn:
+    def final(self, sizes: Sizes, wanted: Set[str] | None, *, exact: bool) -> Drawn:
         """Return what is drawn in the end, of more than the sheets show, too."""
         project = self.whole
-        if self.wanted is not None:
-            shown = self.wanted == self.scene.shown
-            project = self.project if shown else record(self.scene, wanted=self.wanted)
+        if wanted is not None:
+            shown = wanted == self.scene.shown
+            project = self.project if shown else record(self.scene, wanted=wanted)
         doubts, reach = self.doubts, self.reach
         if project is not self.project:
             doubts = doubted(project)
@@ -129,11 +129,9 @@ class Mechanism:
 class Part:
     """A part on a board of its own: in another size it may be another log."""
 
-    def __init__(self, scene: Scene, board: str, wanted: Set[str] | None) -> None:
+    def __init__(self, scene: Scene, board: str) -> None:
         self.scene, self.name = scene, board
         self.project = record(scene, board)
-        own = {place.name for one in chapters(board) for place in one.places}
-        self.wanted = wanted is None or bool(own & wanted)
         self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
         self._projects: dict[object, tuple[Project, dict[str, Any]]] = {}
         self._drawn: dict[object, Drawn] = {}
@@ -174,10 +172,11 @@ class Part:
             self._drawn[key] = executed(project, sizes, reach, None, exact=True)
         return self._drawn[key]
 
-    def final(self, sizes: Sizes, *, exact: bool) -> Drawn | None:
+    def final(self, sizes: Sizes, wanted: Set[str] | None, *, exact: bool) -> Drawn | None:
         """Return the part in these sizes, by the exact hand or the scene's own."""
         drawn = self.draw(sizes)
-        if not self.wanted:
+        own = {place.name for one in chapters(self.name) for place in one.places}
+        if wanted is not None and not own & wanted:
             return None
         if exact:
             return drawn

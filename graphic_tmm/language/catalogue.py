@@ -64,11 +64,12 @@ def languages() -> tuple[str, ...]:
 
 def speaking(language: str) -> Speech:
     """Return a language, its catalogue read once; English for a language that has none."""
-    return _spoken(FOLDER / f"{language}.po", language)
+    return _spoken(FOLDER, language)
 
 
 @cache
-def _spoken(file: Path, language: str) -> Speech:
+def _spoken(folder: Path, language: str) -> Speech:
+    file = folder / f"{language}.po"
     if not file.exists():
         return Speech(language)
     found = read(file)

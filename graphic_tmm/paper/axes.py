@@ -10,14 +10,14 @@ import numpy as np
 import shapely
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.paper.drawing import Ink, Label
+from graphic_tmm.paper.drawing import Bezier, Ink, Label
 from graphic_tmm.paper.finish import Named
 from graphic_tmm.paper.graph_rules import TICK
 from graphic_tmm.paper.labels import CLEAR, HEAVY, HEAVY_HALF
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
-from graphic_tmm.paper.shapes import shape
+from graphic_tmm.paper.shapes import shapes
 
 BESIDE = 0.8
 """Clear width between a number and the perpendicular of its position, mm."""
@@ -68,15 +68,16 @@ def position_numbers(
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
     if not there:
         return ()
-    ink = _Inked(strokes)
     low, high = -TICK - CLEAR - size, TICK + CLEAR
-    rows = [
-        _level(there, (low, high), size, ink),
-        _level(there, (high, low), size, ink, _OTHER_SIDE),
-    ]
+    ink = _Inked(strokes, (low - DEEPER[-1] - size, high + 3 * size))
+    rows = [_level(there, (low, high), size, ink)]
     if rows[0].cost > _OTHER_SIDE:
         rows += [
-            _level(there, (low - by, high), size, ink, k * _LOWER) for k, by in enumerate(DEEPER, 1)
+            _level(there, (high, low), size, ink, _OTHER_SIDE),
+            *(
+                _level(there, (low - by, high), size, ink, k * _LOWER)
+                for k, by in enumerate(DEEPER, 1)
+            ),
         ]
     return min(rows, key=lambda one: one.cost).labels
 
@@ -94,10 +95,11 @@ def _thinned(row: Sequence[Named], size: float) -> list[Named]:
 class _Inked:
     """What is drawn, main lines and others, where letters look for places."""
 
-    def __init__(self, strokes: Iterable[Ink]) -> None:
-        drawn = [(stroke.pen in HEAVY, shape(stroke)) for stroke in strokes]
-        self.heavy = shapely.STRtree([made for is_heavy, made in drawn if is_heavy])
-        self.light = shapely.STRtree([made for is_heavy, made in drawn if not is_heavy])
+    def __init__(self, strokes: Iterable[Ink], band: tuple[float, float]) -> None:
+        """``band``: how low and how high letters are tried at all, mm; what is drawn beyond it is in no way."""
+        near = [stroke for stroke in strokes if _meets(stroke, band)]
+        self.heavy = shapely.STRtree(shapes([one for one in near if one.pen in HEAVY]))
+        self.light = shapely.STRtree(shapes([one for one in near if one.pen not in HEAVY]))
 
     def costs(self, left: Reals, low: Reals, right: Reals, high: Reals) -> Reals:
         """Return what it costs to stand in frames; arrays of one shape."""
@@ -110,6 +112,17 @@ class _Inked:
         return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + _LIGHT * met(
             self.light, CLEAR / 2
         )
+
+
+def _meets(stroke: Ink, band: tuple[float, float]) -> bool:
+    """Whether a stroke may come into a band of heights; of one with arcs nobody asks how far they bow."""
+    if isinstance(stroke, Bezier):
+        heights = [spot.imag for spot in stroke.controls]
+    elif any(bulge for _, _, bulge in stroke.path):
+        return True
+    else:
+        heights = [y for _, y, _ in stroke.path]
+    return min(heights) <= band[1] and max(heights) >= band[0]
 
 
 def _level(

@@ -8,7 +8,8 @@ adds have joined it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -97,36 +98,30 @@ def pictures(construction: Construction, drawing: Drawing) -> tuple[Picture, ...
     """Return the pictures of a view in the order in which it is drawn: the given first, then its steps.
 
     A body and a letter appear with the last of the marks that they stand on; what a view adds is there from the
-    beginning. In other positions than the first, steps that follow each other make one picture.
+    beginning. What is the same in all positions is drawn once, with the first position; the others follow, one
+    picture each, and then what comes of all of them: a curve through their points. Where steps of positions
+    need that (the curve of a diagram that another is drawn from), they follow in turn.
     """
     order = {step.it.slot: n for n, step in enumerate(construction.steps)}
-    ink: dict[tuple[int, int | None], list[Ink]] = {}
-    letters: dict[tuple[int, int | None], list[Label]] = {}
+    ink: dict[_When, list[Ink]] = {}
+    letters: dict[_When, list[Label]] = {}
     for stroke in (*drawing.strokes, *drawing.rubbed):
         ink.setdefault(_when(order, stroke.of, stroke.position), []).append(stroke)
     for label in drawing.labels:
         letters.setdefault(_when(order, label.of, label.position), []).append(label)
     begun = (-1, None)
     made = [Picture((), None, tuple(ink.pop(begun, ())), tuple(letters.pop(begun, ())), given=True)]
-    keys = sorted({*ink, *letters}, key=lambda key: (key[0], -1 if key[1] is None else key[1]))
-    first = min((k for _, k in keys if k is not None), default=None)
-    slots = {n: slot for slot, n in order.items()}
-    for run in _runs(keys):
-        others: dict[int | None, list[tuple[int, int | None]]] = {}
-        for key in run:
-            others.setdefault(key[1], []).append(key)
-        for position in sorted(others, key=lambda k: -1 if k is None else k):
-            again = position is not None and position != first
-            for some in [others[position]] if again else [[key] for key in others[position]]:
-                made.append(
-                    Picture(
-                        tuple(slots[n] for n, _ in some if n >= 0),
-                        position,
-                        tuple(s for key in some for s in ink.get(key, ())),
-                        tuple(s for key in some for s in letters.get(key, ())),
-                        again=again,
-                    )
-                )
+    keys = sorted({*ink, *letters}, key=lambda key: (key[0], _place(key)))
+    for some, again in _together(construction, keys):
+        made.append(
+            Picture(
+                tuple(construction.steps[n].it.slot for n, _ in some),
+                some[0][1],
+                tuple(s for key in some for s in ink.get(key, ())),
+                tuple(s for key in some for s in letters.get(key, ())),
+                again=again,
+            )
+        )
     return tuple(made)
 
 
@@ -161,23 +156,76 @@ def until(construction: Construction, drawing: Drawing, mark: Mark, position: in
     return Part(tuple(filter(there, ink)), tuple(filter(there, drawing.labels)))
 
 
-def _when(
-    order: Mapping[int, int], of: tuple[int, ...], position: int | None
-) -> tuple[int, int | None]:
-    """Return the step with which something appears, -1 before the first, and its position."""
+_When = tuple[int, int | None]
+"""The number of the step with which something appears, -1 before the first, and its position (None: all)."""
+
+
+def _when(order: Mapping[int, int], of: tuple[int, ...], position: int | None) -> _When:
     last = max((order.get(slot, -1) for slot in of), default=-1)
     return (last, position) if last >= 0 else (-1, None)
 
 
-def _runs(
-    keys: Sequence[tuple[int, int | None]],
-) -> Iterator[list[tuple[int, int | None]]]:
-    """Yield what appears in runs: of steps that differ from position to position, and of those that do not."""
-    run: list[tuple[int, int | None]] = []
+def _place(key: _When) -> int:
+    return -1 if key[1] is None else key[1]
+
+
+def _latest(construction: Construction, own: Set[int]) -> Mapping[int, int]:
+    """Return, for steps that are no position's own but come of such, the number of the last one.
+
+    ``own``: the numbers of steps that differ from position to position. A curve through the points of a row
+    comes of the last of these.
+    """
+    number = {step.it: n for n, step in enumerate(construction.steps)}
+    found: dict[int, int] = {}
+    for n, step in enumerate(construction.steps):
+        used = (number.get(mark, -1) for mark in step.uses)
+        last = max((m if m in own else found.get(m, -1) for m in used), default=-1)
+        if n not in own and last >= 0:
+            found[n] = last
+    return found
+
+
+def _needed(construction: Construction, own: Set[int]) -> set[int]:
+    """Return the numbers of the steps that steps of positions, ``own``, come of."""
+    number = {step.it: n for n, step in enumerate(construction.steps)}
+    found: set[int] = set()
+    for n, step in reversed(list(enumerate(construction.steps))):
+        if n in own or n in found:
+            found.update(number[mark] for mark in step.uses if mark in number)
+    return found
+
+
+def _together(
+    construction: Construction, keys: Sequence[_When]
+) -> Iterator[tuple[list[_When], bool]]:
+    """Yield what appears in one picture, and whether it repeats in another position what the first one has.
+
+    What comes of all positions waits until these are drawn; they are when the steps of a position need it.
+    """
+    count = Counter(n for n, position in keys if position is not None)
+    own = {n for n, times in count.items() if times > 1}
+    latest, needed = _latest(construction, own), _needed(construction, own)
+    first = min((k for _, k in keys if k is not None), default=None)
+    others: dict[int, list[_When]] = {}
+    curves: list[_When] = []
     for key in keys:
-        if run and (key[1] is None) != (run[-1][1] is None):
-            yield run
-            run = []
-        run.append(key)
-    if run:
-        yield run
+        n, position = key
+        if position is not None and position != first:
+            others.setdefault(position, []).append(key)
+            continue
+        if any(waiting[0][0] <= latest.get(n, -1) for waiting in others.values()):
+            if n not in needed:
+                curves.append(key)
+                continue
+            yield from _repeated(others, curves)
+            others, curves = {}, []
+        yield [key], False
+    yield from _repeated(others, curves)
+
+
+def _repeated(
+    others: Mapping[int, list[_When]], curves: Iterable[_When]
+) -> Iterator[tuple[list[_When], bool]]:
+    """Yield what is drawn again in the other positions, then what comes of all of them."""
+    yield from ((others[k], True) for k in sorted(others))
+    yield from (([key], False) for key in curves)

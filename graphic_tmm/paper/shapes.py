@@ -47,6 +47,18 @@ def shape(stroke: Stroke | Bezier) -> shapely.LineString | shapely.Polygon:
     return shapely.Polygon(points) if solid else shapely.LineString(points)
 
 
+def shapes(strokes: Sequence[Stroke | Bezier]) -> np.ndarray:
+    """Return strokes as shapes, all of them at once; see `shape`."""
+    lines = [outline(stroke) for stroke in strokes]
+    spots = np.array([spot for points in lines for spot in points], dtype=complex)
+    which = np.repeat(np.arange(len(lines)), [len(points) for points in lines])
+    made = np.asarray(shapely.linestrings(spots.real, spots.imag, indices=which))
+    for k, stroke in enumerate(strokes):
+        if isinstance(stroke, Stroke) and stroke.filled:
+            made[k] = shape(stroke)
+    return made
+
+
 def outline(stroke: Stroke | Bezier) -> list[complex]:
     """Return the corners of a stroke; curves by points near enough for placing."""
     if isinstance(stroke, Bezier):

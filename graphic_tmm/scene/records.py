@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 from graphic_tmm.errors import StructureError
@@ -47,6 +48,11 @@ class Scene:
     task: Task | None = None
     remarks: tuple[str, ...] = ()
     told: Mapping[str, int] = field(default_factory=dict)
+
+    @cached_property
+    def cache(self) -> dict[Any, Any]:
+        """What follows from this scene alone and takes long to find, kept beside it by what it is called."""
+        return {}
 
     def asking(self, **tasks: object) -> Scene:
         """Return the scene asking for other tasks of chapters, by section; None: not asking."""

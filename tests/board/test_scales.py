@@ -84,7 +84,8 @@ def test_the_scales_are_those_of_the_standard() -> None:
         (3.0, 250, 0.015),
         (1.0, 1e6, 1e-6),
         (0.0026, 260, 1e-5),
-        (300.0, 250, 2.0),
+        (300.0, 250, 1.5),
+        (380.0, 250, 2.0),
     ],
 )
 def test_a_standard_scale_of_lengths(largest: float, room: float, due: float) -> None:

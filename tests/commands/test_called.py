@@ -26,6 +26,8 @@ PLANS = {
     "gears": {"gear", "sliding"},
     "planetary": {"planetary", "planetary-velocities", "planetary-rates"},
 }
+ONLY_VELOCITIES = '[[sheet]]\nplace = ["velocities"]\n'
+"""Nothing stands beside plans of velocities unasked, as the diagrams of loads do beside that of positions."""
 NEEDS = {"forces": ("load",), "flywheel": ("forces", "load"), "engine": ("indicator",)}
 
 
@@ -137,15 +139,16 @@ def test_a_section_that_no_sheet_shows_is_checked_all_the_same(
 def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> None:
     views = {s.it.view for s in record(read(calling(tmp_path))).construction.steps}
     assert views <= {"extremes", "positions"}
-    scene = read(calling(tmp_path, "forces", "load"))
+    scene = read(calling(tmp_path, "forces", "load", sheet=ONLY_VELOCITIES))
     whole = {s.it.view for s in record(scene).construction.steps}
-    shown = {s.it.view for s in record(scene, scene.shown).construction.steps}
+    shown = {s.it.view for s in record(scene, wanted=scene.shown).construction.steps}
     assert "loads" in whole
-    assert shown <= {"extremes", "positions"}
+    assert "velocities" in shown
+    assert shown <= {"extremes", "positions", "velocities"}
 
 
 def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
-    scene = read(calling(tmp_path, "forces", "load", "gears"))
+    scene = read(calling(tmp_path, "forces", "load", "gears", sheet=ONLY_VELOCITIES))
     made = make(scene, wanted=scene.shown)
     assert made.mechanism is not None
     assert FORCES.of(made.mechanism) is None

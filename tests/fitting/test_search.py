@@ -42,7 +42,7 @@ def random_scenes(count: int, seed: int, format: str = "A1") -> list[Scene]:
 
 @pytest.mark.parametrize("scene", random_scenes(2, 41), ids=lambda scene: scene.source)
 def test_nothing_can_be_lifted_alone_on_the_same_sheets(scene: Scene) -> None:
-    search = Search(scene, [Mechanism(scene, scene.shown)])
+    search = Search(scene, [Mechanism(scene)])
     sizes = search.sizes()
     most = search.written.count(sizes)
     search.rooms = search.written
@@ -54,7 +54,7 @@ def test_nothing_can_be_lifted_alone_on_the_same_sheets(scene: Scene) -> None:
 @pytest.mark.parametrize("format", ["A1", "A4"])
 def test_random_mechanisms_take_the_sheets_that_were_counted(format: str) -> None:
     for scene in random_scenes(6, 43, format):
-        search = Search(scene, [Mechanism(scene, scene.shown)])
+        search = Search(scene, [Mechanism(scene)])
         counted = search.written.count(search.sizes())
         assert len(sheets(scene)[1]) <= counted
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from itertools import pairwise
+
 import pytest
 from support.each import each
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
@@ -9,10 +12,12 @@ from support.gallery import PLANS, drawn
 
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.values import Arc, Curve, Line, Point
+from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
+from graphic_tmm.chapters.kinematics.views import position_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.figure import of_step, pictures, until
+from graphic_tmm.paper.figure import Picture, of_step, pictures, until
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.rules import BY_KIND, RULES, TRACELESS
 
@@ -73,3 +78,36 @@ def test_a_step_can_be_asked_for_and_all_that_is_there_with_it() -> None:
             assert set(of_step(view, step.it).ink) <= set(there.ink)
     assert set(there.ink) == {*view.strokes, *view.rubbed}
     assert there.letters == view.labels
+
+
+@pytest.mark.parametrize("name", ["engine", "windrower", "lever"])
+def test_the_same_for_other_positions_is_one_picture_each(name: str) -> None:
+    work = drawn(name, exact=True)
+    (view,) = position_views(work, True)
+    made = pictures(work.construction, view)
+    again = [picture.position for picture in made if picture.again]
+    assert sorted(again, key=lambda k: k or 0) == again, "in their order"
+    assert set(again) == {stroke.position for stroke in view.strokes} - {None, _first(made)}
+    assert len(again) == len(set(again))
+    curves = {step.it.slot for step in work.construction.steps if step.it.kind is Curve}
+    last = max(n for n, picture in enumerate(made) if picture.again)
+    assert all(n > last for n, picture in enumerate(made) if curves & set(picture.marks))
+
+
+def _first(made: tuple[Picture, ...]) -> int | None:
+    """The position that is drawn step by step."""
+    return next(p.position for p in made if p.position is not None and not p.again)
+
+
+def test_positions_of_a_diagram_follow_wherever_a_curve_through_all_is_needed() -> None:
+    """Speeds; from their curve the mean accelerations; from the curve of these the accelerations."""
+    work = drawn("slider-diagrams", exact=True)
+    view = next(view for view in diagram_views(work, True) if view.shows)
+    made = pictures(work.construction, view)
+    again = Counter(picture.position for picture in made if picture.again)
+    assert set(again.values()) == {3}
+    curves = {step.it.slot for step in work.construction.steps if step.it.kind is Curve}
+    last = max(again, key=lambda k: -1 if k is None else k)
+    ends = [n for n, picture in enumerate(made) if picture.again and picture.position == last]
+    for start, end in pairwise(ends):
+        assert any(curves & set(picture.marks) for picture in made[start:end])

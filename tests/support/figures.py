@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from graphic_tmm.board.record import Construction, Step
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.figure import pictures
+from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.rules import TRACELESS
 
 
@@ -41,6 +41,37 @@ def without_source(view: Drawing) -> list[str]:
     return [stroke.pen for stroke in view.strokes if not (stroke.of or stroke.part)]
 
 
+def assert_drawn_after_what_it_uses(log: Construction, made: Sequence[Picture]) -> None:
+    """No picture does a step before those that it uses: its own position's, or where it has none those of all.
+
+    Only steps that leave ink in the view count; those of other views, and calculations, are there.
+    """
+    steps = {step.it.slot: step for step in log.steps}
+    due: dict[int, set[int | None]] = {}
+    for picture in made:
+        for slot in picture.marks:
+            due.setdefault(slot, set()).add(picture.position)
+    # a body that one position alone has may stand on a mark that is there in all of them
+    due = {slot: places if len(places - {None}) > 1 else {None} for slot, places in due.items()}
+    own = {slot for slot, places in due.items() if places != {None}}
+    sources: dict[int, set[int]] = {}
+    for step in log.steps:
+        used = {mark.slot for mark in step.uses}
+        sources[step.it.slot] = used.union(*(sources.get(s, set()) for s in used - due.keys()))
+    done: set[tuple[int, int | None]] = set()
+    for picture in made:
+        done |= {(s, picture.position if s in own else None) for s in picture.marks}
+        for slot in picture.marks:
+            if picture.position is None and slot in own:
+                continue  # what is the same of a step whose other ink differs from position to position
+            for used in sources[slot] & due.keys():
+                places = (
+                    due[used] if picture.position is None else due[used] & {picture.position, None}
+                )
+                missing = {(used, place) for place in places} - done
+                assert not missing, (steps[slot], steps[used])
+
+
 def assert_pictures_make_the_view(log: Construction, view: Drawing) -> None:
     """The last picture without what is rubbed out is the view; no stroke is drawn twice or too early."""
     made = pictures(log, view)
@@ -52,12 +83,12 @@ def assert_pictures_make_the_view(log: Construction, view: Drawing) -> None:
     left = [stroke for stroke in ink if stroke not in rubbed]
     assert set(left) == set(view.strokes)
     order = {step.it.slot: n for n, step in enumerate(log.steps)}
-    done: set[int | None] = set()
     last: dict[int | None, int] = {}
     for picture in made[1:]:
         when = max(order[slot] for slot in picture.marks)
-        assert when > last.get(picture.position, -1), "pictures go in the order of the steps"
+        if picture.position is not None:
+            assert when > last.get(picture.position, -1), "pictures go in the order of the steps"
         last[picture.position] = when
-        done |= set(picture.marks)
         for stroke in (*picture.ink, *picture.letters):
             assert all(order.get(slot, -1) <= when for slot in stroke.of)
+    assert_drawn_after_what_it_uses(log, made)

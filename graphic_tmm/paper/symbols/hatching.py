@@ -5,12 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 
+import numpy as np
 import shapely
 
 from graphic_tmm.paper.drawing import Stroke, line
 
 HATCH = 2.5
 """Pitch of section hatching, mm."""
+_LINE = 1
+"""The kind of a shape that is a line, as shapely counts them."""
 MOST = 1000
 """Lines at the most: more than the largest sheet takes at the usual pitch."""
 
@@ -25,16 +28,13 @@ def hatched(
     left, low, right, high = area.bounds
     span = right - left + high - low
     pitch = max(pitch, span / MOST)
-    found = []
     slope = 1 if rising else -1
     count = math.ceil(span * math.sqrt(0.5) / pitch) + 1
     middle = complex((left + right) / 2, (low + high) / 2)
     along = cmath.rect(1.0, slope * math.pi / 4)
-    for k in range(-count, count + 1):
-        foot = middle + k * pitch * 1j * along
-        ends = [foot - span * along, foot + span * along]
-        cut = shapely.intersection(shapely.LineString([(z.real, z.imag) for z in ends]), area)
-        for part in shapely.get_parts(cut):
-            if isinstance(part, shapely.LineString) and part.length > 0.2:
-                found.append(line("thin", *(complex(x, y) for x, y in part.coords)))
-    return tuple(found)
+    feet = middle + np.arange(-count, count + 1) * pitch * 1j * along
+    ends = np.stack([feet - span * along, feet + span * along], axis=1)
+    lines = shapely.linestrings(np.stack([ends.real, ends.imag], axis=2))
+    parts = shapely.get_parts(shapely.intersection(lines, area))
+    there = (shapely.get_type_id(parts) == _LINE) & (shapely.length(parts) > 0.2)
+    return tuple(line("thin", *(complex(x, y) for x, y in part.coords)) for part in parts[there])

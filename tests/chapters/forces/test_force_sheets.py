@@ -234,7 +234,7 @@ def test_a_figure_that_was_changed_is_found() -> None:
     larger = re.compile(r"(?<=·)(\d+)(?=,\d)")
     words = tuple(
         larger.sub(lambda number: str(int(number[1]) + 2), word, count=1)
-        if word.startswith("R₁₂^t")
+        if word.startswith("R₁₂^τ")
         else word
         for word in told.words
     )
