@@ -15,7 +15,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 import shapely
-from shapely.geometry import LineString, MultiLineString, box
+from shapely import union_all
+from shapely.geometry import LineString, MultiLineString, Polygon, box
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
@@ -64,14 +65,17 @@ def measured(file: Path) -> Lettered:
 def _crossing(
     hull: shapely.Geometry, tree: shapely.STRtree, paths: list[LineString], lines: list[Line]
 ) -> str:
-    """Return by what a label is crossed: "main", "thin", or "" by nothing."""
+    """Return by what a label is crossed: "main", "thin", "" by nothing; what paper covers is not seen."""
     inner = hull.buffer(-EDGE)
     inner = hull if inner.is_empty else inner
     found = ""
-    for k in tree.query(inner):
-        if not paths[k].intersects(inner):
+    near = [int(k) for k in tree.query(inner)]
+    patches = [(k, Polygon(lines[k].points)) for k in near if lines[k].pen == "paper"]
+    for k in near:
+        seen = inner.difference(union_all([patch for n, patch in patches if n > k]))
+        if lines[k].pen == "paper" or not paths[k].intersects(seen):
             continue
-        if lines[k].filled or paths[k].intersection(inner).length > CROSSED:
+        if lines[k].filled or paths[k].intersection(seen).length > CROSSED:
             if lines[k].pen == "main":
                 return "main"
             found = "thin"
