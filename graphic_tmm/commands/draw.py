@@ -64,7 +64,8 @@ def draw(
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(beside(task.source))
-    spoken = replace(task, language=asked() or task.language)
+    language = asked() or task.language
+    spoken = task if language == task.language else replace(task, language=language)
     made, texts = sheet_files(spoken, wanted, strokes=strokes, given=given, composition=composition)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))

@@ -20,6 +20,8 @@ from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
 
+DESK = ("A4", "A3")
+"""Formats that are held in the hand."""
 LENGTHS = "μ_l"
 """The symbol of the scale factors of which the title block tells the first."""
 
@@ -58,14 +60,17 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         laid = sheets.composed(wanted)
         remarks = (*remarks, *oversized(wanted, laid, scene.language))
     made = []
+    papers = documents(scene)
+    numbers = [papers[sheet.order] for sheet, _ in laid]
     for index, (sheet, places) in enumerate(laid):
         format = wanted[sheet.order].format
+        own = numbers[: index + 1].count(numbers[index])
         edge = frame(
             format,
             language=scene.language,
-            first=index == 0,
-            number=index + 1,
-            count=len(laid),
+            first=own == 1,
+            number=own,
+            count=numbers.count(numbers[index]),
             fields=_fields(scene, boards, sheet.order),
             check=scene.print_check,
         )
@@ -91,9 +96,24 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     def room(order: SheetOrder, first: bool) -> Room:
         return room_on(order.format, scene.language, first)
 
+    papers = documents(scene)
     return [
-        (order, (room(order, k == 0), room(order, False))) for k, order in enumerate(scene.sheets)
+        (order, (room(order, papers.index(papers[k]) == k), room(order, False)))
+        for k, order in enumerate(scene.sheets)
     ]
+
+
+def documents(scene: Scene) -> list[int]:
+    """Return, by order, of which document its sheets are, from 0.
+
+    A sheet for the wall is a document of its own, with the form of a first sheet; sheets for the hand follow
+    each other in one, but where one of them is named.
+    """
+    found = list[int]()
+    for order in scene.sheets:
+        own = order.name or order.designation or order.format.split()[0] not in DESK
+        found.append(found[-1] + bool(own) if found else 0)
+    return found
 
 
 def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawing]]:
@@ -110,7 +130,8 @@ def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawin
 def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:
     """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0."""
     fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
-    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{k + 1:02d}")
+    paper = documents(scene)[k] + 1
+    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{paper:02d}")
     fields["name"] = order.name or fields.get("name") or scene.title
     fields["designation"] = order.designation or fields.get("designation") or series
     scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]
