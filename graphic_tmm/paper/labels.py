@@ -48,8 +48,11 @@ SHORT = 8.0
 """Of a line shorter than this, mm, nothing may be left where a letter stands on it: letters keep off it."""
 RINGED = "number"
 """The part of a view that is circles about numbers, and lines to them: no letter may stand on it."""
-_LABEL, _CROSSED, _MISREAD = 1000.0, 150.0, 400.0
-"""What it costs to stand on a label, to cross one with a leader, to have one that is read as a minus."""
+_LABEL, _CROSSED, _MISREAD, _ASTRAY = 1000.0, 150.0, 400.0, 450.0
+"""What it costs to stand on a label, to cross one with a leader, to have one that is read as a minus, to be
+taken for the name of another line."""
+_NEARER = 0.94
+"""The middle of a name is so many times nearer to its own line than to another, at least."""
 _COSTS = {"heavy": 200.0, "firm": 60.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
 """What it costs to stand on a line once, to be a millimetre farther, to stand 60° off where it is wanted."""
 
@@ -184,7 +187,7 @@ def _tried(one: Wanted, rings: Reals, inks: Sequence[_Lines]) -> _Boxes:
         length = raster.length(*boxes.grown(by))
         chord = math.pi * w * h / (2 * (w + h))  # of a line through a box, in the mean
         cost += weight * np.where(length > 0, np.maximum(least, length / chord), 0.0)
-    cost += _MISREAD * _misread(one, _way(one, boxes))
+    cost += _MISREAD * _misread(one, _way(one, boxes)) + _ASTRAY * _astray(one, boxes)
     return boxes._replace(cost=np.minimum(cost, 0.9 * _LABEL))
 
 
@@ -194,6 +197,32 @@ def _misread(one: Wanted, way: NDArray[np.complex128]) -> NDArray[np.bool_]:
     length = np.abs(way) - one.radius - CLEAR / 2
     level = np.abs(way.imag) <= math.tan(math.radians(FLAT)) * np.abs(way.real)
     return np.asarray(there & (level | (length < SHORTEST)))
+
+
+def _astray(one: Wanted, boxes: _Boxes) -> NDArray[np.bool_]:
+    """Return at which places a label would be taken to name another line than its own."""
+    others = polylines(one.others)
+    if others.is_empty:
+        return np.zeros(boxes.x.shape, dtype=bool)
+    left, low, right, high = boxes.grown(0.0)
+    frames = shapely.box(left, low, right, high)
+    ends = np.clip(one.at.real, left, right) + 1j * np.clip(one.at.imag, low, high)
+    led = np.abs(ends - one.at) > one.radius + BESIDE
+    away = shapely.distance(frames, others)
+    own, middles = polylines([one.line]), shapely.points((left + right) / 2, (low + high) / 2)
+    nearer = shapely.distance(frames, own) <= away + 1e-9
+    nearer &= shapely.distance(middles, own) <= _NEARER * shapely.distance(middles, others)
+    leads = shapely.linestrings(
+        np.stack([np.full(ends.shape, one.at), ends], axis=-1).view(float).reshape(-1, 2, 2)
+    )
+    clear = ~shapely.intersects(leads, others) & (away > CLEAR)
+    return np.asarray(~np.where(led, clear, nearer))
+
+
+def polylines(lines: Sequence[Sequence[complex]]) -> shapely.MultiLineString:
+    """Return lines as one shape; what is no line is left out."""
+    there = [line for line in lines if len(line) > 1]
+    return shapely.MultiLineString([[(z.real, z.imag) for z in line] for line in there])
 
 
 def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied) -> Label:
