@@ -22,8 +22,6 @@ from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
 
-DESK = ("A4", "A3")
-"""Formats that are held in the hand."""
 LENGTHS = "μ_l"
 """The symbol of the scale factors of which the title block tells the first."""
 
@@ -117,12 +115,12 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
 def documents(scene: Scene) -> list[int]:
     """Return, by order, of which document its sheets are, from 0.
 
-    A sheet for the wall is a document of its own, with the form of a first sheet; sheets for the hand follow
-    each other in one, but where one of them is named.
+    Sheets follow each other in one, with one designation, but where one of them is named: it begins a document of
+    its own, with the form of a first sheet.
     """
     found = list[int]()
     for order in scene.sheets:
-        own = order.name or order.designation or order.format.split()[0] not in DESK
+        own = order.name or order.designation
         found.append(found[-1] + bool(own) if found else 0)
     return found
 
