@@ -105,7 +105,12 @@ def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None
         once(runs)
 
 
-def test_all_that_a_mechanism_can_be_asked_for_takes_one_run(runs: Runs, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("kind", "count"), [("slider", 4), pytest.param("six", 8, marks=pytest.mark.slow)]
+)
+def test_all_that_a_mechanism_can_be_asked_for_takes_one_run(
+    kind: str, count: int, runs: Runs, tmp_path: Path
+) -> None:
     orders = [("A1", ("positions", "velocities", "forces", "lever")), ("A1", ("flywheel",))]
-    make(ANEW(written(tmp_path, asked.mechanism("six", 8, orders))))
+    make(ANEW(written(tmp_path, asked.mechanism(kind, count, orders))))
     once(runs)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ def _kept(path: str) -> Scene:
     return ANEW(path)
 
 
+@wraps(ANEW)
 def read_once(path: Path | str, **options: Any) -> Scene:
     """Read a scene; one of the package, which nobody changes while tests run, is the same record each time."""
     return _kept(str(path)) if Path(path).resolve() in PACKAGED else ANEW(path, **options)
