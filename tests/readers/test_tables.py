@@ -72,7 +72,7 @@ def test_a_segment_is_named_by_its_letters(letter: str, due: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALONE)
 def test_the_document_has_its_shape(name: str) -> None:
     made = printed_of(name)
     assert list(made) == ["scene", "scales", "positions", "columns", "results"]
