@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, named
@@ -27,11 +29,15 @@ LENGTHS = "μ_l"
 
 
 class Composed(NamedTuple):
-    """The sheets of a scene, how they are composed as data, and what a person should know of it."""
+    """The sheets of a scene, how they are composed as data, and what a person should know of it.
+
+    There are none if a composition that was given is of no use. ``scales``: scale factors by view.
+    """
 
     sheets: tuple[Sheet, ...]
     composition: Composition
     remarks: tuple[str, ...] = ()
+    scales: Mapping[str, Scale] = MappingProxyType({})
 
 
 def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
@@ -41,6 +47,8 @@ def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
 
 def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = None) -> Composed:
     """Return the sheets of a scene, each order followed by the sheets it spills onto; as ``given`` if it is.
+
+    What is given and of no use comes to no sheets, and remarks that tell why.
 
     Raises
     ------
@@ -56,9 +64,11 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
     boxes = [outline for order in wanted for outline in order.outlines]
     names = named(view.name for view in there)
     laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
+    if laid is None and given is not None:
+        return Composed((), given, remarks)
     if laid is None:
         laid = sheets.composed(wanted)
-        remarks = (*remarks, *oversized(wanted, laid, scene.language))
+        remarks = oversized(wanted, laid, scene.language)
     made = []
     papers = documents(scene)
     numbers = [papers[sheet.order] for sheet, _ in laid]
@@ -83,7 +93,8 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         Placed(s.order, wanted[s.order].format, {names[k]: at for k, at in sorted(places.items())})
         for s, places in laid
     ]
-    return Composed(tuple(made), Composition(sizes, tuple(data)), remarks)
+    scales = {view: scale for one in boards for view, scale in one.scales.items()}
+    return Composed(tuple(made), Composition(sizes, tuple(data)), remarks, scales)
 
 
 Views = Callable[[str, Within], Sequence[Drawing]]

@@ -87,9 +87,16 @@ def spread(part: Need, x: float, y: float, width: float, height: float, gap: flo
     elif part.cut:
         yield from _row(part, x, y, width, height, gap)
     else:
-        axis = x + width / 2 if part.across == 1 else None
+        axis = x + width / 2 if _single_column(part) else None
         for k, left, top in _column(part, x, y, width, height, gap):
             yield k, (left if axis is None else max(left, axis - _wide(part, k) / 2)), top
+
+
+def _single_column(part: Need) -> bool:
+    """Whether nothing in a part stands beside anything else."""
+    if part.cut is None:
+        return max(part.shape.rows, default=1) == 1
+    return not part.cut and all(map(_single_column, part.parts))
 
 
 def _wide(part: Need, box: int) -> float:
