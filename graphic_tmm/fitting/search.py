@@ -98,8 +98,8 @@ class Search:
             return sizes, False
         tried = [sizes]
         for less in self._giving_way(sizes, free):
-            if (found := rooms.count(less)) < count:
-                sizes, count = less, found
+            if not rooms.takes_more(less, count - 1):
+                sizes, count = less, rooms.count(less)
             if count <= ordered:
                 return sizes, False
             tried.append(less)
