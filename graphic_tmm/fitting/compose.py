@@ -115,8 +115,8 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
 def documents(scene: Scene) -> list[int]:
     """Return, by order, of which document its sheets are, from 0.
 
-    Sheets follow each other in one, with one designation, but where one of them is named: it begins a document of
-    its own, with the form of a first sheet.
+    Sheets follow each other in one, with one designation, but where one of them is named: it begins a document
+    of its own, with the form of a first sheet.
     """
     found = list[int]()
     for order in scene.sheets:
