@@ -82,6 +82,8 @@ class Wanted(NamedTuple):
 
     ``radius``: how far from the point the ink of the point's own symbol reaches, mm. ``toward``: a direction
     (complex) that is preferred, 0 for none. ``of``, ``position``: the marks that it names; see `Label`.
+    ``line``: the vector or curve that it names, corner by corner, mm; ``others``: those that it might be taken
+    to name: it stands nearer to its own, or a leader that crosses none of them leads it there.
     """
 
     text: str
@@ -91,6 +93,8 @@ class Wanted(NamedTuple):
     toward: complex = 0j
     of: tuple[int, ...] = ()
     position: int | None = None
+    line: tuple[complex, ...] = ()
+    others: tuple[tuple[complex, ...], ...] = ()
 
 
 class Within(NamedTuple):

@@ -9,14 +9,14 @@ from typing import NamedTuple
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations import graphs as g
-from graphic_tmm.board.operations.graph_curves import graph_of_rays
-from graphic_tmm.board.operations.instruments import join, measure_along
+from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.paper.axes import position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import added, body, figure
 from graphic_tmm.paper.finish import Named
+from graphic_tmm.paper.graph_names import curve_names
 from graphic_tmm.paper.graph_rules import EXTREMES, OUTLINE, OVER, TICK, Graph, manner_of
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
@@ -27,7 +27,6 @@ from graphic_tmm.paper.seen import Rule, finite
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import pole
 
-POLES = (roles.POLE, roles.LEVEL_POLE)
 ASIDE = 14.0
 """From the axis of the ordinates to a dimension line, mm."""
 ABOVE = 1.0
@@ -57,6 +56,7 @@ class Names(NamedTuple):
     """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base.
 
     ``curves``: the label of a curve by its mark or that of the readings of its points, where there are several.
+    ``points``: what points on the axis of the ordinates are called otherwise than in the log.
     ``lengths``: the figures of what is dimensioned, by their marks: along the axis of the ordinates what was
     measured there, below the graph the distance of a pole. ``levels``: limits; ``spans``: of the base.
     """
@@ -65,6 +65,7 @@ class Names(NamedTuple):
     up: str
     along: str
     curves: Mapping[Mark, str] = MappingProxyType({})
+    points: Mapping[Mark, str] = MappingProxyType({})
     lengths: Mapping[Mark, str] = MappingProxyType({})
     levels: Sequence[Level] = ()
     spans: Sequence[Span] = ()
@@ -119,7 +120,7 @@ def _outlines(graph: Graph) -> Iterator[Ink]:
 
 def _poles(graph: Graph) -> Iterator[Ink]:
     for step in graph.steps:
-        spot = graph.point(step.it, 0) if step.it.role in POLES else complex("nan")
+        spot = graph.point(step.it, 0) if step.it.role == roles.POLE else complex("nan")
         if finite(spot):
             yield from body(pole(spot), "pole", [step.it])
 
@@ -187,43 +188,24 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
     yield Wanted(names.along, complex(graph.length + OVER, 0), point, 1.5, -1j)
     for height, text in names.levels:
         yield Wanted(text, complex(graph.length, height), small, 0.5, 1 + 0j)
+    yield from curve_names(graph, names.curves, small)
     for step in graph.steps:
-        found = [*_curve_name(graph, names, step, small), *_point_name(graph, step, heights)]
-        for one in found:
+        for one in _point_name(graph, names, step, heights):
             if finite(one.at):
                 yield one._replace(of=(step.it.slot,))
 
 
-def _point_name(graph: Graph, step: Step, heights: Heights) -> Iterator[Wanted]:
+def _point_name(graph: Graph, names: Names, step: Step, heights: Heights) -> Iterator[Wanted]:
     """The letter of a pole, of a point where a curve turns, of what is carried to the axis."""
     if step.it.kind is not Point:
         return
     spot = graph.point(step.it, 0)
-    if step.it.role in POLES:
+    if step.it.role == roles.POLE:
         yield Wanted(step.it.name, spot, heights.number, 1.0, -1 + 0j)
     elif step.op in EXTREMES:
         way = 1j if step.op is g.highest else -1j
         yield Wanted(step.it.name, spot, heights.number, 1.0, way)
     elif step.it.role in ON_AXIS:
         large, way = ON_AXIS[step.it.role]
-        yield Wanted(step.it.name, spot, heights.point if large else heights.number, 1.0, way)
-
-
-def _curve_name(graph: Graph, names: Names, step: Step, size: float) -> Iterator[Wanted]:
-    """The name of a curve, at the point of it that stands farthest from the base."""
-    text = names.curves.get(step.it)
-    if text is None:
-        return
-    if step.op is measure_along:
-        spot = _outermost(graph, step.uses[1])
-        yield Wanted(text, spot, size, 1.0, spot.imag * 1j)
-    elif step.op in (join, graph_of_rays):
-        spot = _outermost(graph, step.uses[1 if step.op is join else 0])
-        yield Wanted(text, 0.6 * spot if step.op is join else spot, size, 1.0, 1j - 0.5)
-
-
-def _outermost(graph: Graph, mark: Mark) -> complex:
-    """Return the point of the row that stands farthest from the base; NaN if none stands."""
-    spots = [graph.point(mark, k) for k in range(graph.row)]
-    there = [spot for spot in spots if finite(spot)]
-    return max(there, key=lambda spot: abs(spot.imag), default=complex("nan"))
+        text = names.points.get(step.it, step.it.name)
+        yield Wanted(text, spot, heights.point if large else heights.number, 1.0, way)

@@ -277,5 +277,7 @@ def stays(graph: Graph, step: Step) -> bool:
         return met or step.it in lasting or step.op in (join, g.touching)
     if step.op is lay_off:
         return step.it in (graph.axes.feet, graph.axes.end) or not laid_along_base(graph, step)
+    if step.it.role == roles.LEVEL_POLE:
+        return False  # from there the rays of another diagram are drawn
     lasting_points = (g.erect, g.level_off, g.succession, *EXTREMES)
     return step.it.kind is Curve or step.it in graph.curved or step.op in lasting_points

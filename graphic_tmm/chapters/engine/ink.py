@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, measure_along
@@ -71,16 +71,44 @@ def draw_triangles(
         for mark, spot, toward in pins
         if finite(spot)
     ]
-    for force in forces.values():
-        start, end = (seen.point(mark, index) for mark in (force.start, force.end))
-        if finite(start, end) and abs(end - start) >= LEAST:
-            letter = f"\\bar{{{force.letter[0]}}}{force.letter[1:]}"
-            out, of = 1j * (end - start), (force.step.it.slot,)
-            middle = (start + end) / 2
-            wanted.append(Wanted(letter, middle, heights.number, 0.8, out, of, index))
+    wanted += _vector_names(seen, forces, index, heights.number)
     return Drawing(
         name, title, tuple(strokes), rubbed=traces.rubbed, shows=(VIEW,), wanted=tuple(wanted)
     )
+
+
+def _vector_names(
+    seen: Seen, forces: dict[Mark, _Force], index: int, size: float
+) -> Iterator[Wanted]:
+    """The letters of the vectors, outside their triangles: each nearer to its own than to another."""
+    ends = {
+        mark: (seen.point(one.start, index), seen.point(one.end, index))
+        for mark, one in forces.items()
+    }
+    there = {
+        mark: (start, end)
+        for mark, (start, end) in ends.items()
+        if finite(start, end) and abs(end - start) >= LEAST
+    }
+    for mark, own in there.items():
+        force = forces[mark]
+        others = tuple(line for other, line in there.items() if other != mark)
+        letter = f"\\bar{{{force.letter[0]}}}{force.letter[1:]}"
+        middle, of = sum(own) / 2, (force.step.it.slot,)
+        out = _outwards(own, others)
+        yield Wanted(letter, middle, size, 0.8, out, of, index, own, others)
+
+
+def _outwards(own: tuple[complex, complex], others: Sequence[tuple[complex, complex]]) -> complex:
+    """Return the way square to a vector off the others that share an end with it; else to its left."""
+    left = 1j * (own[1] - own[0])
+    joined = [z for line in others if _meet(own, line) for z in line]
+    aside = sum(((z - own[0]) * left.conjugate()).real for z in joined)
+    return -left if aside > 1e-9 * abs(left) else left
+
+
+def _meet(one: tuple[complex, complex], other: tuple[complex, complex]) -> bool:
+    return any(abs(a - b) < LEAST for a in one for b in other)
 
 
 def _forces(seen: Seen, made: Engine) -> dict[Mark, _Force]:

@@ -84,11 +84,24 @@ def draw_energy_mass_ink(
 def _extent(seen: Seen, made: EnergyMass) -> tuple[float, float, float]:
     """Return how high, how low and how far right curve and tangents reach, mm, the origin included."""
     spots = [0j, *(seen.point(made.points, k) for k in seen.positions)]
+    spots += [
+        complex(z)
+        for run in bezier(seen.reading[made.curve])
+        for z in flat([complex(z) for z in run])
+    ]
+    for tangent, end in zip(made.tangents, made.ends, strict=True):
+        spots += _reach(seen, tangent, end)
     spots = [spot for spot in spots if finite(spot)]
-    right = max(spot.real for spot in spots)
-    heights = [spot.imag for mark in made.ends if finite(spot := seen.point(mark, 0))]
-    heights += [spot.imag for spot in spots]
-    return max(heights), min(heights), right
+    heights = [spot.imag for spot in spots]
+    return max(heights), min(heights), max(spot.real for spot in spots)
+
+
+def _reach(seen: Seen, tangent: Mark, end: Mark) -> tuple[complex, ...]:
+    """Return the ends of a tangent, on the axis and behind the point in which it touches; none if not there."""
+    spot, foot = seen.line(tangent, 0)[0], seen.point(end, 0)
+    if not finite(spot, foot) or spot == foot:
+        return ()
+    return foot, spot + ON * (spot - foot) / abs(spot - foot)
 
 
 def _manner(seen: Seen, made: EnergyMass, extent: tuple[float, float, float]) -> Manner:
@@ -119,10 +132,10 @@ def _manner(seen: Seen, made: EnergyMass, extent: tuple[float, float, float]) ->
 
 def _tangent(seen: Seen, tangent: Mark, end: Mark) -> Iterator[Ink]:
     """A tangent, from the axis on behind the point in which it touches."""
-    spot, foot = seen.line(tangent, 0)[0], seen.point(end, 0)
-    if finite(spot, foot) and spot != foot:
-        yield line("main", foot, spot + ON * (spot - foot) / abs(spot - foot))
-        yield from dot(spot)
+    ends = _reach(seen, tangent, end)
+    if ends:
+        yield line("main", *ends)
+        yield from dot(seen.line(tangent, 0)[0])
 
 
 def _numbers(seen: Seen, made: EnergyMass, names: Sequence[str], size: float) -> Iterator[Wanted]:

@@ -233,8 +233,9 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
     """
     draft.open(source.view)
     slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
-    constant = draft.draw(meet, "M_c", source.up, slope, role=roles.MEAN)
-    level = draft.draw(parallel, "(M_c)", constant, source.along, sense=-1 if ahead else 1)
+    name = "M_c" if ahead else "M_d"
+    constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN)
+    level = draft.draw(parallel, f"({name})", constant, source.along, sense=-1 if ahead else 1)
     return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
 from graphic_tmm.captions import captions
@@ -86,6 +87,7 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
             on_axis(symbol, unit(of, language)),
             along,
             {"energy": curves, "work": works}.get(key, {}),
+            {mark: symbols.symbol(mark.name, language) for mark in log.roles(view, roles.MEAN)},
             pole_figures(log, reading, view, language)
             | {made.segment: _segment_figure(drawn, made.segment)},
         )
