@@ -55,6 +55,8 @@ def result_table(
             rows.append([letter, unit("mm", language), *cells])
             letter = symbol(column.quantity, language) if column.quantity else letter
         places = _decimals(value)
+        if column.unit == "%":
+            places = _no_more(value, places)
         cells = [fixed(value[k], places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
@@ -85,3 +87,9 @@ def _decimals(row: Row) -> int:
     """Return how many decimals give the largest figure of a row three significant digits."""
     largest = max((abs(x) for x in row if x is not None), default=0.0)
     return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
+
+
+def _no_more(row: Row, places: int) -> int:
+    """Return how many decimals of ``places`` the figures of a row have."""
+    there = [x for x in row if x is not None]
+    return next((k for k in range(places) if all(round(x, k) == x for x in there)), places)

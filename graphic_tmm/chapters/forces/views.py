@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
+
+import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import captions
@@ -32,7 +35,7 @@ from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
-from graphic_tmm.language.numbers import number
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
@@ -43,6 +46,7 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.views import captioned, mu_text, paired
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import (
     result_table,
 )
@@ -265,22 +269,52 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
         f"{words[f'{key}_bal_{way}']} = {number(value, language)} {of}"
         for way, value in found.items()
     ]
-    apart, limit = at(made.difference), made.order.limit
-    if not math.isfinite(apart):
+    row, limit = drawn.reading[made.difference][0], made.order.limit
+    apart = float(row[place if row.size > 1 else 0])
+    if not math.isfinite(at(made.difference)):
         return [", ".join(both), _("Δ: there is nothing to compare")]
     sign = "≤" if apart <= limit else ">"
-    judged = f"Δ = {number(apart, language, 2)} % {sign} {number(limit, language, 2)} %"
+    told = fixed(apart, percent_decimals(found.values()), language)
+    judged = f"Δ = {told} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]
+
+
+def percent_decimals(sizes: Iterable[float]) -> int:
+    """Return how many decimals the percentage of a difference has, of two sizes as `number` writes them.
+
+    >>> percent_decimals([25467.0, 25471.0]), percent_decimals([1465.6, 1464.6])
+    (2, 1)
+    """
+    largest = max(map(abs, sizes), default=0.0)
+    if not largest > 0.0:
+        return 0
+    last = min(0, math.floor(math.log10(largest)) - 3)
+    return max(0, math.floor(-math.log10(100.0 * 10.0**last / largest)))
 
 
 def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
     columns = force_columns(drawn) if FORCES.of(drawn) is not None else ()
-    rows = [column.without(drawn.undrawn) for column in columns]
+    rows = [_as_printed(drawn, column.without(drawn.undrawn)) for column in columns]
     if not rows:
         return []
     high = heights(drawn.scene, "force table")
     return [result_table("forces", rows, drawn.names, drawn.scene.language, heights=high)]
+
+
+def _as_printed(drawn: Drawn, column: Column) -> Column:
+    """Return a column; the difference of both methods is that of the two sizes as they are printed."""
+    if column.letter != "bal_difference":
+        return column
+    made = FORCES.on(drawn)
+    apart, *sizes = (
+        np.broadcast_to(drawn.reading[mark][:1], (1, len(drawn.names)))[0]
+        for mark in (made.difference, made.balance, made.lever.balance)
+    )
+    value = column.value.copy()
+    for k in np.flatnonzero(np.isfinite(value[0])):
+        value[0, k] = round(float(apart[k]), percent_decimals(float(row[k]) for row in sizes))
+    return replace(column, value=value)
 
 
 def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:

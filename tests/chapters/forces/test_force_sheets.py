@@ -318,3 +318,37 @@ def test_a_figure_that_was_changed_is_found() -> None:
     assert words != told.words
     with pytest.raises(AssertionError):
         check_printed(told._replace(words=words), exact)
+
+
+def test_a_sign_against_its_arrow_is_found() -> None:
+    found = sheet(drawn("lever"))
+    view, told = found["lever-4"], found["equations-lever-4"]
+    assert check_letters(view, told) == 1
+
+    def changed(old: str, new: str) -> View:
+        words = tuple(word.replace(old, new) for word in told.words)
+        assert words != told.words
+        return told._replace(words=words)
+
+    for wrong in (
+        changed("− M_и2′", "+ M_и2′"),  # by letters another sense than by figures
+        changed("= 6306 ", "= −6306 "),  # a sign in the letter too
+        changed("= 6306 ", "= 6307 "),  # another size than is put in
+    ):
+        with pytest.raises(AssertionError):
+            check_letters(view, wrong)
+
+
+def test_the_difference_of_both_methods_is_that_of_the_printed_sizes() -> None:
+    for name in LOADED:
+        found = sheet(drawn(name)).values()
+        assert any(word.startswith("Δ = ") for view in found for word in view.words)
+        for view in found:
+            texts = [word for word in view.words if word.startswith("Δ = ")]
+            for text in texts:
+                both = next(word for word in view.words if re.match(r"[PM]_(ур|b) = .*, ", word))
+                first, second = (result(part) for part in both.split(", "))
+                apart = worked(text.split(" ")[2])
+                percent = 100.0 * abs(first.value - second.value) / first.value
+                open_ = 100.0 * (first.half + second.half) / first.value
+                assert abs(percent - apart.value) <= apart.half + open_
