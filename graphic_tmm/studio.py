@@ -87,6 +87,9 @@ def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:
 def composed_sheets(scene: Scene, given: Composition | None = None) -> tuple[DrawnScene, Composed]:
     """Draw a scene onto its sheets, composed anew or as ``given``; what is told of that is the scene's to tell.
 
+    A composition of another scene may be given: it is used as far as it fits, and if it is of no use even its
+    sizes are not.
+
     Raises
     ------
     SheetError
@@ -100,6 +103,8 @@ def composed_sheets(scene: Scene, given: Composition | None = None) -> tuple[Dra
     except ViewError as error:
         raise refusal(made.scene, error) from error
     told = replace(made.scene, remarks=(*made.scene.remarks, *found.remarks))
+    if not found.sheets and given is not None:
+        return composed_sheets(replace(scene, remarks=told.remarks))
     return made._replace(scene=told), found
 
 
@@ -134,5 +139,5 @@ def sheet_files(
             for name, sheet in zip(names, drawn, strict=True):
                 files[f"{name}.{form}"] = one[form](sheet)
     if composition:
-        files[beside(scene.source).name] = text(found.composition)
+        files[beside(scene.source).name] = text(found.composition, found.scales)
     return made, files

@@ -12,6 +12,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 # What is said to nobody in particular is in the terminal's language: English here, on every machine.
 os.environ["LC_ALL"] = "C.UTF-8"
 
+from support.once import install
+
+install()
+
 # Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more;
 # the everyday run a few.
 settings.register_profile("person", deadline=None)

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
+from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
@@ -64,8 +65,12 @@ def draw(
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(beside(task.source))
-    spoken = replace(task, language=asked() or task.language)
-    made, texts = sheet_files(spoken, wanted, strokes=strokes, given=given, composition=composition)
+    language = asked() or task.language
+    spoken = task if language == task.language else replace(task, language=language)
+    with waiting(said("choosing scale factors and composing the sheets")):
+        made, texts = sheet_files(
+            spoken, wanted, strokes=strokes, given=given, composition=composition
+        )
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, named
@@ -25,11 +27,15 @@ LENGTHS = "μ_l"
 
 
 class Composed(NamedTuple):
-    """The sheets of a scene, how they are composed as data, and what a person should know of it."""
+    """The sheets of a scene, how they are composed as data, and what a person should know of it.
+
+    There are none if a composition that was given is of no use. ``scales``: scale factors by view.
+    """
 
     sheets: tuple[Sheet, ...]
     composition: Composition
     remarks: tuple[str, ...] = ()
+    scales: Mapping[str, Scale] = MappingProxyType({})
 
 
 def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
@@ -39,6 +45,8 @@ def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
 
 def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = None) -> Composed:
     """Return the sheets of a scene, each order followed by the sheets it spills onto; as ``given`` if it is.
+
+    What is given and of no use comes to no sheets, and remarks that tell why.
 
     Raises
     ------
@@ -54,18 +62,23 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
     boxes = [outline for order in wanted for outline in order.outlines]
     names = named(view.name for view in there)
     laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
+    if laid is None and given is not None:
+        return Composed((), given, remarks)
     if laid is None:
         laid = sheets.composed(wanted)
-        remarks = (*remarks, *oversized(wanted, laid, scene.language))
+        remarks = oversized(wanted, laid, scene.language)
     made = []
+    papers = documents(scene)
+    numbers = [papers[sheet.order] for sheet, _ in laid]
     for index, (sheet, places) in enumerate(laid):
         format = wanted[sheet.order].format
+        own = numbers[: index + 1].count(numbers[index])
         edge = frame(
             format,
             language=scene.language,
-            first=index == 0,
-            number=index + 1,
-            count=len(laid),
+            first=own == 1,
+            number=own,
+            count=numbers.count(numbers[index]),
             fields=_fields(scene, boards, sheet.order),
             check=scene.print_check,
         )
@@ -78,7 +91,8 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         Placed(s.order, wanted[s.order].format, {names[k]: at for k, at in sorted(places.items())})
         for s, places in laid
     ]
-    return Composed(tuple(made), Composition(sizes, tuple(data)), remarks)
+    scales = {view: scale for one in boards for view, scale in one.scales.items()}
+    return Composed(tuple(made), Composition(sizes, tuple(data)), remarks, scales)
 
 
 Views = Callable[[str, Within], Sequence[Drawing]]
@@ -91,9 +105,24 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     def room(order: SheetOrder, first: bool) -> Room:
         return room_on(order.format, scene.language, first)
 
+    papers = documents(scene)
     return [
-        (order, (room(order, k == 0), room(order, False))) for k, order in enumerate(scene.sheets)
+        (order, (room(order, papers.index(papers[k]) == k), room(order, False)))
+        for k, order in enumerate(scene.sheets)
     ]
+
+
+def documents(scene: Scene) -> list[int]:
+    """Return, by order, of which document its sheets are, from 0.
+
+    Sheets follow each other in one, with one designation, but where one of them is named: it begins a document
+    of its own, with the form of a first sheet.
+    """
+    found = list[int]()
+    for order in scene.sheets:
+        own = order.name or order.designation
+        found.append(found[-1] + bool(own) if found else 0)
+    return found
 
 
 def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawing]]:
@@ -110,7 +139,8 @@ def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawin
 def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:
     """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0."""
     fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
-    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{k + 1:02d}")
+    paper = documents(scene)[k] + 1
+    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{paper:02d}")
     fields["name"] = order.name or fields.get("name") or scene.title
     fields["designation"] = order.designation or fields.get("designation") or series
     scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]

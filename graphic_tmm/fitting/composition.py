@@ -1,5 +1,6 @@
 """A composition as data: of every sheet its format and where its views stand, how large what is drawn is.
 
+    # positions: μ_l = 0.004 m/mm          # the scale factors that come of it: told, not read
     [sizes]                                # what the drawing was made with: room in mm, or a share of the usual
     velocities = 80.0
     [[sheet]]
@@ -18,8 +19,10 @@ import json
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
@@ -70,15 +73,17 @@ def named(names: Iterable[str]) -> list[str]:
     return found
 
 
-def text(composition: Composition) -> str:
-    """Return a composition as its file."""
-    return "\n".join(_lines(composition)) + "\n"
+def text(composition: Composition, scales: Mapping[str, Scale] = MappingProxyType({})) -> str:
+    """Return a composition as its file; ``scales``: the scale factors that it tells people, by view."""
+    return "\n".join(_lines(composition, scales)) + "\n"
 
 
-def _lines(composition: Composition) -> Iterator[str]:
+def _lines(composition: Composition, scales: Mapping[str, Scale]) -> Iterator[str]:
     yield "# Where the views of the sheets stand: the lower left corner of each, mm from that of the paper."
     yield "# What stands beside a scene is used by draw; a view may be moved here by hand."
     yield ""
+    for view, scale in scales.items():
+        yield f"# {view}: {scale.symbol} = {scale.value:g} {scale.unit}".rstrip()
     yield "[sizes]"
     for name, size in composition.sizes.items():
         yield f"{json.dumps(name, ensure_ascii=False)} = {size!r}"

@@ -62,7 +62,7 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     found = [
         order
         if order.format != AUTO
-        else replace(order, format=told.get(k) or _smallest(scene, order, k == 0, drawn))
+        else replace(order, format=told.get(k) or _smallest(scene, order, drawn))
         for k, order in enumerate(scene.sheets)
     ]
     made = replace(scene, sheets=tuple(found))
@@ -71,7 +71,7 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     return made
 
 
-def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, list[Drawn]]) -> str:
+def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) -> str:
     """Return the smallest format that holds what is ordered; the usual one where that takes several sheets."""
     for format in growing():
         like = TRIED[format.split()[0]]
@@ -79,7 +79,7 @@ def _smallest(scene: Scene, order: SheetOrder, first: bool, drawn: dict[str, lis
         tried = replace(scene, sheets=sheets)
         if like not in drawn:
             drawn[like] = list(_boards(tried))
-        room = room_on(format, scene.language, first)
+        room = room_on(format, scene.language, True)
         views = [
             part
             for place in order.place

@@ -15,6 +15,9 @@ from graphic_tmm.paper.compose.sheets import Order, Shared
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
+LEAST = 0.5
+"""A composition that names less of the views than this share is of something else."""
+
 Laid = Sequence[tuple[Shared, Places]]
 
 
@@ -44,6 +47,10 @@ def restored_sheets(
     formats = [wanted[s.order].format for s in given.sheets if s.order < len(wanted)]
     if set(orders) != set(range(len(wanted))) or formats != [s.format for s in given.sheets]:
         says = said("{file} is of other sheets than the scene orders: composed anew", file=FILE)
+        return None, (says,)
+    there = {name for sheet in given.sheets for name in sheet.views if name in number}
+    if len(there) < LEAST * len(number):
+        says = said("{file} names few of the views that are drawn: composed anew", file=FILE)
         return None, (says,)
     gone = [name for sheet in given.sheets for name in sheet.views if name not in number]
     found = restored(

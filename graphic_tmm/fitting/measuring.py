@@ -26,6 +26,9 @@ NEAR = 32.0
 WIDE = 0.7
 """What a view's width counts against its height: sheets that lie are so much higher than wide."""
 
+SLACK = 0.5
+"""How much larger, mm, than with the exact hand a view may come out by the scene's own."""
+
 Key = tuple[object, ...]
 Cells = list[Drawing]
 """The room of views: each a cell alone."""
@@ -86,7 +89,7 @@ class Rooms:
         if key in self._several and most <= 1:
             return math.inf
         if key not in self._counts:
-            outlines = [Outline.of(one.view) for one in self._of(number, sizes)]
+            outlines = self._outlines(number, sizes)
             if most <= 1 and len(outlines) > 1:
                 if fits(outlines, rooms[0]) is None:
                     self._several.add(key)
@@ -98,6 +101,24 @@ class Rooms:
             except ViewError:
                 self._counts[key] = math.inf
         return self._counts[key]
+
+    def _outlines(self, number: int, sizes: Sizes) -> list[Outline]:
+        within = self.orders[number][1][0].within
+        return [_wider(Outline.of(one.view), within) for one in self._of(number, sizes)]
+
+    def together(self, sizes: Sizes) -> float:
+        """Return how many sheets the scene takes if what is left over of an order may stand on another's.
+
+        That is what is composed in the end; `count` is sooner known, and never less.
+        """
+        wanted = [
+            Order(tuple(self._outlines(k, sizes)), rooms, order.format)
+            for k, (order, rooms) in enumerate(self.orders)
+        ]
+        try:
+            return len(shared(wanted))
+        except ViewError:
+            return math.inf
 
     def too_large(self, sizes: Sizes) -> list[TooLarge]:
         """Return the views of boards that no sheet holds."""
@@ -217,6 +238,12 @@ def _parts(view: Drawing, within: Within) -> Cells:
         Drawing(part.name, part.title, cell=bounds(part), stand=part.stand, foot=part.foot)
         for part in settled(view, within)
     ]
+
+
+def _wider(outline: Outline, within: Within) -> Outline:
+    """Return a box as large as it may come out by the scene's own hand, if a sheet holds it then."""
+    wide, high = outline.width + SLACK, outline.height + SLACK
+    return outline._replace(width=wide, height=high) if within.share(wide, high) >= 1.0 else outline
 
 
 def _at_the_edge(view: Drawing, within: Within) -> bool:

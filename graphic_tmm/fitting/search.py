@@ -11,7 +11,7 @@ Mechanism and parts go one road: all of them are tried together, on the sheets t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
 
 from graphic_tmm.chapter import chapters, places
 from graphic_tmm.drawn import Drawn
@@ -28,6 +28,10 @@ STEP, TRIALS = 0.93, 40
 """By how much at least a size gives way at a time; how often. All of them leave a twentieth."""
 MOST = 24
 """How often a size grows by its step, at most, until something comes of it."""
+SAVING = 0.9
+"""What gives way to save a sheet is no shorter than this share of what can be measured well."""
+WAY = (0.93, 0.87, 0.81, 0.75, 0.7, 0.65, 0.6)
+"""The shares of their sizes at which plans give way to save a sheet."""
 OVER = (1.03, 1.3)
 """What is lifted takes no more than so many times its share of a sheet: first, and where there is room left."""
 
@@ -53,8 +57,10 @@ class Search:
             # what is allowed for letters may be more than they take
             self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
-        least = self._saving(least, free)
         for rooms in (self.rooms, self.written):
+            least, saved = self._saving(least, free, rooms)
+            if saved:
+                return least
             most = max(len(self.scene.sheets), rooms.count(least))
             found = None if math.isinf(most) else self._lifted_all(least, free, most)
             if found is not None:
@@ -82,13 +88,50 @@ class Search:
                 return sizes
         return None
 
-    def _saving(self, sizes: Sizes, free: Iterable[str]) -> Sizes:
-        """Return sizes to begin with: small ones where they save sheets that nobody ordered."""
-        count, known = self.rooms.count(sizes), {n: size for n, (_, size) in self.own.items()}
-        if count <= len(self.scene.sheets):
-            return sizes
-        less = {n: min(sizes[n], known[n].small) for n in free if known[n].small}
-        return {**sizes, **less} if self.rooms.count({**sizes, **less}) < count else sizes
+    def _saving(self, sizes: Sizes, free: Sequence[str], rooms: Rooms) -> tuple[Sizes, bool]:
+        """Return sizes to begin with: less than usual where that saves sheets that nobody ordered.
+
+        And whether they stay so: what would stand on a sheet that is saved has just room on others.
+        """
+        count, ordered = rooms.count(sizes), len(self.scene.sheets)
+        if count <= ordered:
+            return sizes, False
+        tried = [sizes]
+        for less in self._giving_way(sizes, free):
+            if not rooms.takes_more(less, count - 1):
+                sizes, count = less, rooms.count(less)
+            if count <= ordered:
+                return sizes, False
+            tried.append(less)
+        for less in tried if ordered > 1 and count == ordered + 1 else ():
+            if rooms.together(less) <= ordered and self.written.together(less) <= ordered:
+                return less, True
+        return sizes, False
+
+    def _giving_way(self, sizes: Sizes, free: Sequence[str]) -> Iterator[Sizes]:
+        """Yield smaller sizes: small ones, one of them step by step, all of them step by step."""
+        small = {n: min(sizes[n], self.own[n][1].small) for n in free if self.own[n][1].small}
+        yield {**sizes, **small}
+        there = [name for name in free if self.own[name][1].cap > 0.0]
+        tried = {self._come_of(sizes)}
+        for part in WAY:
+            for names in (*([name] for name in there), there):
+                less: Sizes = {**sizes, **small} if len(names) > 1 else sizes
+                for name in names:
+                    less = self._less(name, part * sizes[name], less)
+                if (known := self._come_of(less)) not in tried:
+                    tried.add(known)
+                    yield less
+
+    def _come_of(self, sizes: Sizes) -> tuple[object, ...]:
+        return tuple(board.known(name, sizes) for name, (board, _) in self.own.items())
+
+    def _less(self, name: str, wanted: float, sizes: Sizes) -> Sizes:
+        """Return sizes of which one has given way, if it can and what comes of it can still be measured."""
+        board, size = self.own[name]
+        least = size.least if size.in_mm else max(size.least, size.small)
+        less = {**sizes, name: min(sizes[name], max(wanted, least))}
+        return less if board.mm(name, less) >= SAVING * MEASURABLE else sizes
 
     def with_board(self, board: Board) -> Search:
         """Return a search with another board of the same name, for its scene."""

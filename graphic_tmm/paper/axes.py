@@ -115,14 +115,14 @@ class _Inked:
 
 
 def _meets(stroke: Ink, band: tuple[float, float]) -> bool:
-    """Whether a stroke may come into a band of heights; of one with arcs nobody asks how far they bow."""
+    """Whether a stroke may come into a band of heights: an arc bows out by no more than its bulge tells."""
     if isinstance(stroke, Bezier):
-        heights = [spot.imag for spot in stroke.controls]
-    elif any(bulge for _, _, bulge in stroke.path):
-        return True
+        heights, by = [spot.imag for spot in stroke.controls], 0.0
     else:
-        heights = [y for _, y, _ in stroke.path]
-    return min(heights) <= band[1] and max(heights) >= band[0]
+        heights, bows = [y for _, y, _ in stroke.path], [abs(bulge) for _, _, bulge in stroke.path]
+        along = [x for x, _, _ in stroke.path]
+        by = max(bows) * (max(along) - min(along) + max(heights) - min(heights))
+    return min(heights) - by <= band[1] and max(heights) + by >= band[0]
 
 
 def _level(

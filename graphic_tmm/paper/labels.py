@@ -29,7 +29,7 @@ RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0))
 """How much farther than next to its point a label is tried, mm; and where all that is dear. Chosen by eye."""
 DIRECTIONS = 24
 """Directions in which a label is tried, every 15°; chosen by eye."""
-WEIGHED = 16
+WEIGHED = 48
 """Of so many of the cheapest places it is found out what their leaders cross."""
 BESIDE = 2.2
 """A label farther than this from the ink of its point, mm, gets a leader line."""
@@ -42,6 +42,8 @@ _SOFT, HEAVY = (
 """Pens whose lines give way to letters; pens of lines that no letter may stand on."""
 HATCHING = "hatching"
 """The part of a view whose strokes may vanish under a letter."""
+DOT = 0.2
+"""Half of what stands for a point that is to be lettered, mm: no other letter may hide it."""
 SHORT = 8.0
 """Of a line shorter than this, mm, nothing may be left where a letter stands on it: letters keep off it."""
 RINGED = "number"
@@ -88,6 +90,11 @@ class _Boxes(NamedTuple):
         x, y, w, h = self.x, self.y, self.width, self.height
         return x - by, y - by, x + w + by, y + h + by
 
+    def chosen(self, which: NDArray[np.int64]) -> _Boxes:
+        """Return some of them."""
+        x, y, cost = self.x[which], self.y[which], self.cost[which]
+        return self._replace(x=x, y=y, cost=cost)
+
     def rect(self, k: int) -> Rect:
         """Return one of them."""
         left, bottom = float(self.x[k]), float(self.y[k])
@@ -120,8 +127,9 @@ def _inks(wanted: Sequence[Wanted], strokes: Sequence[Ink]) -> list[_Lines]:
             kept = stroke.pen in HEAVY or stroke.part == RINGED
             soft = gives_way(stroke) and not _lost(stroke, corners)
             kinds.setdefault("heavy" if kept else "soft" if soft else "firm", []).append(corners)
-    if not wanted or not kinds:
+    if not wanted:
         return []
+    kinds.setdefault("firm", []).extend([one.at - DOT, one.at + DOT] for one in wanted)
     about = _about(wanted, [z for lines in kinds.values() for points in lines for z in points])
     wide = {"heavy": HEAVY_HALF}
     return [
@@ -179,14 +187,12 @@ def _tried(one: Wanted, rings: Reals, inks: Sequence[_Lines]) -> _Boxes:
         length = raster.length(*boxes.grown(by))
         chord = math.pi * w * h / (2 * (w + h))  # of a line through a box, in the mean
         cost += weight * np.where(length > 0, np.maximum(least, length / chord), 0.0)
-    cost += _MISREAD * _misread(one, x, y, width, height) + _ASTRAY * _astray(one, boxes)
+    cost += _MISREAD * _misread(one, _way(one, boxes)) + _ASTRAY * _astray(one, boxes)
     return boxes._replace(cost=np.minimum(cost, 0.9 * _LABEL))
 
 
-def _misread(one: Wanted, x: Reals, y: Reals, width: float, height: float) -> NDArray[np.bool_]:
-    """Return at which places a leader would be read as a minus before or behind its label."""
-    end = np.clip(one.at.real, x, x + width) + 1j * np.clip(one.at.imag, y, y + height)
-    way = end - one.at
+def _misread(one: Wanted, way: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Return which of the ways to a label leave a leader that is read as a minus before or behind it."""
     there = np.abs(way) > one.radius + BESIDE
     length = np.abs(way) - one.radius - CLEAR / 2
     level = np.abs(way.imag) <= math.tan(math.radians(FLAT)) * np.abs(way.real)
@@ -238,19 +244,23 @@ def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied) -> Label:
 
 def _cheapest(one: Wanted, tried: _Boxes, occupied: Occupied) -> tuple[float, Rect]:
     """Return what the best of some places costs, and the place."""
-    best, least = 0, math.inf
-    costs = np.round(tried.cost + _LABEL * occupied.letters_at(*tried.grown(CLEAR / 2 + APART)), 6)
-    for k in np.argsort(costs, kind="stable")[:WEIGHED].tolist():
-        cost = float(costs[k])
-        if cost >= least:
-            break
-        rect = tried.rect(k)
-        line = _leader(one, rect)
-        cost += _CROSSED * occupied.leader_at(rect.grown(CLEAR / 2))
-        cost += _CROSSED * (line is not None and occupied.crossed(line))
-        if cost < least:
-            best, least = k, cost
-    return least, tried.rect(best)
+    standing = occupied.letters_at(*tried.grown(CLEAR / 2 + APART))
+    tried = tried._replace(cost=np.round(tried.cost + _LABEL * standing, 6))
+    cheap = np.argsort(tried.cost, kind="stable")[:WEIGHED]
+    few = tried.chosen(cheap)
+    way, there = _way(one, few), np.zeros(cheap.shape, dtype=bool)
+    led = np.abs(way) > one.radius + BESIDE
+    unit = way[led] / np.abs(way[led])
+    there[led] = occupied.crossing(one.at + one.radius * unit, one.at + way[led] - CLEAR / 2 * unit)
+    crossed = occupied.leaders_at(*few.grown(CLEAR / 2)).astype(float) + there
+    best = int(np.argmin(few.cost + _CROSSED * crossed))
+    return float(few.cost[best] + _CROSSED * crossed[best]), few.rect(best)
+
+
+def _way(one: Wanted, boxes: _Boxes) -> NDArray[np.complex128]:
+    """Return the shortest ways from a point to boxes."""
+    x = np.clip(one.at.real, boxes.x, boxes.x + boxes.width)
+    return np.asarray(x + 1j * np.clip(one.at.imag, boxes.y, boxes.y + boxes.height) - one.at)
 
 
 def _leader(one: Wanted, rect: Rect) -> Line | None:

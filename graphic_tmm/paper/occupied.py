@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.clipping import Frame
+from graphic_tmm.paper.raster import Spots, spans
 
 SQUARE = 16.0
 """Side of a square, mm: a few labels wide, so that letters, which keep off each other, are few in one."""
@@ -45,22 +47,6 @@ class Line(NamedTuple):
         """The rectangle about it."""
         (a, b), (c, d) = (sorted(ends) for ends in zip(*map(_xy, self), strict=True))
         return Rect(a, c, b, d)
-
-    def meets(self, rect: Rect) -> bool:
-        """Whether the line and a rectangle have a point in common."""
-        low, high = 0.0, 1.0
-        way = self.end - self.start
-        for at, step, first, last in (
-            (self.start.real, way.real, rect.left, rect.right),
-            (self.start.imag, way.imag, rect.bottom, rect.top),
-        ):
-            if step == 0.0:
-                if not first <= at <= last:
-                    return False
-                continue
-            u, v = sorted(((first - at) / step, (last - at) / step))
-            low, high = max(low, u), min(high, v)
-        return low <= high
 
 
 def _xy(spot: complex) -> tuple[float, float]:
@@ -107,25 +93,48 @@ class Occupied:
 
     def letters_at(self, left: Reals, bottom: Reals, right: Reals, top: Reals) -> Reals:
         """Return how many rectangles of letters each of some rectangles meets."""
-        about = Rect(float(left.min()), float(bottom.min()), float(right.max()), float(top.max()))
-        near = {k for square in _squares(about) for k in self._letters.get(square, ())}
+        near = self._near(self._letters, left, bottom, right, top)
         if not near:
             return np.zeros(left.shape)
-        x0, y0, x1, y1 = np.array([self.rects[k] for k in sorted(near)]).T
+        x0, y0, x1, y1 = np.array([self.rects[k] for k in near]).T
         across = (left[:, None] <= x1) & (x0 <= right[:, None])
         return np.asarray(
             (across & (bottom[:, None] <= y1) & (y0 <= top[:, None])).sum(axis=1, dtype=float)
         )
 
-    def leader_at(self, rect: Rect) -> bool:
-        """Whether a rectangle meets a leader."""
-        near = (self.lines[k] for s in _squares(rect) for k in self._leaders.get(s, ()))
-        return any(one.meets(rect) for one in near)
+    def leaders_at(self, left: Reals, bottom: Reals, right: Reals, top: Reals) -> NDArray[np.bool_]:
+        """Whether each of some rectangles meets a leader."""
+        near = self._near(self._leaders, left, bottom, right, top)
+        starts, ends = np.array([self.lines[k] for k in near], dtype=complex).reshape(-1, 2).T
+        edges = (v[:, None] for v in (left, bottom, right, top))
+        first, last = spans(starts[None, :], ends[None, :], *edges)
+        return np.asarray((first <= last).any(axis=1))
 
-    def crossed(self, line: Line) -> bool:
-        """Whether a line meets a label."""
-        near = (self.rects[k] for s in _squares(line.about) for k in self._letters.get(s, ()))
-        return any(line.meets(one) for one in near)
+    def crossing(self, starts: Spots, ends: Spots) -> NDArray[np.bool_]:
+        """Whether each of some straight lines meets a label."""
+        if not starts.size:
+            return np.zeros(0, dtype=bool)
+        x, y = (np.sort([u, v], axis=0) for u, v in zip(*map(_sides, (starts, ends)), strict=True))
+        near = self._near(self._letters, x[0], y[0], x[1], y[1])
+        rects = np.array([self.rects[k] for k in near]).reshape(-1, 4).T
+        first, last = spans(starts[:, None], ends[:, None], *rects[:, None, :])
+        return np.asarray((first <= last).any(axis=1))
+
+    def _near(
+        self,
+        taken: dict[tuple[int, int], list[int]],
+        left: Reals,
+        bottom: Reals,
+        right: Reals,
+        top: Reals,
+    ) -> list[int]:
+        """Return what is taken in the squares about some rectangles."""
+        about = Rect(float(left.min()), float(bottom.min()), float(right.max()), float(top.max()))
+        return sorted({k for square in _squares(about) for k in taken.get(square, ())})
+
+
+def _sides(spots: Spots) -> tuple[Reals, Reals]:
+    return spots.real, spots.imag
 
 
 def _squares(rect: Rect) -> Iterator[tuple[int, int]]:

@@ -73,21 +73,38 @@ def _pieces(lines: Iterable[Sequence[complex]]) -> tuple[Spots, Spots]:
 def _inside(starts: Spots, ends: Spots, frame: Frame) -> tuple[Spots, Spots]:
     """Return what of straight pieces lies in a frame."""
     way = ends - starts
-    first, last = np.zeros(way.shape), np.ones(way.shape)
-    for at, step, low, high in (
-        (starts.real, way.real, frame[0], frame[2]),
-        (starts.imag, way.imag, frame[1], frame[3]),
-    ):
-        still = np.abs(step) < STILL
-        stride = np.where(still, 1.0, step)
-        u, v = ((np.where(still, 0.0, side - at) / stride) for side in (low, high))
-        met = ~still
-        first = np.where(met, np.maximum(first, np.minimum(u, v)), first)
-        last = np.where(met, np.minimum(last, np.maximum(u, v)), last)
-        last = np.where(still & ((at < low) | (at > high)), -1.0, last)
+    first, last = spans(starts, ends, *frame)
     there = first < last
     start, way, first, last = starts[there], way[there], first[there], last[there]
     return start + first * way, start + last * way
+
+
+def spans(
+    starts: Spots,
+    ends: Spots,
+    left: Reals | float,
+    bottom: Reals | float,
+    right: Reals | float,
+    top: Reals | float,
+) -> tuple[Reals, Reals]:
+    """Return from where to where straight pieces run in upright rectangles, as shares of them.
+
+    Where one has nothing in it the second share is the smaller. All are broadcast against each other.
+    """
+    way = ends - starts
+    shape = np.broadcast_shapes(way.shape, np.shape(left))
+    first, last = np.zeros(shape), np.ones(shape)
+    for at, step, low, high in (
+        (starts.real, way.real, left, right),
+        (starts.imag, way.imag, bottom, top),
+    ):
+        still = np.abs(step) < STILL
+        stride = np.where(still, 1.0, step)
+        u, v = (np.where(still, 0.0, side - at) / stride for side in (low, high))
+        first = np.where(still, first, np.maximum(first, np.minimum(u, v)))
+        last = np.where(still, last, np.minimum(last, np.maximum(u, v)))
+        last = np.where(still & ((at < low) | (at > high)), -1.0, last)
+    return first, last
 
 
 def _samples(starts: Spots, ends: Spots, apart: float) -> Spots:

@@ -58,17 +58,24 @@ def paired(views: Sequence[Drawing]) -> list[Drawing]:
     return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
 
 
-def captioned(view: Drawing, *lines: str, heights: Heights = HEIGHTS["A4"]) -> Drawing:
+def captioned(
+    view: Drawing,
+    *lines: str,
+    heights: Heights = HEIGHTS["A4"],
+    series: Sequence[Drawing] = (),
+) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    The first of them is the title, broken where it is much wider than its view; a table has its own
-    above it. Where a sheet is too narrow, all lines are broken, and the view comes apart if it can.
+    The first of them is the title, broken where it is much wider than its view, or than the narrowest of the
+    ``series`` that it is one of; a table has its own above it. Where a sheet is too narrow, all lines are
+    broken, and the view comes apart if it can.
     """
-    left, _, right, _ = bounds(view)
+    boxes = [bounds(one) for one in (view, *series)]
+    width = min(right - left for left, _, right, _ in boxes)
     if view.name.startswith("table"):
         told = [(text, heights.number) for text in lines]
     else:
-        titles = [_titled(text, heights.title, right - left) for text in lines[:1]]
+        titles = [_titled(text, heights.title, width) for text in lines[:1]]
         told = [(part, heights.title) for parts in titles for part in parts]
         told += [(text, heights.point) for text in lines[1:]]
 

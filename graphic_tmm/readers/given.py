@@ -1,17 +1,18 @@
-"""The table of what a scene gives, as the sheet of a task lists it: letters, values, units; of all chapters."""
+"""The table of what a scene gives, as the sheet of a task lists it: letters, values, units; board by board."""
 
 from __future__ import annotations
 
 import math
 
 from graphic_tmm.captions import captions
-from graphic_tmm.chapter import MECHANISM, Given, chapters
+from graphic_tmm.chapter import MECHANISM, Given, Place, chapters
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
+from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights, heights
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.scene.records import Scene
@@ -23,25 +24,47 @@ DIGITS = 6
 """Significant figures of what is given: more than tasks have; what follows from them has one less."""
 
 
-def given_rows(scene: Scene) -> tuple[Given, ...]:
-    """Return what a scene gives for its mechanism, chapter by chapter; nothing twice."""
-    found = (row for one in chapters(MECHANISM) for row in one.given(scene))
+ROUND = 1e-9
+"""A share of a speed: nearer than this to a whole tenth of a turn a minute it was given so."""
+
+
+def given_rows(scene: Scene, board: str = MECHANISM) -> tuple[Given, ...]:
+    """Return what a scene gives for what stands on a board, chapter by chapter; nothing twice."""
+    found = (row for one in chapters(board) for row in one.given(scene))
     return tuple(dict.fromkeys(found))
 
 
-def given_table(scene: Scene, heights: Heights = HEIGHTS["A1"]) -> Drawing:
+def given_speed(index: str, speed: float) -> Given:
+    """Return how fast something turns, in turns a minute where it was given so; ``speed``: 1/s."""
+    turns = abs(speed) * 30.0 / math.pi
+    if abs(turns * 10.0 - round(turns * 10.0)) <= ROUND * turns * 10.0:
+        return Given(f"n_{index}", round(turns, 1), "rpm")
+    return Given(f"ω_{index}", abs(speed), "1/s")
+
+
+def given_place(board: str) -> Place:
+    """Return the place of what is given for a board of its own: beside what its chapter draws."""
+    name = f"{board} given"
+
+    def draw(drawn: Drawn, lettered: bool) -> list[Drawing]:
+        return [given_table(drawn.scene, heights(drawn.scene, name), board)]
+
+    return Place(name, 0, draw, attends=board)
+
+
+def given_table(scene: Scene, heights: Heights = HEIGHTS["A1"], board: str = MECHANISM) -> Drawing:
     """Return the table of what is given; its rows stand side by side where there are many."""
     language, size = scene.language, heights.number
     words = captions(language)
-    rows = [_cells(row, language) for row in given_rows(scene)]
+    rows = [_cells(row, language) for row in given_rows(scene, board)]
     beside = max(1, math.ceil(len(rows) / TALL))
     tall = math.ceil(len(rows) / beside)
     padded = [*rows, *[("", "", "")] * (tall * beside - len(rows))]
     lines = [[cell for row in padded[k::tall] for cell in row] for k in range(tall)]
     heads = [words["letter"], words["figure"], words["unit"]] * beside
     return breakable(
-        NAME,
-        words["given"],
+        NAME if board == MECHANISM else f"{NAME}-{board}",
+        words["given" if board == MECHANISM else f"given {board}"],
         heads,
         lines,
         again=words["continued"],
@@ -52,8 +75,11 @@ def given_table(scene: Scene, heights: Heights = HEIGHTS["A1"]) -> Drawing:
 
 
 def _cells(row: Given, language: str) -> tuple[str, str, str]:
-    told = row.value if isinstance(row.value, str) else _figure(row.value, language)
-    word = captions(language).get(row.symbol) or markup(symbol(row.symbol, language))
+    words = captions(language)
+    word = words.get(row.symbol) or markup(symbol(row.symbol, language))
+    told = (
+        words.get(value, value) if isinstance(value := row.value, str) else _figure(value, language)
+    )
     return word, escape(told), unit(row.unit, language) or "—"
 
 

@@ -141,7 +141,7 @@ def _quarters(covered: np.ndarray, free: np.ndarray, middle: tuple[int, int]) ->
 
 
 def lined(boxes: Sequence[Box]) -> float:
-    """Return the share of boxes that stand on a line with another."""
+    """Return the share of boxes that stand on a line with another; one alone is on its own."""
 
     def on_line(one: Box, other: Box) -> bool:
         axes = (one[0] + one[2]) / 2, (other[0] + other[2]) / 2
@@ -149,7 +149,7 @@ def lined(boxes: Sequence[Box]) -> float:
         return any(abs(a - b) < LINED for a, b in pairs)
 
     there = [any(on_line(a, b) for b in boxes if b is not a) for a in boxes]
-    return sum(there) / max(len(there), 1)
+    return sum(there) / len(there) if len(there) > 1 else 1.0
 
 
 def table(named: dict[str, Composed]) -> Iterator[str]:

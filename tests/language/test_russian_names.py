@@ -6,11 +6,9 @@ import re
 
 import pytest
 from support.command import printed
-from support.gallery import SHEETS
+from support.gallery import paper
 
 from graphic_tmm.paper.lettering.letters import plain
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
 FOREIGN = re.compile(r"J_r\b|J_red|Jᵣ|\^t\b|(?<!_)1/[сs]|\brad\b")
 
@@ -24,9 +22,9 @@ def test_the_rule_finds_what_was_written_before() -> None:
 
 @pytest.mark.parametrize("name", ["windrower", "planetary", "slider-diagrams"])
 def test_sheets_tables_and_protocols_are_free_of_them(name: str) -> None:
-    scene = read(SHEETS / name)
-    assert scene.language == "ru"
-    for sheet in sheets(scene)[1]:
+    made, papers = paper(name)
+    assert made.scene.language == "ru"
+    for sheet in papers:
         for view in sheet.drawings:
             for text in (plain(label.text) for label in view.labels):
                 assert not FOREIGN.search(text), (view.name, text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import combinations
 from pathlib import Path
 
@@ -43,6 +44,20 @@ def test_few_letters_are_crossed_by_a_main_line(folder: Path) -> None:
                 bool(tree.query(box(k), predicate="intersects").size) for k in drawing.labels
             )
         assert crossed <= 0.02 * count, (sheet.name, crossed, count)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_no_leader_can_be_read_as_a_minus(folder: Path) -> None:
+    """None is as short as a minus, and none that is short lies level: what is left of it under letters, too."""
+    for sheet in paper(folder.name)[1]:
+        for drawing in sheet.drawings:
+            for one in drawing.strokes:
+                if one.part == "leader":
+                    (x0, y0), *_, (x1, y1) = shape(one).coords
+                    long = math.hypot(x1 - x0, y1 - y0)
+                    assert long > 3.5, (drawing.name, x0, y0)
+                    assert long > 8.0 or abs(y1 - y0) > 0.3 * long, (drawing.name, x0, y0)
 
 
 @pytest.mark.slow

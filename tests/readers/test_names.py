@@ -25,7 +25,10 @@ from graphic_tmm.board.record import TALLY, Construction
 from graphic_tmm.captions import captions
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.names import plain, spoken
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.markup import plain as lettered
+from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.readers.protocol import protocol as told
 from graphic_tmm.readers.protocol import steps_of
@@ -185,12 +188,15 @@ def test_what_a_sheet_calls_a_quantity_the_protocol_or_the_table_calls_it_too(na
     language = scene_of.language
     made, paper = sheets(scene_of)
     texts = {label.text for sheet in paper for view in sheet.drawings for label in view.labels}
-    shown = set().union(*(indexed(lettered(text)) for text in texts))
+    shown = {n.rstrip(",") for text in texts for n in indexed(lettered(text))}  # "J_{r}, kg·m²"
     known = indexed("\n".join(scene(name, language).lines))
     known |= set().union(*(indexed(plain(column_name(c, language))) for c in scene_columns(made)))
     known |= set().union(*(indexed(text) for text in catalogue(language)))
+    task = (markup(symbol(row.symbol, language)) for row in given_rows(scene_of))
+    known |= set().union(*(indexed(lettered(text)) for text in task))
     sizes = {"De", "Di", "Dmax", "Np", "Nв", "Nп"}  # given of the rim, indices of pairs
     bars = {n for n in shown if re.fullmatch(r"R\d+n", n)}  # R^n is the side from R^t to R
+    known = {n.rstrip(",") for n in known}
     assert shown - known - sizes - bars == set()
     if language == "ru":
         assert not [

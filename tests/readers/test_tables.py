@@ -21,6 +21,7 @@ from support.gallery import NAMES, drawn
 from support.scenes import edited
 
 from graphic_tmm.board.naming import segment_name
+from graphic_tmm.chapter import MECHANISM, places
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.readers.columns import Column
@@ -28,6 +29,9 @@ from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
 
+OWN_BOARDS = {name for name, (one, _) in places().items() if one.board not in ("", MECHANISM)}
+ALONE = [name for name in NAMES if not gallery.scene(name).called & OWN_BOARDS]
+"""Scenes of a mechanism alone: what stands on a board of its own has its own positions and scales."""
 GRAPHS = ("diagrams", "flywheel", "forces", "engine")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
 OTHER_MU = {
@@ -68,7 +72,7 @@ def test_a_segment_is_named_by_its_letters(letter: str, due: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALONE)
 def test_the_document_has_its_shape(name: str) -> None:
     made = printed_of(name)
     assert list(made) == ["scene", "scales", "positions", "columns", "results"]
@@ -77,7 +81,7 @@ def test_the_document_has_its_shape(name: str) -> None:
     assert made["results"]["W"] == 1
     for plan, scale in made["scales"].items():
         known = plan in MU.values() or plan in OTHER_MU
-        assert known or plan.startswith("mu_F_") or plan.endswith("_engine")
+        assert known or plan.startswith(("mu_F_", "mu_l_")) or plan.endswith("_engine")
         assert set(scale) == {"value", "unit"}
         assert scale["value"] > 0
     count = len(made["positions"])
@@ -106,7 +110,7 @@ def test_the_document_has_its_shape(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALONE)
 def test_a_value_is_its_segment_times_mu(name: str) -> None:
     made = printed_of(name)
     for one in (c for c in made["columns"] if c["plan"] not in GRAPHS):
@@ -122,7 +126,7 @@ def test_a_value_is_its_segment_times_mu(name: str) -> None:
                 assert value == pytest.approx(mm * mu, rel=1e-11, abs=0)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALONE)
 def test_accelerations_are_null_where_they_have_no_plan_and_nothing_else_is(name: str) -> None:
     made, places = printed_of(name), KINEMATICS.on(drawn(name)).accelerated
     for one in made["columns"]:
@@ -182,7 +186,7 @@ def test_twelve_digits_are_kept() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALONE)
 def test_csv_holds_what_json_holds(name: str) -> None:
     drawing = gallery.exact(name)
     text, whole = table(drawing, "csv"), table(drawing, "json")

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, sheets
+from support.once import read_once
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.drawing import Sheet
@@ -39,10 +39,9 @@ PLANS = [(name, "velocities") for name in NAMES] + [(name, "accelerations") for 
 """Every plan of velocities and accelerations of the scenes."""
 
 
-@cache
 def scene(name: str) -> Scene:
-    """Return a scene of the package as it is read."""
-    return read(SHEETS / name)
+    """Return a scene of the package as it is read; it is shared: what is found of it is kept beside it."""
+    return read_once(SHEETS / name)
 
 
 @cache

@@ -17,6 +17,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Link, Slide
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
+from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH
 from support.oracle import Pose, solve_from_points
@@ -38,6 +39,7 @@ class Seen:
         self.mu = work.scales["positions"].value
         names = work.project.names
         self.places = [k for k in range(len(names)) if k not in work.undrawn]
+        self.point = heights(work.scene, "positions").point
         texts = {label.text for label in self.view.labels if label.size == 3.5}
         assert texts >= {names[k] for k in self.places}
         self.poses = {k: self.pose(k) for k in self.places}
@@ -229,7 +231,7 @@ def letters(seen: Seen) -> None:
     told = {
         part.replace("_{", "").replace("}", "")
         for label in seen.view.labels
-        if label.size == 5.0
+        if label.size == seen.point
         for part in label.text.split(", ")
     }
     for link in seen.mechanism.by_number.values():

@@ -86,6 +86,27 @@ def lines(view: View) -> list[str]:
     return found
 
 
+_LETTER = re.compile(r"(?:[_^]\((?:[^()]|\([^()]*\))*\)|_−|[^\s·()\[\]+−/|])+")
+
+
+def letters(text: str) -> list[str]:
+    """The letters of a sum in the order written."""
+    return _LETTER.findall(text)
+
+
+def written(text: str, figures: Mapping[str, str]) -> str:
+    """A sum by its letters with their figures put in, each as it was printed."""
+    return _LETTER.sub(lambda found: figures[found[0]], text)
+
+
+def signed(text: str) -> Iterator[tuple[int, list[str]]]:
+    """The terms of a sum by letters: +1 or −1 before each, the letters that are multiplied in it."""
+    names = iter(letters(text))
+    bare = re.sub(r"[()\[\]]", "", _LETTER.sub("x", text))
+    for sign, term in re.findall(r"(^|[+−])\s*([x·]+)", bare.replace(" ", "")):
+        yield (-1 if sign == "−" else 1), [next(names) for _ in range(term.count("x"))]
+
+
 class Figure(NamedTuple):
     """A number as it was written, and half of its last digit."""
 
@@ -108,6 +129,11 @@ def figure(text: str) -> Figure:
 
 
 _FIGURE = re.compile(r"\d+(?:[.,]\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
+
+
+def numbers_of(text: str) -> list[str]:
+    """The figures of a sum in the order written."""
+    return _FIGURE.findall(text)
 
 
 def worked(text: str, exact: Collection[float] = ()) -> Figure:
@@ -134,6 +160,6 @@ def worked(text: str, exact: Collection[float] = ()) -> Figure:
 
 def result(text: str) -> Figure:
     """The number at the end of an equation, before its unit."""
-    found = re.search(r"= (−?\d[\d.,]*(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?) \S+$", text)
+    found = re.search(r"= (−?\d[\d.,]*(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?) [^\s,]+(?:, .*)?$", text)
     assert found is not None, text
     return figure(found[1])

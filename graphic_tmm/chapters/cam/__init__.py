@@ -36,11 +36,13 @@ from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
 from graphic_tmm.chapters.cam.captions import CAPTIONS
 from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.given import given
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
 from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.drawn import Drawn, results_of, view_scales
+from graphic_tmm.readers.given import given_place
 from graphic_tmm.scene.records import Scene
 
 FIGURES = ("cam profile", "cam centre", "profile", "centre")
@@ -76,9 +78,10 @@ CHAPTER = Chapter(
     number=8,
     captions=CAPTIONS,
     board=CAM.chapter,
-    places=(Place("cam", 100, cam_views, sizes=_sizes),),
+    places=(Place("cam", 100, cam_views, sizes=_sizes), given_place("cam")),
     sizes=(_told("cam.mu_l"), _told("cam.base")),
     asked=lambda scene: ASKED.of(scene) is not None,
+    given=given,
     sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,

@@ -5,6 +5,15 @@ from __future__ import annotations
 from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
+    "given cam": said("Given data: cam"),
+    "given law": said("Law of motion"),
+    "given law of the rise": said("Law of the rise"),
+    "given law of the return": said("Law of the return"),
+    "law sine": said("sine"),
+    "law cosine": said("cosine"),
+    "law constant acceleration": said("constant acceleration"),
+    "law 3-4-5": "3-4-5",
+    "law diagram": said("by its diagram"),
     "cam": said("Cam"),
     "table cam": said("Motion of the follower"),
     "cam S": said("Displacement of the follower"),

@@ -94,7 +94,7 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     titles = [view.title for view in views]
     told = f"{mu_text(scale, language)}; {SUMS}"
     shown = [
-        captioned(view, escape(title), told, heights=high)
+        captioned(view, escape(title), told, heights=high, series=views)
         for view, title in zip(views, titles, strict=True)
     ]
     return in_rows(shown, VIEW)

@@ -41,6 +41,7 @@ from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
 from graphic_tmm.chapters.flywheel.captions import CAPTIONS, graph_title
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
+from graphic_tmm.chapters.flywheel.given import given
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
 from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
@@ -101,6 +102,7 @@ CHAPTER = Chapter(
     sizes=(Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False),),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    given=given,
     sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts,

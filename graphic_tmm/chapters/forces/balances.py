@@ -1,7 +1,8 @@
 """The equations of moments as they are written beside a detached group and the lever, read off the log.
 
-The terms of a sum are the steps that were added up in it: a force times its arm, a couple. Arms are written
-without a sign and terms with one, + where they turn counter-clockwise, so that each is seen on the drawing.
+The terms of a sum are the steps that were added up in it: a force times its arm, a couple. Letters stand for
+sizes. The sign of a term is the sense in which its arrow is drawn, + counter-clockwise; so is that of what is
+sought, which comes out positive therefore.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -42,14 +44,15 @@ class Sum(NamedTuple):
 
 
 class Sought(NamedTuple):
-    """What a sum of moments gives: its letter, its value, its arm (Length; None: it is a couple), its sense.
+    """What a sum of moments gives: its letter, its value, what it is multiplied by, its sense.
 
-    The sense: +1 if it turns counter-clockwise where it is positive.
+    ``by``: its arm (Length), or the force whose arm is sought; None: it is a couple. ``sense``: +1 if it turns
+    counter-clockwise where it is positive.
     """
 
     letter: str
     value: Mark
-    arm: Mark | None
+    by: Mark | None
     sense: int
     unit: str
 
@@ -79,8 +82,12 @@ class Writer:
         return fixed(abs(self.value(mark)), self.decimals, self.language)
 
     def with_unit(self, mark: Mark, of: str) -> str:
-        """Return a value with its sign and its unit."""
-        return f"{number(self.value(mark), self.language)} {unit(of, self.language)}"
+        """Return the size of a mark with its unit."""
+        return f"{self.figure(mark)} {unit(of, self.language)}"
+
+    def sense(self, mark: Mark) -> int:
+        """Return −1 where a mark is negative, otherwise 1."""
+        return -1 if self.value(mark) < 0 else 1
 
     def terms(self, of: Sum) -> Iterator[Term]:
         """Yield the terms of a sum, as they were added up."""
@@ -98,12 +105,12 @@ class Writer:
             yield self._couple(of.total)
 
     def _couple(self, mark: Mark) -> Term:
-        return Term(mark, None, -1 if self.value(mark) < 0 else 1)
+        return Term(mark, None, self.sense(mark))
 
     def name(self, mark: Mark, of: Sum) -> str:
         """Return the letter of a force or couple, for a term: its size."""
         known = {**of.forces, **of.couples}
-        return self.letter(known.get(mark, mark.name))
+        return self.letter(known.get(mark, mark.name).removeprefix("−"))
 
     def _told(self, term: Term, of: Sum, *, figures: bool) -> str:
         """Return a term, by its letters or with its figures."""
@@ -147,24 +154,32 @@ class Writer:
         ``mu``: the scale factor of the arms; None on the lever, where moments stay in N·mm.
         """
         told, put = self._factor(mu)
-        name = self.letter(sought.letter)
-        of_arm = [] if sought.arm is None else [self.letter(sought.arm.name), told]
-        last = "·".join(part for part in [name, *of_arm] if part)
-        left = [*self.parts(of, told, figures=False), f"{_sign(sought.sense)}{last}"]
-        above = self.parts(of, put, figures=True, over=sought.sense > 0) or ["0"]
-        below = [] if sought.arm is None else [self.length(sought.arm), *([put] if put else [])]
+        name, by = self.letter(sought.letter), sought.by
+        factors = [name] if by is None else [name, self.letter(by.name)]
+        if by is not None and by.kind is not Length:  # a force stands before its arm
+            factors.reverse()
+        sense = sought.sense * self.sense(sought.value)
+        last = "·".join([*factors, told] if told and by is not None else factors)
+        left = [*self.parts(of, told, figures=False), f"{_sign(sense)}{last}"]
+        above = self.parts(of, put, figures=True, over=sense > 0) or ["0"]
+        below = [] if by is None else [self._put(by), *([put] if put else [])]
         value = self.with_unit(sought.value, sought.unit)
         figures = _divided(_bare(above), below)
         left[-1] += " = 0"
         return [[f"{heading} = ", *_bare(left)], [f"{name} = ", *figures, f"= {value}"]]
 
     def summed(self, heading: str, of: Sum, mu: Mark) -> list[str]:
-        """Return a sum of moments with what it comes to, as parts between which it may break."""
+        """Return a sum of moments that nothing balances, with what it comes to and its sign."""
         told, put = self._factor(mu)
         left = _bare(self.parts(of, told, figures=False))
         figures = _bare(self.parts(of, put, figures=True) or ["0"])
         figures[0] = f"= {figures[0]}"
-        return [f"{heading} = ", *left, *figures, f"= {self.with_unit(of.total, 'N·m')}"]
+        total = f"{number(self.value(of.total), self.language)} {unit('N·m', self.language)}"
+        return [f"{heading} = ", *left, *figures, f"= {total}"]
+
+    def _put(self, mark: Mark) -> str:
+        """Return the size of a length as the ruler tells it, of anything else as a figure."""
+        return self.length(mark) if mark.kind is Length else self.figure(mark)
 
     def _factor(self, mu: Mark | None) -> tuple[str, str]:
         if mu is None:

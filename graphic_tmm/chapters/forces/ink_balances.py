@@ -6,13 +6,17 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.statics import tangential
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.balances import Sought, Sum, Writer
 from graphic_tmm.chapters.forces.lever import Converted
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved, summed_links
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label
 from graphic_tmm.paper.lettering.heights import Heights
@@ -51,12 +55,38 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
             sought = Sought(tangent.letter, tangent.value, tangent.arm, -1, "N")
             for parts in writer.sought(heading, of, sought, figure.mu):
                 yield Row(parts, tangent.value)
-        else:
-            yield Row(writer.summed(heading, of, figure.mu), total)
+            continue
+        yield from _guided(writer, solved, heading, of)
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
+    for force in made.lever.forces:  # friction along guides, read off the polygon
+        step = writer.seen.by_mark.get(force.value)
+        if step and step.op is in_si and step.uses[0].view == solved.polygon.view:
+            yield _along(writer, force.value, solved.polygon)
+
+
+def _guided(writer: Writer, solved: Solved, heading: str, of: Sum) -> Iterator[Row]:
+    """Yield the equation of the moments that a guide holds, and how far off its reaction acts."""
+    held = _held(writer, solved, of.total)
+    if held is None:
+        yield Row(writer.summed(heading, of, solved.figure.mu), of.total)
+        return
+    pushes, place = held
+    if pushes not in {reaction.value for reaction in solved.reactions}:
+        yield _along(writer, pushes, solved.polygon)
+    sought = Sought(place.name, place, pushes, -writer.sense(of.total), "mm")
+    for parts in writer.sought(heading, of, sought, solved.figure.mu):
+        yield Row(parts, place)
+
+
+def _held(writer: Writer, solved: Solved, total: Mark) -> tuple[Mark, Mark] | None:
+    """Return the force that a guide holds a moment with, and how far off it acts; None if there is none."""
+    for reaction in solved.reactions:
         if reaction.place is not None and math.isfinite(writer.value(reaction.place[0])):
-            yield _formula(writer, reaction.place[0], "mm")
+            couple, pushes, _ = writer.seen.by_mark[reaction.place[0]].uses
+            if couple == total:
+                return pushes, reaction.place[0]
+    return None
 
 
 def driver_rows(writer: Writer, made: Forces, pivot: Mark, link: int) -> Iterator[Row]:
@@ -75,6 +105,10 @@ def driver_rows(writer: Writer, made: Forces, pivot: Mark, link: int) -> Iterato
 def lever_rows(writer: Writer, made: Forces) -> Iterator[Row]:
     """Yield the couples as they are converted, ΣM about the pole, and what balances the lever."""
     lever = made.lever
+    for force in lever.forces:
+        step = writer.seen.by_mark.get(force.value)
+        if step and step.op is tangential:  # of a pair that stands for a couple
+            yield _formula(writer, force.value, "N")
     for one in lever.couples:
         yield _converted(writer, one)
     sought = Sought("P_{bl}", lever.force, lever.segment, 1, "N")
@@ -95,30 +129,45 @@ def _names(made: Forces, links: tuple[int, ...]) -> tuple[dict[Mark, str], dict[
 
 def _read(writer: Writer, reaction: Reaction, polygon: Polygon) -> Row:
     """A reaction as it was measured on its polygon."""
+    return _measured(writer, (reaction.letter, reaction.length, reaction.value), polygon)
+
+
+def _along(writer: Writer, force: Mark, polygon: Polygon) -> Row:
+    """A component of a reaction as it was measured on its polygon."""
+    (length, *_) = writer.seen.by_mark[force].uses
+    return _measured(writer, (force.name, length, force), polygon)
+
+
+def _measured(writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon) -> Row:
+    """A force by its mm; ``of``: its letter, its length on the polygon, its value."""
+    letter_, length, value = of
     language = writer.language
-    mm = f"{writer.length(reaction.length)} {unit('mm', language)}"
+    mm = f"{writer.length(length)} {unit('mm', language)}"
     mu = f"{number(writer.value(polygon.mu), language)} {unit('N/mm', language)}"
-    value = writer.with_unit(reaction.value, "N")
-    name = writer.letter(reaction.letter)
-    return Row([f"{name} = {mm}·{mu} = {value}"], reaction.value)
+    told = writer.with_unit(value, "N")
+    return Row([f"{writer.letter(letter_)} = {mm}·{mu} = {told}"], value)
 
 
 def _converted(writer: Writer, one: Converted) -> Row:
-    return _formula(writer, one.value, "N·mm")
+    row = _formula(writer, one.value, "N·mm")
+    told = _COUNTER if writer.sense(one.value) > 0 else _CLOCKWISE
+    first, last = row.parts
+    return row._replace(parts=[first, f"{last}, {speaking(writer.language)(told)}"])
+
+
+_CLOCKWISE, _COUNTER = said("clockwise"), said("counter-clockwise")
+"""The sense of a couple on the lever."""
 
 
 def _formula(writer: Writer, mark: Mark, of: str) -> Row:
-    """A calculation of the log: by its letters, with its figures, its result."""
+    """A calculation of the log by sizes: its letters, its figures, its result."""
     step = writer.seen.by_mark[mark]
-
-    def put(used: Mark) -> str:
-        text = number(writer.value(used), writer.language)
-        return f"({text})" if text.startswith("−") else text
-
-    told = step.op.formula.format(**letters_of(step, lambda used: writer.letter(used.name)))
-    figures = step.op.formula.format(**letters_of(step, put))
-    value = f"{number(writer.value(mark), writer.language)} {unit(of, writer.language)}"
-    return Row([f"{writer.letter(mark.name)} = {told} = ", f"{figures} = {value}"], mark)
+    names = letters_of(step, lambda used: writer.letter(used.name))
+    told = step.op.formula.format(**names).removeprefix("−")
+    put = step.op.formula.format(**letters_of(step, writer.figure)).removeprefix("−")
+    return Row(
+        [f"{writer.letter(mark.name)} = {told} = ", f"{put} = {writer.with_unit(mark, of)}"], mark
+    )
 
 
 def draw_balances(name: str, title: str, rows: Iterable[Row], index: int, high: Heights) -> Drawing:

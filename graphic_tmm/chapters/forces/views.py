@@ -20,6 +20,7 @@ from graphic_tmm.chapters.forces.ink_balances import (
 from graphic_tmm.chapters.forces.ink_groups import Reactive, Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
+from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
@@ -204,7 +205,9 @@ def _driver(drawn: Drawn, made: Forces) -> Shown:
     forces = [*made.acting.forces.get(crank, []), *([driven.force] if driven.force else [])]
     pivot = body.marks[plans.structure.pivot]
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
-    couples = made.acting.couples.get(crank, [])
+    couples = list(made.acting.couples.get(crank, []))
+    if driven.force is None:
+        couples.append(Couple("M_b", crank, driven.balance))
     circles = _circles(made, [pivot, body.marks[plans.structure.pin]])
     balance = (driven.force.line, driven.arm) if driven.force else None
     return Shown(driven.figure, (crank,), forces, couples, [found], circles, balance)
@@ -255,9 +258,12 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
 
     of = unit("N" if made.order.balance == "force" else "N·m", language)
     key = "P" if made.order.balance == "force" else "M"
+    found = {"forces": at(made.balance), "lever": at(made.lever.balance)}
+    if found["forces"] * found["lever"] > 0:  # of one sense, that of their arrows
+        found = {way: abs(value) for way, value in found.items()}
     both = [
-        f"{words[f'{key}_bal_{way}']} = {number(at(mark), language)} {of}"
-        for way, mark in (("forces", made.balance), ("lever", made.lever.balance))
+        f"{words[f'{key}_bal_{way}']} = {number(value, language)} {of}"
+        for way, value in found.items()
     ]
     apart, limit = at(made.difference), made.order.limit
     if not math.isfinite(apart):

@@ -30,11 +30,13 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
 from graphic_tmm.chapters.gears.captions import CAPTIONS
+from graphic_tmm.chapters.gears.given import given
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import view_scales
+from graphic_tmm.readers.given import given_place
 from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene.records import Scene
 
@@ -48,9 +50,13 @@ CHAPTER = Chapter(
     number=9,
     captions=CAPTIONS,
     board=GEARS.chapter,
-    places=(Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),),
+    places=(
+        Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),
+        given_place("gears"),
+    ),
     sizes=(Size(GEARS.chapter, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
+    given=given,
     sections=SECTIONS,
     record=record,
     scales=gear_scales,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
+    "given gears": said("Given data: gears"),
     "gear": said("Meshing of the gears"),
     "gear-dimensions": said("Dimensions of the gear pair"),
     "gear-rolling-1": said("Construction of a tooth of wheel 1"),

@@ -10,11 +10,10 @@ from graphic_tmm.chapter import Given
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
 
 MM = 1000.0
-ROUND = 1e-9
-"""A share of a speed: nearer than this to a whole tenth of a turn a minute it was given so."""
 
 
 def given(scene: Scene) -> Iterator[Given]:
@@ -104,11 +103,7 @@ def _direction(guide: Guide, base: float) -> Given:
 def _drive(mechanism: Mechanism) -> Iterator[Given]:
     """The speed of the crank, in turns a minute where it was given so, and its acceleration."""
     drive = mechanism.drive
-    turns = abs(drive.speed) * 30.0 / math.pi
-    if abs(turns * 10.0 - round(turns * 10.0)) <= ROUND * turns * 10.0:
-        yield Given(f"n_{drive.link}", round(turns, 1), "rpm")
-    else:
-        yield Given(f"ω_{drive.link}", abs(drive.speed), "1/s")
+    yield given_speed(str(drive.link), drive.speed)
     if drive.acceleration:
         yield Given(f"ε_{drive.link}", drive.acceleration, "1/s²")
 

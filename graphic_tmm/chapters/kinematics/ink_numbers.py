@@ -1,8 +1,8 @@
 """Numbers and names about a plan of positions: of links, of positions along every path, of guides.
 
 A link bears its number in a thin circle with a line to it. The numbers of the positions stand at the crank pin,
-at every slider and at every end of a rocker; where these stand too close, two share a label and the rest are
-left out. A guide bears at both ends the name that the equations call it by.
+at every slider and at every end of a rocker; where these stand too close they share a label. A guide bears at
+both ends the name that the equations call it by.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ from graphic_tmm.readers.equations import ends_of
 
 PIN = 1.2
 """How far a pin of a thin position reaches, with some room, mm."""
-TOGETHER, CLOSE = 1.0, 2.4
-"""Positions nearer than this share a label; nearer than the other to a numbered one they go without, mm."""
+CLOSE = 2.4
+"""Positions nearer than this to a numbered one share its label, mm."""
 ROUND = 0.85
 """Radius of the circle about the number of a link, of the height of its figure."""
 LEAST = 6.0
@@ -76,46 +76,44 @@ def path_numbers(
 ) -> Iterator[Wanted]:
     """Yield the numbers of positions along the paths of sliders and rocker ends.
 
-    ``first``: the positions numbered before all others, the main one at their head. What stands under the main
-    position's slider, or on the crank pin of its own position, bears no number.
+    ``first``: the positions numbered before all others, the main one at their head. What stands on the crank
+    pin of its own position bears no number.
     """
     order = [*first, *(k for k in places if k not in first)]
     for path in _paths(ink, crank):
         groups: list[tuple[complex, complex, list[int]]] = []
         for k in order:
             spot, away = path.aside(k)
-            hidden = k not in first and abs(spot - path.aside(first[0])[0]) < path.hides
-            if hidden or abs(spot - ink.at(crank[1], k)) < 2 * CLOSE:
+            if abs(spot - ink.at(crank[1], k)) < 2 * CLOSE:
                 continue
             near = next((one for one in groups if abs(one[0] - spot) < CLOSE), None)
             if near is None:
                 groups.append((spot, away, [k]))
-            elif abs(near[0] - spot) < TOGETHER and len(near[2]) < 2:
+            else:
                 near[2].append(k)
         for spot, away, found in groups:
-            told = ", ".join(names[k] for k in found)
+            told = ", ".join(names[k] for k in sorted(found))
             at = found[0] if len(found) == 1 else None
             yield Wanted(told, spot, size, path.reach, away, (path.mark.slot,), at)
 
 
 class Path(NamedTuple):
-    """What is numbered beside the crank pin: its mark; how far its sign reaches, and hides others, mm.
+    """What is numbered beside the crank pin: its mark; how far its sign reaches, mm.
 
     ``aside``: a position (index) -> where it stands then, and to which side its number goes.
     """
 
     mark: Mark
     reach: float
-    hides: float
     aside: Callable[[int], tuple[complex, complex]]
 
 
 def _paths(ink: LinksInk, crank: tuple[Mark, Mark]) -> Iterator[Path]:
     for slid in (one for one in ink.figures if one.kind == "slider"):
         box, aside = BOX[slid.kind], partial(_beside, ink, slid)
-        yield Path(slid.marks[0], box.imag, box.real + 1.0, aside)
+        yield Path(slid.marks[0], box.imag, aside)
     for pivot, pin in _ends(ink, crank):
-        yield Path(pin, PIN, 0.0, partial(_outside, ink, pivot, pin))
+        yield Path(pin, PIN, partial(_outside, ink, pivot, pin))
 
 
 def _beside(ink: LinksInk, slid: Figure, k: int) -> tuple[complex, complex]:

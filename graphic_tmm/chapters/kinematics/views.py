@@ -130,7 +130,7 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     mu = mu_text(scale, drawn.scene.language)
     titles = [view.title for view in views]
     told = [
-        captioned(view, escape(title), mu, heights=size)
+        captioned(view, escape(title), mu, heights=size, series=views)
         for view, title in zip(views, titles, strict=True)
     ]
     return in_rows(told, plan, "" if plan == VELOCITIES else VELOCITIES)

@@ -31,10 +31,12 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.captions import CAPTIONS
+from graphic_tmm.chapters.planetary.given import given
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
 from graphic_tmm.chapters.planetary.views import planetary_views
 from graphic_tmm.drawn import results_of, view_scales
+from graphic_tmm.readers.given import given_place
 from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene.records import Scene
 
@@ -56,9 +58,13 @@ CHAPTER = Chapter(
     number=10,
     captions=CAPTIONS,
     board=_NAME,
-    places=(Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),),
+    places=(
+        Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),
+        given_place("planetary"),
+    ),
     sizes=(Size(_NAME, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
+    given=given,
     sections=SECTIONS,
     record=record,
     named=lambda project, reading, given: view_scales(project, reading),

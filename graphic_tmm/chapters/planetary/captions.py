@@ -5,6 +5,7 @@ from __future__ import annotations
 from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
+    "given planetary": said("Given data: train"),
     "planetary": said("Planetary train"),
     "planetary-velocities": said("Picture of linear velocities"),
     "planetary-rates": said("Plan of angular velocities"),

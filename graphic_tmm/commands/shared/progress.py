@@ -2,12 +2,39 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from threading import Timer
 from typing import TYPE_CHECKING
+
+from graphic_tmm.language.reader import reader
 
 if TYPE_CHECKING:
     from graphic_tmm.accuracy.study import Tell
+
+PATIENCE = 1.0
+"""What takes longer than this, s, is told."""
+
+
+@contextmanager
+def waiting(what: str) -> Iterator[None]:
+    """Show a line on the error stream as long as something takes, from a second on; nothing if no terminal."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+
+    status = Console(stderr=True).status(reader()(what))
+    late = Timer(PATIENCE, status.start)
+    late.daemon = True
+    late.start()
+    try:
+        yield
+    finally:
+        late.cancel()
+        late.join()
+        status.stop()
 
 
 @contextmanager

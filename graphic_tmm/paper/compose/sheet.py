@@ -103,7 +103,7 @@ def _below(ways: Sequence[Shape], head: Size, gap: float) -> list[Shape]:
     """Return shapes that leave a corner free: they stand below what is there, or right of it."""
     if min(head) <= 0.0:
         return list(ways)
-    wide, high = head[0] + gap, head[1] + gap
+    wide, high = head
     return [
         found
         for s in ways
@@ -115,7 +115,10 @@ def _below(ways: Sequence[Shape], head: Size, gap: float) -> list[Shape]:
 
 
 def _corners(room: Room, gap: float) -> tuple[Size, Size, float]:
-    """Return what is taken of a sheet, beyond the margin: upper left, lower right, and all along the right."""
+    """Return what is taken of a sheet, beyond the margin: upper left, lower right, and all along the right.
+
+    Upper left with what is clear of it. What a wide margin would only just pass stands off all the same.
+    """
     left, bottom, right, top = room.inner
     head, foot, aside = (0.0, 0.0), (0.0, 0.0), 0.0
     for box in room.occupied:
@@ -129,7 +132,17 @@ def _corners(room: Room, gap: float) -> tuple[Size, Size, float]:
     # what is as wide as the sheet would leave no step of the grid to spare: nothing stands beside it anyway
     width = right - left - aside - 2 * gap - 2 * GRID
     if foot[0]:
-        foot = (max(min(foot[0] - aside - gap, width), 0.0), max(foot[1] - gap, 0.0))
+        foot = (min(_beyond(foot[0] - aside, gap), width), _beyond(foot[1], gap))
     if head[0]:
-        head = (max(min(head[0] - gap, width), 0.0), max(head[1] - gap, 0.0))
+        head = (min(_clear(head[0], gap), width + gap), _clear(head[1], gap))
     return head, foot, aside
+
+
+def _beyond(side: float, gap: float) -> float:
+    """Return how far a side reaches beyond a margin; a little if it ends just before it, 0 if clear of it."""
+    return max(side - gap, 0.0 if gap >= side + GAP else GRID / 2)
+
+
+def _clear(side: float, gap: float) -> float:
+    """Return how far beyond a margin what is clear of a side begins: by that gap from it, at least by `GAP`."""
+    return side if gap <= side else max(side + GAP - gap, 0.0)

@@ -1,8 +1,8 @@
 """Cuts made exact: what each part takes, and the room that is left put into the gaps, evenly.
 
 A gap grows to 25 mm; what is more stands on both sides, so that what a cell holds is in its middle. What stands
-in a row has its lower edges, and so its captions, on one line. Coordinates: mm from the upper left corner of
-what views may fill, downward.
+in a row has its lower edges, and so its captions, on one line; what stands in one column has one axis.
+Coordinates: mm from the upper left corner of what views may fill, downward.
 """
 
 from __future__ import annotations
@@ -87,7 +87,24 @@ def spread(part: Need, x: float, y: float, width: float, height: float, gap: flo
     elif part.cut:
         yield from _row(part, x, y, width, height, gap)
     else:
-        yield from _column(part, x, y, width, height, gap)
+        axis = x + width / 2 if _single_column(part) else None
+        for k, left, top in _column(part, x, y, width, height, gap):
+            yield k, (left if axis is None else max(left, axis - _wide(part, k) / 2)), top
+
+
+def _single_column(part: Need) -> bool:
+    """Whether nothing in a part stands beside anything else."""
+    if part.cut is None:
+        return max(part.shape.rows, default=1) == 1
+    return not part.cut and all(map(_single_column, part.parts))
+
+
+def _wide(part: Need, box: int) -> float:
+    """Return how wide a box is that stands in a part."""
+    if part.cut is None:
+        members = part.unit.members
+        return part.unit.sizes[members.index(box)][0] if box in members else 0.0
+    return max(_wide(one, box) for one in part.parts)
 
 
 def _row(part: Need, x: float, y: float, width: float, height: float, gap: float) -> Spots:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 
 import pytest
 from support.each import each
@@ -15,7 +16,19 @@ from support.force_views import LOADED, loaded_drawing, views_of
 from support.gallery import drawn
 from support.loaded import weighed
 from support.mechanisms import sample
-from support.sheet_reader import Told, View, lines, plain, result, views, worked
+from support.sheet_reader import (
+    Told,
+    View,
+    letters,
+    lines,
+    numbers_of,
+    plain,
+    result,
+    signed,
+    views,
+    worked,
+    written,
+)
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Sheet
@@ -91,10 +104,12 @@ def check_driver(view: View, told: View) -> int:
         if not re.match(r"[PM]_(b|ур) = ", line):
             continue
         printed = result(line)
-        own = [s for s in loads if s.data["segment"] != "Pb"]
+        own = [s for s in loads if s.data["segment"] not in ("Pb", "Mb")]
         total, open_ = summed(own, mu)
         if line.startswith("M"):
-            assert abs(total + printed.value) <= open_ + printed.half
+            held = sum(s.number("value") for s in loads if s.data["segment"] == "Mb")
+            assert abs(abs(held) - printed.value) <= printed.half + FIGURES * printed.value
+            assert abs(total + held) <= open_ + printed.half
         else:
             balance = next((s for s in loads if s.data["segment"] == "Pb"), None)
             if balance is None:
@@ -126,6 +141,65 @@ def check_lever(view: View, told: View) -> None:
             assert abs(abs(printed.value) - one.number("value")) <= printed.half + FIGURES * abs(
                 printed.value
             )
+
+
+def called(letter: str) -> str:
+    """What machines call a letter of a sheet in either language."""
+    told = plain(letter.replace("P_ур^Ж", "Pbl").replace("P_b^Zh", "Pbl"))
+    told = re.sub(r"\((.+)\)$", r"\1", told) if "_(" in letter else told
+    return told.replace("Pур", "Pb").replace("Mур", "Mb").replace("и", "i")
+
+
+def senses(view: View) -> dict[str, int]:
+    """The sense in which what acts on a figure is drawn, by its name: +1 counter-clockwise."""
+    found = {}
+    for one in view.strokes:
+        key = "arm" if "arm" in one.data else "value"
+        if "value" in one.data and "segment" in one.data and one.number(key):
+            found[one.data["segment"]] = 1 if one.number(key) > 0 else -1
+    return found
+
+
+def check_letters(view: View, told: View) -> int:
+    """Every ΣM = 0 holds by its letters with the sizes that are printed, signs as what acts is drawn."""
+    checked, written_out = 0, lines(told)
+    exact = {figure for text in view.words for figure in re.findall(r"(?:μ_\w|k) = (\S+)", text)}
+    known = {worked(figure.rstrip(",")).value for figure in exact}
+    arrows = senses(view)
+    sizes = {text.split(" ")[0]: result(text) for text in written_out if not text.startswith("ΣM")}
+    for name, size in sizes.items():
+        assert size.value >= 0.0, name
+    for heading, given in pairwise(written_out):
+        if not (heading.startswith("ΣM") and heading.endswith(" = 0")):
+            continue
+        by_letters = heading.split(" = ")[1]
+        sought, figures = given.split(" = ")[:2]
+        names = letters(by_letters)
+        assert names.count(sought) == 1, heading
+        others = [name for name in names if name != sought]
+        numbers = numbers_of(re.sub(r"^0(?=/|$)", "", figures))
+        assert len(others) == len(numbers), (heading, given)
+        put = dict(zip(others, numbers, strict=True))
+        for name in put.keys() & sizes.keys():  # what is printed is what is put in
+            assert worked(put[name]).value == sizes[name].value, name
+        size = re.search(r" = (\S+) \S+$", given)
+        assert size is not None, given
+        put[sought] = size[1]
+        left = worked(written(by_letters, put), known)
+        largest = max(abs(worked(written(term, put)).value) for term in _terms(by_letters))
+        assert abs(left.value) <= left.half + FIGURES * largest, heading
+        for sign, factors in signed(by_letters):
+            back = "−" if any("_(−" in name for name in factors) else ""  # the other of a pair
+            drawn_as = {
+                arrows[back + name] for name in map(called, factors) if back + name in arrows
+            }
+            assert drawn_as <= {sign}, (heading, factors)
+        checked += 1
+    return checked
+
+
+def _terms(text: str) -> list[str]:
+    return ["·".join(names) for _, names in signed(text)]
 
 
 def check_arms(view: View, ruler: float) -> int:
@@ -181,6 +255,9 @@ def check(work: Drawn) -> int:
     found, ruler, checked = sheet(work), work.hand.ruler or 0.0, 0
     for name, view in found.items():
         kind, _, rest = name.partition("-")
+        if kind in ("group", "lever"):
+            beside = f"equations-{rest}" if kind == "group" else f"equations-lever-{rest}"
+            checked += check_letters(view, found[beside])
         told = found.get(f"equations-{rest}") or found.get(f"equations-lever-{rest}")
         if kind == "group":
             assert told is not None

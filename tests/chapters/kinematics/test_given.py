@@ -34,6 +34,7 @@ def test_a_task_sheet_is_told_as_its_author_wrote_it() -> None:
     assert rows("windrower")["S"] == (pytest.approx(95.0), "mm")
     assert rows("scotch-yoke")["ω_1"] == (20.0, "1/s")
     assert rows("accelerating-crank")["ε_1"] == (30.0, "1/s²")
+    assert (rows("project")["δ"], rows("project")["D_e"]) == ((0.04, ""), (600.0, "mm"))
 
 
 @pytest.mark.parametrize("name", NAMES)

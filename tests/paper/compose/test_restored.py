@@ -106,9 +106,50 @@ def test_a_composition_of_other_sheets_is_told_and_not_used() -> None:
     _, first = composed_sheets(scene)
     (sheet,) = first.composition.sheets
     given = Composition(first.composition.sizes, (sheet._replace(format="A2"),))
-    _, again = composed_sheets(scene, given)
+    made, again = composed_sheets(scene, given)
     assert again.sheets[0].format == "A1"
-    assert any("composed anew" in text for text in again.remarks)
+    assert again.composition.sheets == first.composition.sheets
+    assert any("composed anew" in text for text in made.scene.remarks)
+
+
+def test_a_composition_is_the_start_of_a_variant(tmp_path: Path) -> None:
+    shutil.copytree(SHEETS / "offset-slider", tmp_path / "s")
+    file = tmp_path / "s" / "scene.toml"
+    _, first = composed_sheets(read(file))
+    scene = file.read_text(encoding="utf-8")
+    assert "positions     = 12" in scene
+    file.write_text(scene.replace("positions     = 12", "positions = 10"), encoding="utf-8")
+    made, again = composed_sheets(read(file), first.composition)
+    (before,), (after,) = first.composition.sheets, again.composition.sheets
+    gone = set(before.views) - set(after.views)
+    assert gone
+    assert all(any(f"'{view}'" in text for text in made.scene.remarks) for view in gone)
+    kept = [view for view, at in after.views.items() if abs(at - before.views.get(view, 0j)) < 0.05]
+    assert len(kept) > len(after.views) / 2
+    placed = [bounds(view) for view in again.sheets[0].drawings[1:]]
+    for k, one in enumerate(placed):
+        for other in placed[:k]:
+            across = max(one[0] - other[2], other[0] - one[2])
+            assert max(across, one[1] - other[3], other[1] - one[3]) > -0.05
+
+
+def test_a_composition_of_other_views_is_of_no_use() -> None:
+    scene = read(SHEETS / "offset-slider")
+    _, first = composed_sheets(scene)
+    (sheet,) = first.composition.sheets
+    few = dict(list(sheet.views.items())[:3])
+    given = Composition({"velocities": 20.0}, (sheet._replace(views=few),))
+    made, again = composed_sheets(scene, given)
+    assert again.composition == first.composition
+    assert any("composed anew" in text for text in made.scene.remarks)
+
+
+def test_the_file_tells_people_the_scale_factors() -> None:
+    scene = read(SHEETS / "offset-slider")
+    made, found = composed_sheets(scene)
+    lines = text(found.composition, found.scales).splitlines()
+    for view, scale in made.mechanism.scales.items():
+        assert f"# {view}: {scale.symbol} = {scale.value:g} {scale.unit}" in lines
 
 
 WRONG = {

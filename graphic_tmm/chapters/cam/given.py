@@ -1,0 +1,62 @@
+"""What a scene gives of its cam: the stroke, the phases, the laws, the follower, the limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from graphic_tmm.chapter import Given
+from graphic_tmm.chapters.cam.task import (
+    ASKED,
+    CamTask,
+    FlatFollower,
+    RockerFollower,
+    RollerFollower,
+)
+from graphic_tmm.scene.records import Scene
+
+MM = 1000.0
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its cam, lengths in mm; phases by their numbers, as the profile has them."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    rocks = isinstance(order.follower, RockerFollower)
+    yield (
+        Given("β", math.degrees(order.stroke), "°")
+        if rocks
+        else Given("h", order.stroke * MM, "mm")
+    )
+    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    for number, angle in enumerate(phases, 1):
+        if angle:
+            yield Given(f"φ_{number}", angle, "°")
+    yield from _laws(order)
+    yield from _follower(order)
+    if not isinstance(order.follower, FlatFollower):
+        yield Given("[α]", order.pressure, "°")
+        if order.pressure_return is not None and order.pressure_return != order.pressure:
+            yield Given("[α_f]", order.pressure_return, "°")
+
+
+def _laws(order: CamTask) -> Iterator[Given]:
+    laws = (order.rise_law.name, order.return_law.name)
+    if laws[0] == laws[1]:
+        yield Given("given law", f"law {laws[0]}")
+    else:
+        yield Given("given law of the rise", f"law {laws[0]}")
+        yield Given("given law of the return", f"law {laws[1]}")
+
+
+def _follower(order: CamTask) -> Iterator[Given]:
+    """The sizes of the follower that the task fixes."""
+    follower = order.follower
+    if isinstance(follower, RockerFollower):
+        yield Given("l", follower.lever * MM, "mm")
+        yield Given("a_w", follower.centres * MM, "mm")
+    elif isinstance(follower, RollerFollower) and follower.offset:
+        yield Given("e", follower.offset * MM, "mm")
+    elif isinstance(follower, FlatFollower) and follower.least:
+        yield Given("[ρ]", follower.least * MM, "mm")

@@ -1,0 +1,19 @@
+"""What a scene gives of its flywheel: the coefficient of irregularity, the rim's outer diameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapter import Given
+from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its flywheel, the diameter in mm."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield Given("δ", order.delta)
+    if order.rim is not None:
+        yield Given("D_e", order.rim.outer * 1000.0, "mm")

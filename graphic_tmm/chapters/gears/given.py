@@ -1,0 +1,26 @@
+"""What a scene gives of its pair of gears: teeth, module, shifts, the basic rack."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapter import Given
+from graphic_tmm.chapters.gears.task import ASKED
+from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its pair of gears, the module in mm."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield Given("z_1", order.z1)
+    yield Given("z_2", order.z2)
+    yield Given("m", order.m * 1000.0, "mm")
+    yield Given("x_1", order.x1)
+    yield Given("x_2", order.x2)
+    if order.delta_y is not None:
+        yield Given("Δy", order.delta_y)
+    yield Given("α", order.alpha, "°")
+    yield Given("h_a^*", order.ha)
+    yield Given("c^*", order.c)

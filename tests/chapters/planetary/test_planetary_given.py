@@ -1,0 +1,40 @@
+"""What is given of a planetary train, as the sheet of the task has it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from support.gallery import scene
+from support.scenes import calling
+
+from graphic_tmm.chapter import Given
+from graphic_tmm.readers.given import given_rows, given_table
+from graphic_tmm.scene.read import read
+
+
+def test_speed_ratio_module_teeth_and_satellites() -> None:
+    rows = {row.symbol: row.value for row in given_rows(scene("planetary"), "planetary")}
+    assert rows == {
+        **{"n_1": 2888.0, "U_{1H}": 4.55, "ΔU_{max}": pytest.approx(0.3), "m": 8.0},
+        **{"z_1": 25, "z_4": 15, "z_5": 25, "k": "3"},
+    }
+    texts = {label.text for label in given_table(scene("planetary"), board="planetary").labels}
+    assert {"Исходные данные: редуктор", "2888", "об/мин", "4,55"} <= texts
+
+
+def test_a_carrier_that_drives_and_two_modules(tmp_path: Path) -> None:
+    section = (
+        '[planetary]\nscheme = "external-internal"\nmodule = "4 mm"\nmodule_2 = "5 mm"\n'
+        'driving = "H"\nspeed = "100 1/s"\nratio = 0.1\ntolerance = 0.05\nsatellites = [3, 4]\n'
+    )
+    path = calling(tmp_path, section, sheet="", head='title = "T"\n')
+    rows = given_rows(read(path), "planetary")
+    assert rows == (
+        Given("ω_H", 100.0, "1/s"),
+        Given("U_{H1}", 0.1),
+        Given("ΔU_{max}", 5.0, "%"),
+        Given("m_{1-2}", 4.0, "mm"),
+        Given("m_{3-4}", 5.0, "mm"),
+        Given("k", "3, 4"),
+    )

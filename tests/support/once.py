@@ -1,0 +1,31 @@
+"""Scenes of the package, read once in a process: what is found of a scene is kept beside it."""
+
+from __future__ import annotations
+
+from functools import cache, wraps
+from pathlib import Path
+from typing import Any
+
+from graphic_tmm.scene import read as reading
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.scenes import packaged
+
+ANEW = reading.read
+"""The reader itself."""
+PACKAGED = {path.resolve() for path in packaged()}
+
+
+@cache
+def _kept(path: str) -> Scene:
+    return ANEW(path)
+
+
+@wraps(ANEW)
+def read_once(path: Path | str, **options: Any) -> Scene:
+    """Read a scene; one of the package, which nobody changes while tests run, is the same record each time."""
+    return _kept(str(path)) if Path(path).resolve() in PACKAGED else ANEW(path, **options)
+
+
+def install() -> None:
+    """Let all readers of scenes read so; to be called before any test is imported."""
+    reading.read = read_once
