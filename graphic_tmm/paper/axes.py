@@ -21,7 +21,7 @@ from graphic_tmm.paper.shapes import shapes
 
 BESIDE = 0.8
 """Clear width between a number and the perpendicular of its position, mm."""
-FAR = (0.0, 1.0, 2.0, 3.0)
+FAR = (0.0, 1.0)
 """How much farther along the axis a number is tried that a curve is in the way of, mm."""
 BETWEEN = 1.6
 """Clear width between two numbers at least, mm."""
@@ -156,7 +156,7 @@ def _level(
     labels: list[Label] = []
     end = -math.inf
     for k, one in enumerate(ordered):
-        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + BESIDE)
+        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + BETWEEN)
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:
             continue

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
@@ -17,6 +18,7 @@ from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
@@ -131,10 +133,17 @@ def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
         graph = draw_graph(
             project.construction, drawn.reading, view, project.count, told, title, heights=high
         )
-        scale = mu_text(drawn.scales[view], language)
-        views.append(captioned(finished(graph, lettered), title, scale, heights=high))
+        scales = [mu_text(drawn.scales[view], language), _base_text(drawn, view)]
+        views.append(captioned(finished(graph, lettered), title, ", ".join(scales), heights=high))
     half = (len(views) + 1) // 2
     return [stacked("engine-diagrams-1", views[:half]), stacked("engine-diagrams-2", views[half:])]
+
+
+def _base_text(drawn: Drawn, view: str) -> str:
+    """Return the scale of the base of a diagram over the turn: μ_φ = 0.05236 rad/mm."""
+    mark, language = axes_of(drawn.construction, view).mu_along, drawn.scene.language
+    value = float(drawn.reading[mark][0, 0])
+    return mu_text(Scale(mark.name, value, mark.unit), language)
 
 
 def _results(drawn: Drawn) -> Drawing:

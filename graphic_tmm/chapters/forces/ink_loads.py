@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.language.numbers import number
+from graphic_tmm.paper.axes import BETWEEN
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import added
 from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 ACROSS, UP = 70.0, 40.0
@@ -66,11 +69,14 @@ def draw_load(
     for part in shown.parts:
         spots = [complex(x / mu[0], y / mu[1]) for x, y in part.points]
         strokes += added([line(part.pen, *spots)], "given")
-    for x in _divisions([x for x, _ in points], shown.reach):
+    taken = -math.inf
+    for x in sorted(_divisions([x for x, _ in points], shown.reach)):
         strokes += added([line("thin", x / mu[0] - TICK * 1j, x / mu[0] + TICK * 1j)], "axis")
-        if x:
-            text = number(x, language, 3)
+        text = number(x, language, 3)
+        half = letter(text, size=high.number).width / 2
+        if x and x / mu[0] - half >= taken:  # a number that has no room at its tick is left out
             wanted.append(Wanted(text, complex(x / mu[0]), high.number, TICK, -1j))
+            taken = x / mu[0] + half + BETWEEN
     for y in _divisions([y for _, y in points], shown.largest):
         at = 1j * y / mu[1]
         far = max(x for x, size in points if size == y) / mu[0]

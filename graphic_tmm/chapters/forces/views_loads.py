@@ -42,7 +42,7 @@ def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         title = _("Diagram of the load {letter}", letter=called)
         shown = _diagram(drawn, load, size, called)
         along = Scale("μ_S" if load.travel else "μ_φ", standard(shown.reach, ACROSS), _base(load))
-        up = Scale("μ_P", standard(shown.largest, UP), f"{_unit(load)}/mm")
+        up = Scale(f"μ_{called[0]}", standard(shown.largest, UP), f"{_unit(load)}/mm")
         view = draw_load(
             shown,
             f"load-{k + 1}",

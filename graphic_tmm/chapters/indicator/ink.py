@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line
@@ -15,11 +16,13 @@ from graphic_tmm.paper.axes import largest, position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.graph_names import names_beside
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ends_of, ruled
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.rules import BEYOND, segment
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.shapes import flat
 
 TOGETHER = 1.0
 """Positions whose feet are nearer than this, mm, share a number."""
@@ -36,11 +39,13 @@ def draw_indicator_ink(
     axes: tuple[str, str] = ("p", "S"),
     means: Mapping[Mark, str] = MappingProxyType({}),
     heights: Heights = HEIGHTS["A1"],
+    curves: Mapping[Mark, str] = MappingProxyType({}),
 ) -> Drawing:
     """Return the indicator diagram with the division of its base.
 
     ``names``: of the positions of the row; ``axes``: what ordinates and base are called. ``means``: what the
-    mean pressures are called, by their marks: each is a level under which as much work is done.
+    mean pressures are called, by their marks: each is a level under which as much work is done. ``curves``:
+    what the curves of the two sides are called, by their marks.
     """
     seen = Seen(construction, reading, (VIEW,), range(len(names)))
     high = max(largest(reading[side.points].imag) for side in made.sides)
@@ -60,6 +65,11 @@ def draw_indicator_ink(
     wanted += [
         one._replace(toward=1 + 0j) for one in lettered(shared(levels, CLOSE), heights.number, 0.5)
     ]
+    lines = {
+        mark: tuple(tuple(flat([complex(z) for z in run])) for run in bezier(reading[mark]))
+        for mark in curves
+    }
+    wanted += names_beside(lines, curves, heights.number)
     feet = [
         Named(seen.point(made.feet, k), name, (made.feet.slot,), k) for k, name in enumerate(names)
     ]

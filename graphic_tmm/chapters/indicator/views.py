@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.chapters.indicator.plan import VIEW, Indicator
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -28,9 +32,31 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     axes = (on_axis("p", unit("Pa", language)), on_axis("S", unit("m", language)))
     means = {side.mean: symbol(side.mean.name, language) for side in cylinder.indicator.sides}
+    sides = cylinder.indicator.sides
+    several = sides if len(sides) > 1 else ()
+    curves = {side.curve: symbol(side.pressure.name, language) for side in several}
     high = heights(drawn.scene, by)
     view = draw_indicator_ink(
-        drawn.construction, drawn.reading, cylinder.indicator, names, title, axes, means, high
+        drawn.construction,
+        drawn.reading,
+        cylinder.indicator,
+        names,
+        title,
+        axes,
+        means,
+        high,
+        curves,
     )
-    scale = mu_text(drawn.scales[VIEW], language)
-    return [captioned(finished(view, lettered), title, scale, heights=high)]
+    scales = (drawn.scales[VIEW], _scale_of_stroke(drawn, cylinder.indicator))
+    told = ", ".join(mu_text(scale, language) for scale in scales)
+    return [captioned(finished(view, lettered), title, told, heights=high)]
+
+
+def _scale_of_stroke(drawn: Drawn, made: Indicator) -> Scale:
+    """Return the scale of the base: the piston's stroke, as read on the plan of positions, by its length."""
+    reading = drawn.reading
+    way = np.abs(reading[made.divisions] - reading[made.origin])[:, : drawn.project.count]
+    stroke = np.max(way, initial=0.0, where=np.isfinite(way))
+    base = abs(complex((reading[made.end] - reading[made.origin])[0, 0]))
+    mu_l = float(reading[KINEMATICS.on(drawn).mu_l][0, 0])
+    return Scale("μ_S", float(stroke) * mu_l / base, "m/mm")
