@@ -89,7 +89,7 @@ def placed(
     middle = cut.corner + complex(width - size[0], size[1] - height) / 2
     return {
         k: middle + complex(at, -down - outlines[k].height)
-        for k, at, down in spread(least, 0.0, 0.0, *size, gap)
+        for k, at, down in spread(least, 0.0, 0.0, *size, gap, whole=True)
     }
 
 

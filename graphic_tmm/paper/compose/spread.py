@@ -1,7 +1,7 @@
 """Cuts made exact: what each part takes, and the room that is left put into the gaps, evenly.
 
 A gap grows to 25 mm; what is more stands on both sides, so that what a cell holds is in its middle. What stands
-in a row has its lower edges, and so its captions, on one line; what stands in one column has one axis.
+in a row has its lower edges, and so its captions, on one line; a sheet of one column has one axis.
 Coordinates: mm from the upper left corner of what views may fill, downward.
 """
 
@@ -80,14 +80,16 @@ def grown(least: float, count: int, room: float, gap: float, most: float = WIDES
     return max(gap, min(most, gap + (room - least) / (count - 1)))
 
 
-def spread(part: Need, x: float, y: float, width: float, height: float, gap: float) -> Spots:
-    """Yield where the boxes of a part stand in a cell."""
+def spread(
+    part: Need, x: float, y: float, width: float, height: float, gap: float, *, whole: bool = False
+) -> Spots:
+    """Yield where the boxes of a part stand in a cell; ``whole``: it is all that is on a sheet."""
     if part.cut is None:
         yield from _unit(part, x, y, width, height, gap)
     elif part.cut:
         yield from _row(part, x, y, width, height, gap)
     else:
-        axis = x + width / 2 if _single_column(part) else None
+        axis = x + width / 2 if whole and _single_column(part) else None
         for k, left, top in _column(part, x, y, width, height, gap):
             yield k, (left if axis is None else max(left, axis - _wide(part, k) / 2)), top
 
