@@ -83,7 +83,7 @@ def _parts(
     runs = range(1, max(count - lead, 1) + 1 if lead else 2)
     across = next((parts for parts in runs if widest(parts) <= most), runs[-1])
     rows, high = len(grid.body[0]) - over, room[1] - grid.head[0]
-    down = math.ceil(rows / max(math.floor(high / grid.row[0]) - over, 1))
+    down = max(math.ceil(rows / max(math.floor(high / grid.row[0]) - over, 1)), 1)
     return widest(across) > most, across * down, across, down
 
 
