@@ -40,13 +40,18 @@ def test_each_sheet_bears_its_own_name_and_designation_and_so_do_those_that_foll
 
 
 @pytest.mark.parametrize(("language", "letters"), [("ru", "ТММ"), ("en", "TMM")])
-def test_a_sheet_without_a_designation_is_numbered_in_the_series(
+def test_sheets_without_a_designation_share_one_but_for_those_named(
     language: str, letters: str
 ) -> None:
     told = [texts(sheet) for sheet in sheets(scene(language=language, title_block={}))[1]]
+    assert len(told) > 1
+    assert all(f"{letters}.01.01.000" in text for text in told)
+    assert all(scene().title in text for text in told)
+    mixed = (ORDERS[0], replace(ORDERS[1], name="Знаки"))
+    own = scene(language=language, title_block={}, sheets=mixed)
+    told = [texts(sheet) for sheet in sheets(own)[1]]
     assert f"{letters}.01.01.000" in told[0]
     assert f"{letters}.01.02.000" in told[-1]
-    assert all(scene().title in text for text in told)
 
 
 def test_the_title_block_tells_what_a_sheet_does_not() -> None:
