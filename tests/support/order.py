@@ -36,7 +36,8 @@ def _lead(boxes: Mapping[str, Box]) -> Iterator[str]:
         return
     lead = boxes["positions"]
     for name, box in boxes.items():
-        if box[2] < lead[0] - LINE or (box[1] > lead[3] + LINE and box[0] < lead[2]):
+        beside = box[2] < lead[0] - LINE and box[3] > lead[1] + LINE
+        if beside or (box[1] > lead[3] + LINE and box[0] < lead[2]):
             yield f"{name} stands before the plan of positions"
 
 
