@@ -54,6 +54,10 @@ class Scene:
         """What follows from this scene alone and takes long to find, kept beside it by what it is called."""
         return {}
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what another process needs: what was found out of the scene is found there again."""
+        return {name: value for name, value in self.__dict__.items() if name != "cache"}
+
     def asking(self, **tasks: object) -> Scene:
         """Return the scene asking for other tasks of chapters, by section; None: not asking."""
         asked = {**self.tasks, **tasks}

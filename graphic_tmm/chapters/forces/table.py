@@ -22,6 +22,9 @@ from graphic_tmm.readers.columns import (
 
 PLAN = FORCES.chapter
 
+DIFFERENCE = "bal_difference"
+"""What tables call the difference of both methods, %."""
+
 
 class _Row(NamedTuple):
     """A row to be written: its segment and letter, its unit, the marks of its value, its mm, their scale.
@@ -91,7 +94,7 @@ def _balance(made: Forces) -> list[_Row]:
     rows = [
         _Row(f"{sign}_bal_forces", f"{sign}_bal_forces", unit, made.balance),
         _Row(f"{sign}_bal_lever", f"{sign}_bal_lever", unit, made.lever.balance),
-        _Row(f"{sign}_bal_difference", "bal_difference", "%", made.difference),
+        _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
     ]
     if made.open is not None and made.efficiency is not None:
         rows.append(_Row(f"{sign}_bal_open", "bal_open", unit, made.open))

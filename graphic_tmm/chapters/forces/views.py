@@ -27,7 +27,7 @@ from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
-from graphic_tmm.chapters.forces.table import force_columns
+from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
@@ -304,7 +304,7 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _as_printed(drawn: Drawn, column: Column) -> Column:
     """Return a column; the difference of both methods is that of the two sizes as they are printed."""
-    if column.letter != "bal_difference":
+    if not column.segment.endswith(DIFFERENCE):
         return column
     made = FORCES.on(drawn)
     apart, *sizes = (
