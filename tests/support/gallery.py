@@ -24,11 +24,19 @@ FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
 
 
+COMPOUND = ("project",)
+"""Scenes of a mechanism and parts that are scenes of the package by themselves too."""
+
+
 def _has_mechanism(folder: Path) -> bool:
-    return "drive" in tomllib.loads((folder / "scene.toml").read_text(encoding="utf-8"))
+    return folder.name not in COMPOUND and "drive" in tomllib.loads(
+        (folder / "scene.toml").read_text(encoding="utf-8")
+    )
 
 
 def _has_accelerations(folder: Path) -> bool:
+    if not _has_mechanism(folder):
+        return False
     scene = tomllib.loads((folder / "scene.toml").read_text(encoding="utf-8"))
     return bool(scene.get("drive", {}).get("accelerations"))
 
