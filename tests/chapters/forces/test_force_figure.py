@@ -14,6 +14,8 @@ from support.mechanisms import sample
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.symbols.arrows import SHAFT
+from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH
 
 
 def held(work: Drawn, place: int) -> None:
