@@ -106,11 +106,12 @@ def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> No
     centre = at(name, o, 0)
     radius = abs(at(name, a, 0) - centre)
     for index, number in enumerate(names):
-        found = [label for label in view.labels if label.text == number and label.size == 3.5]
-        assert len(found) == 1, number
         pin = shapely.Point(at(name, a, index).real, at(name, a, index).imag)
-        assert box(found[0]).distance(pin) < 14.0
-        mid = box(found[0]).centroid
+        # the same number stands at sliders and at ends of rockers
+        told = [one for one in view.labels if one.text == number and one.size == 3.5]
+        found = min((box(one) for one in told if not circled(one, view)), key=pin.distance)
+        assert found.distance(pin) < 14.0
+        mid = found.centroid
         assert abs(complex(mid.x, mid.y) - centre) > 0.5 * radius
 
 
