@@ -15,6 +15,7 @@ from support.oracle import OracleError
 from support.rewritten import relettered, text_of
 from support.seen import CLOSE, Seen, judge
 
+from graphic_tmm.chapters.kinematics.ink_links import THROUGH
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Stroke
@@ -139,7 +140,8 @@ def test_a_detached_group_holds_the_same_links() -> None:
         lengths.append(sorted(straight))
     assert len(lengths) == len(seen.places)
     larger = seen.mu / made.mechanism.scales["group 2-3"].value  # a group has a scale of its own
-    due = sorted(larger * length for length in (arm, reach[1] - reach[0]))
+    guide = larger * (reach[1] - reach[0] - THROUGH) + THROUGH  # one end stands so far behind the stone
+    due = sorted([larger * arm, guide])
     for found in lengths:  # the guide and the arm CD, and no line to the stone
         assert found == pytest.approx(due, abs=CLOSE)
 
