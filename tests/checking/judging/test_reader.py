@@ -102,7 +102,8 @@ def test_noughts_that_were_left_out_were_meant(
 @pytest.mark.slow
 def test_every_way_a_ruler_gives_a_calculated_length_is_fine(tmp_path: Path) -> None:
     """pa is 54.347 mm: on a ruler of 0.1 mm it is 54.3 or 54.4, for the surest hand."""
-    found = replace(read(SHEETS / "windrower"), ruler=0.1)
+    scene = read(SHEETS / "windrower")
+    found = replace(scene, ruler=0.1, scales=replace(scene.scales, mu_v=0.1))
     path = tmp_path / "r.csv"
     for written, due in (("54.3", FINE), ("54.4", FINE), ("54.9", WRONG), ("5.43", WRONG)):
         path.write_text(f"plan,position,segment,mm\nvelocities,1,pa,{written}\n", "utf-8")
@@ -138,7 +139,7 @@ def test_both_figures_of_a_row_are_judged_and_agree(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_both_figures_agree_on_plans_that_no_step_measures_too(tmp_path: Path) -> None:
     """μ of the diagram of S is its own; 30 % more than the length says is no reading of it."""
-    made = gallery.exact("slider-diagrams")
+    made = gallery.exact("windrower")
     key, cell = max(
         ((k, c) for k, c in cells(made).items() if k[:2] == ("diagrams", "S") and c.mm is not None),
         key=lambda one: abs(one[1].mm or 0.0),
