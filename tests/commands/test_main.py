@@ -156,9 +156,10 @@ def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path:
         out = tmp_path / str(number)
         options = [str(out) if o == "OUT" else o for o in COMMANDS[what]]
         result = invoke(what.split()[0], str(scene_name), *options)
-        assert (result.exit_code, result.stderr) == (0, "")
+        assert result.exit_code == 0
+        assert "error" not in result.stderr
         files = {p.name: p.read_bytes() for p in out.iterdir()} if out.exists() else {}
-        said.append((result.stdout.replace(str(out), ""), files))
+        said.append((result.stdout.replace(str(out), ""), files, result.stderr))
     assert said[0] == said[1] == said[2]
     assert bool(said[0][1]) == (what == "draw")
 
