@@ -40,7 +40,7 @@ SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k
 def test_the_table_gives_what_no_sheet_shows_and_drawing_says_so(
     section: str, tmp_path: Path
 ) -> None:
-    path = calling(tmp_path, *NEEDS.get(section, ()), section)
+    path = calling(tmp_path, *NEEDS.get(section, ()), section, sheet=ONLY_VELOCITIES)
     done = invoke("table", path, "-f", "csv")
     assert done.exit_code == 0, done.output
     plans = {row["plan"] for row in rows(done.stdout)}
