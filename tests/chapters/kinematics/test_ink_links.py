@@ -140,7 +140,9 @@ def test_a_detached_group_holds_the_same_links() -> None:
         lengths.append(sorted(straight))
     assert len(lengths) == len(seen.places)
     larger = seen.mu / made.mechanism.scales["group 2-3"].value  # a group has a scale of its own
-    guide = larger * (reach[1] - reach[0] - THROUGH) + THROUGH  # one end stands so far behind the stone
+    guide = (
+        larger * (reach[1] - reach[0] - THROUGH) + THROUGH
+    )  # one end stands so far behind the stone
     due = sorted([larger * arm, guide])
     for found in lengths:  # the guide and the arm CD, and no line to the stone
         assert found == pytest.approx(due, abs=CLOSE)
