@@ -35,6 +35,16 @@ def many(request):
     return lambda told, usual: told if measured else usual
 
 
+def pytest_collection_finish(session):
+    """Nothing is drawn while tests are collected: each worker collects them all, and waits for it."""
+    from support import gallery
+
+    if gallery.made.cache_info().currsize or gallery.paper.cache_info().currsize:
+        raise pytest.UsageError(
+            "a test module draws a scene where it is imported: draw in the test"
+        )
+
+
 def pytest_configure(config):
     everyday = config.option.markexpr == "not slow"
     settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")

@@ -52,6 +52,11 @@ def scene(name: str) -> Scene:
     return read_once(SHEETS / name)
 
 
+def asking(*sections: str) -> list[str]:
+    """Return the mechanisms of the package whose files have one of these sections; none is drawn."""
+    return [name for name in NAMES if not scene(name).told.keys().isdisjoint(sections)]
+
+
 @cache
 def made(name: str, *, exact: bool = False) -> DrawnScene:
     """Return all that a scene of the package calls for, drawn; it is shared: change nothing of it."""
