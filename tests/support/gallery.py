@@ -22,7 +22,19 @@ CASES = ROOT / "tests" / "cases"
 """Scenes, tables and readings that were found from outside."""
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
-
+EVERYDAY = (
+    "cam",
+    "crank-press",
+    "crank-rocker",
+    "engine",
+    "gear-pair",
+    "lettering",
+    "locomobile",
+    "oscillating-cylinder",
+    "planetary",
+    "slider-diagrams",
+)
+"""Scenes enough that every chapter has one: of these a test of one scene is an everyday one."""
 
 COMPOUND = ("project",)
 """Scenes of a mechanism and parts that are scenes of the package by themselves too."""
