@@ -66,7 +66,7 @@ COMMANDS = (("draw",), ("table",), ("table", "--exact"), ("steps",))
     ("name", "command"),
     [
         ("scotch-yoke", ("draw",)),
-        ("windrower", ("table", "--exact")),
+        ("crank-rocker", ("table", "--exact")),
         *(
             pytest.param(name, command, marks=pytest.mark.slow)
             for name in ("windrower", "slider-diagrams")
@@ -95,6 +95,7 @@ def test_every_scene_is_drawn_by_one_run_of_its_log(name: str, runs: Runs, tmp_p
     assert all(count == 1 for (*_, hand), count in counts.items() if hand.ruler is not None)
 
 
+@pytest.mark.slow
 def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None:
     places = ("positions", "velocities", "accelerations", "results")
     for k, one in enumerate(sample(4, 21)):

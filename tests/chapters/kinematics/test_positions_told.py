@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 import shapely
+from support.boards import drawn_of
 from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.record import Mark
@@ -22,7 +23,6 @@ from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 SLIDER = """
 title = "Slider"
@@ -167,9 +167,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
 def made(tmp_path: Path, **said: object) -> Drawn:
     path = tmp_path / "scene.toml"
     path.write_text(SLIDER.format(**{"rod": 0.35, "at": "[]", "more": "", **said}), "utf-8")
-    work = make(read(path)).mechanism
-    assert work is not None
-    return work
+    return drawn_of(read(path))
 
 
 @pytest.mark.parametrize("at", ["[]", "[0]", "[0, 4]", "[0, 1]", "[3, 4]"])

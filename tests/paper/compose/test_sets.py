@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 from support.gallery import SHEETS
 from support.order import gap
 from support.sheets_of_random import scenes
@@ -51,7 +52,7 @@ outlines = st.lists(
 )
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(outlines, st.sampled_from(["A1", "A1 portrait", "A2"]), st.booleans())
 def test_whatever_stands_on_sheets_stands_free(
     boxes: list[Outline], format: str, russian: bool
