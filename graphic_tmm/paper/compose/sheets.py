@@ -13,6 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import search
+from graphic_tmm.paper.compose.homes import homed
 from graphic_tmm.paper.compose.search import FEW, QUICK, TRIES, fits
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
@@ -60,7 +61,9 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
     """
     boxes = [outline for order in orders for outline in order.outlines]
     found = []
-    for sheet in shared(orders, TRIES if polished else QUICK):
+    there = shared(orders, TRIES if polished else QUICK)
+    homes = homed(boxes, ((sheet.room, sheet.boxes) for sheet in there))
+    for sheet in (one._replace(boxes=own) for one, (_, own) in zip(there, homes, strict=True)):
         some = [boxes[k] for k in sheet.boxes]
         places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
         if sheet.alone or places is None:
