@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support import asked
 
 from graphic_tmm.fitting.formats import room_on
-from graphic_tmm.paper.compose.homes import homed
+from graphic_tmm.paper.compose.homes import homed, spared
 from graphic_tmm.paper.compose.search import composed, fits
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Stand
 from graphic_tmm.paper.packing import GAP, Room
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import composed_sheets
 
 A4 = room_on("A4", "en", False)
 BLOCKS = ("velocities", "accelerations")
@@ -127,3 +133,61 @@ def test_as_much_is_left_above_all_views_as_below(
         for k, at in found.items()
     ]
     assert abs(moves_by(places, room, 1.0) - moves_by(places, room, -1.0)) < LEAST
+
+
+@settings(max_examples=60, deadline=None)
+@given(sheets, st.lists(st.booleans(), min_size=4, max_size=4))
+def test_only_one_small_table_alone_gives_up_its_sheet(
+    shown: list[list[Outline]], may: list[bool]
+) -> None:
+    boxes, before = numbered(shown)
+    after = spared(boxes, before, may)
+    assert sorted(k for _, own in after for k in own) == list(range(len(boxes)))
+    for wished, (_, was), (room, own) in zip(may, before, after, strict=False):
+        if was and not own:
+            (k,) = was
+            assert wished
+            assert boxes[k].stand.kind in ("table", "note")
+            assert area(boxes, was) < 0.3 * room.area
+        else:
+            assert own[: len(was)] == was
+            assert own == was or fits([boxes[k] for k in own], room) is not None
+
+
+def test_a_small_table_alone_goes_to_the_nearest_sheet_that_holds_it() -> None:
+    table = Outline("table", 90.0, 50.0, Stand(kind="table"))
+    plan, large = Outline("plan", 150.0, 150.0), Outline("graphs", 160.0, 240.0)
+    boxes, held = numbered([[plan], [large], [table]])
+    may = [True, True, True]
+    assert [own for _, own in spared(boxes, held, may)] == [(0, 2), (1,), ()]
+    assert spared(boxes, held, [True, True, False]) == held
+    boxes, held = numbered([[large], [table]])
+    assert spared(boxes, held, may) == held
+
+
+def locked(tmp_path: Path, name: str) -> Scene:
+    """A slider-crank that locks where its forces are asked for: of the second sheet a table is left."""
+    orders = [("A2", ("positions", "velocities")), ("A4", ("forces", "force table"))]
+    text = asked.mechanism("slider", 8, orders, language="en")
+    text = text.partition("[indicator]")[0] + text[text.index("[[sheet]]") :] + name
+    text = text.replace("340 mm", "80 mm").replace("positions = [0, 2, 5]", "positions = [2]")
+    file = tmp_path / "scene.toml"
+    file.write_text(text, encoding="utf-8")
+    return read(file)
+
+
+def test_a_sheet_of_which_a_small_table_is_left_is_spared_and_that_is_told(tmp_path: Path) -> None:
+    scene = locked(tmp_path, "")
+    made, found = composed_sheets(scene)
+    (sheet,) = found.sheets
+    assert "table-forces" in [view.name for view in sheet.drawings]
+    assert [one for one in made.scene.remarks if one.startswith("sheet 2: one small table")]
+    again = composed_sheets(scene, found.composition)[1]
+    assert again.remarks == ()
+    assert again.composition == found.composition
+
+
+def test_a_sheet_with_a_name_is_not_spared(tmp_path: Path) -> None:
+    _, found = composed_sheets(locked(tmp_path, '\nname = "Forces"\n'))
+    assert len(found.sheets) == 2
+    assert found.remarks == ()
