@@ -159,14 +159,22 @@ def guide_names(ink: LinksInk, main: int, size: float) -> Iterator[Wanted]:
 
 
 def link_numbers(
-    ink: LinksInk, main: int, strokes: Sequence[Ink], letters: Sequence[Wanted], size: float
+    ink: LinksInk,
+    main: int,
+    strokes: Sequence[Ink],
+    letters: Sequence[Wanted],
+    size: float,
+    names: Sequence[str] = (),
 ) -> list[Numbered]:
-    """Return the numbers of all links in circles, clear of what is drawn and of where letters will stand."""
+    """Return the numbers of links in circles, clear of what is drawn and of where letters will stand.
+
+    ``names``: of these links; left out, of all of them and of the frame.
+    """
     heavy = [shape(one) for one in strokes if one.pen not in LIGHTER]
     light = [shape(one) for one in strokes if one.pen in LIGHTER]
     spots = shapely.MultiPoint([(one.at.real, one.at.imag) for one in letters])
     made = []
-    for name in (*ink.names, ink.frame.name):
+    for name in names or (*ink.names, ink.frame.name):
         tried = [*_tried(ink, name, main)]
         if not tried:
             continue
