@@ -13,6 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import search
+from graphic_tmm.paper.compose.homes import SMALL, homed, spared
 from graphic_tmm.paper.compose.search import FEW, QUICK, TRIES, fits
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
@@ -21,8 +22,6 @@ from graphic_tmm.paper.packing import GAP, Room, free
 
 Rooms = tuple[Room, Room]
 """The room of a first sheet, and of the sheets that follow it."""
-SMALL = 0.3
-"""What fills less of a sheet than this is no sheet of its own if it can stand elsewhere."""
 FULL = 0.8
 """What fills more of the sheets than this will not stand on fewer."""
 UNEVEN = 1.1
@@ -30,11 +29,15 @@ UNEVEN = 1.1
 
 
 class Order(NamedTuple):
-    """What a sheet, and those that follow it, shall show: boxes, the rooms, the format."""
+    """What a sheet, and those that follow it, shall show: boxes, the rooms, the format.
+
+    ``spared``: whether there may be no such sheet where one small table is all that is left to show.
+    """
 
     outlines: tuple[Outline, ...]
     rooms: Rooms
     format: str
+    spared: bool = False
 
 
 class Shared(NamedTuple):
@@ -62,7 +65,12 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
     """
     boxes = [outline for order in orders for outline in order.outlines]
     found = []
-    for sheet in shared(orders, TRIES if polished else QUICK):
+    there = shared(orders, TRIES if polished else QUICK)
+    homes = homed(boxes, ((sheet.room, sheet.boxes) for sheet in there))
+    homes = spared(boxes, homes, [orders[sheet.order].spared for sheet in there])
+    for sheet in (one._replace(boxes=own) for one, (_, own) in zip(there, homes, strict=True)):
+        if not sheet.boxes:
+            continue
         some = [boxes[k] for k in sheet.boxes]
         places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
         if sheet.alone or places is None:
