@@ -38,7 +38,7 @@ from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 
-CLOSE = 1.0
+CLOSE = 2.0
 """Images nearer than this, mm, share one label: arrows end in one place there."""
 SHORTEST = 0.01
 """A vector below this share of the longest of its plan is a point, and so is one below half a millimetre."""
