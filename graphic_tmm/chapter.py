@@ -84,6 +84,25 @@ class Made(Generic[T]):
         return found
 
 
+class Aside(Made[T]):
+    """What a chapter calculated beside its drawing, by the name of the chapter."""
+
+    def of(self, holder: Holder) -> T | None:
+        """Return what was calculated; None if there is nothing of the kind in this scene."""
+        found: T | None = holder.made.get(aside(self.chapter))
+        return found
+
+    def on(self, holder: Holder) -> T:
+        """Return what was calculated where it is known to have been."""
+        found: T = holder.made[aside(self.chapter)]
+        return found
+
+
+def aside(chapter: str) -> str:
+    """Return the name under which is held what a chapter calculated beside its drawing."""
+    return f"{chapter} aside"
+
+
 @dataclass(frozen=True)
 class Size:
     """How large something is drawn, by a name.
@@ -166,8 +185,10 @@ class Chapter:
     name: a chapter, or what another chapter understands. ``given``: what a scene gives for it, as the sheet
     of a task lists it.
 
-    **What it records and draws.** ``record``: what it leaves on its board. ``charts``: of what it made, the
-    graphs on axes. ``places``: what sheets can show of it, ``sizes``: how large.
+    **What it records and draws.** ``record``: what it leaves on its board; ``aside``: of what it made, what is
+    calculated beside it when everything on the board was recorded, in views of its own and used by nothing, so
+    that no drawing changes for it; see `Aside`. ``charts``: of what it made, the graphs on axes. ``places``:
+    what sheets can show of it, ``sizes``: how large.
 
     **Its scale factors.** ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size,
     without drawing them. ``scales``: the values of its scale factors, put into what is given. ``named``:
@@ -204,6 +225,7 @@ class Chapter:
     needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
     given: Callable[[Scene], Iterable[Given]] = lambda scene: ()
     record: Callable[[Bench], Any] = lambda bench: None
+    aside: Callable[[Bench], Any] = lambda bench: None
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
     reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
     plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}

@@ -75,6 +75,11 @@ def overall_ratio(ratio: Number, driven: Number, driving: Number) -> Number:
     """|{ratio}|·{driven}/{driving}"""
 
 
+@formula(holds="{ratio} ≠ 0", fails=_STANDS)
+def speed_behind(speed: Number, ratio: Number) -> Number:
+    """{speed}/{ratio}"""
+
+
 @formula
 def common_divisor(z2: Number, z3: Number) -> Number:
     """gcd({z2}, {z3})"""
