@@ -167,9 +167,9 @@ def _level(
     tried = np.round(np.concatenate(whole, axis=1), 6)
     sides = np.repeat([0, 1], starts.shape[1])
     labels: list[Label] = []
-    end, side = -math.inf, 0
+    taken, side = np.full(2, -math.inf), 0
     for k, one in enumerate(ordered):
-        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + BETWEEN)
+        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < taken[sides] + BETWEEN)
         costs = costs + sides * (_STAYS if side else _OTHER_SIDE)
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:
@@ -177,5 +177,5 @@ def _level(
         side = int(sides[best])
         at = complex(starts[k, best % starts.shape[1]], bases[best // starts.shape[1]])
         labels.append(Label(one.text, at, size, of=one.of, position=one.position))
-        end, cost = at.real + float(wide[k]), cost + float(costs[best])
+        taken[side], cost = at.real + float(wide[k]), cost + float(costs[best])
     return _Row(tuple(labels), cost)
