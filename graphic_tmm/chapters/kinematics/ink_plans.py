@@ -151,8 +151,8 @@ def _letters(
     ]
     named = [one for one in named if finite(one.at)]
     common = len(places) > 1
-    named = [Named(at_pole, markup(pole_mark.name), (pole_mark.slot,)), *named]
-    middle = at_pole if common else complex(np.mean([one.at for one in named]))
-    return lettered(
-        shared(named, CLOSE), heights.number if common else heights.point, away_from=middle
-    )
+    pole = Named(at_pole, markup(pole_mark.name), (pole_mark.slot,))
+    # about a common pole there is little room: images without velocity have a label beside its own
+    letters = [pole, *shared(named, CLOSE)] if common else shared([pole, *named], CLOSE)
+    middle = at_pole if common else complex(np.mean([one.at for one in (pole, *named)]))
+    return lettered(letters, heights.number if common else heights.point, away_from=middle)

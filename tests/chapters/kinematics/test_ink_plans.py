@@ -216,7 +216,7 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
     texts = ", ".join(label.text for label in view.labels).split(", ")
     assert texts.count("p") == 1
     # the rocker's extreme: an image without velocity lies in the pole, and is named there
-    assert any(label.text.startswith("p, b_{0}") for label in view.labels)
+    assert any(label.text.startswith("b_{0}, ") for label in view.labels)
     for name in work.project.names:
         assert f"a_{{{name}}}" in texts
         assert f"s_{{2,{name}}}" in texts
