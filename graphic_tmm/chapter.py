@@ -148,8 +148,9 @@ class Place:
     ``rank``: where it stands on a sheet that does not say what stands there; 0 where only a sheet that names
     it shows it. ``shows``: the plans of which it shows something, ``beside``: those of which it does so where
     they are drawn; ``follows``: the plans whose μ its room depends on. ``together``: it is these places, one
-    after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends, in the
-    order in which they give way.
+    after the other. ``attends``: it stands behind this one even where no sheet asks for it; ``tells``: a part
+    of another place stands behind this one, on the sheet that shows it. ``sizes``: a scene and the name of a
+    view -> the sizes on which that depends, in the order in which they give way.
     """
 
     name: str
@@ -161,6 +162,7 @@ class Place:
     follows: tuple[str, ...] = ()
     together: tuple[str, ...] = ()
     attends: str = ""
+    tells: str = ""
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
 
 

@@ -14,7 +14,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.readers.equations import Equation, equations
+from graphic_tmm.readers.equations import Equation, equations, heading
 from graphic_tmm.readers.sentences import calculation, sentence
 
 
@@ -122,5 +122,5 @@ def _remark(note: str, language: str) -> str:
     return (
         speaking(language)(_EXTREMES[way], point=letter)
         if way in _EXTREMES
-        else plain(symbol(note, language))
+        else plain(symbol(heading(note, language), language))
     )
