@@ -107,14 +107,18 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
     """Return a view with lines below it, each in its height; it does not come apart."""
     left, low, right, top = bounds(view)
     tabular, middle = view.name.startswith("table"), (left + right) / 2
-    at, anchor = (left, "start") if tabular else (middle, "middle")
-    labels, widest = list(view.labels), 0.0  # leaning tops reach out at the right
+    anchor = "start" if tabular else "middle"
+    # leaning tops reach out at the right, tails at the left
+    labels, widest = list(view.labels), 0.0
     for text, size in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size
+        tail = max(0.0, -made.left)
+        at = left + tail if tabular else middle
         labels.append(Label(text, complex(at, low), size, anchor))
         low -= made.descent
-        widest = max(widest, made.right if tabular else 2 * made.right - made.width)
+        half = max(made.right - made.width / 2, tail + made.width / 2)
+        widest = max(widest, tail + made.right if tabular else 2 * half)
     foot = view.foot + bounds(view)[1] - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)

@@ -23,8 +23,8 @@ from graphic_tmm.studio import sheets
 VERDICTS = {
     "forces beyond their limit": (
         "lever",
-        ("[forces]", "[forces]\nlimit = 0.5"),
-        {" > 0,5 %"},
+        ("[forces]", "[forces]\nlimit = 0.1"),
+        {" > 0,1 %"},
     ),
     "a pair of gears that is undercut": ("gear-pair", ("x1 = 0.83", "x1 = 0.0"), {" < "}),
 }

@@ -140,6 +140,16 @@ def test_extreme_positions_are_drawn_in_full_line_and_no_others(name: str) -> No
     assert full == due
 
 
+def told_by(text: str) -> list[str]:
+    """The numbers on a label: "3…5, 9" tells of 3, 4, 5 and 9."""
+    ends = (part.split("…") for part in text.split(", "))
+    return [
+        number
+        for first, *last in ends
+        for number in (map(str, range(int(first), int(last[0]) + 1)) if last else [first])
+    ]
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: str) -> None:
     work, view = drawn(name), plan(name)
@@ -147,7 +157,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
     for one in (f for f in work.construction.figures if f.kind == "slider"):
         mark = one.marks[0]
         told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
-        numbers = [part for label in told for part in label.text.split(", ")]
+        numbers = [part for label in told for part in told_by(label.text)]
         assert len(numbers) == len(set(numbers))
         pin = KINEMATICS.on(work).crank[1]
         for k, number in enumerate(work.names):
@@ -159,7 +169,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
             if lone and clear:
                 assert number in numbers
         for label in told:
-            for part in label.text.split(", "):
+            for part in told_by(label.text):
                 at = spot(work, mark, work.names.index(part))
                 assert box(label).distance(shapely.Point(at.real, at.imag)) < 22.0
 
