@@ -29,7 +29,7 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Made, Place
-from graphic_tmm.chapters.structure.mobility import VIEW, record_mobility
+from graphic_tmm.chapters.structure.mobility import PARTS, VIEW, record_mobility
 from graphic_tmm.chapters.structure.views import part_views, structure_views
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
@@ -50,7 +50,7 @@ CHAPTER = Chapter(
     builds_on=("kinematics",),
     places=(
         Place("structure", 90, structure_views, shows=()),
-        Place("groups of structure", 0, part_views, shows=(), follows=("positions",)),
+        Place(PARTS, 0, part_views, shows=(), follows=("positions",)),
     ),
     asked=lambda scene: scene.mechanism is not None,
     always=True,

@@ -13,6 +13,8 @@ from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 
 VIEW = "structure"
+STRUCTURE, PARTS = "structure", "groups of structure"
+"""The places of the tables, and of the parts by themselves."""
 
 
 @formula
@@ -36,9 +38,11 @@ def parts(structure: Structure) -> dict[str, tuple[int, int]]:
     return found | {group.name: (2, 3) for group in structure.groups}
 
 
-def record_mobility(bench: Bench) -> Mobility:
-    """Calculate W of the mechanism and, as a check of its dissection, of each part."""
+def record_mobility(bench: Bench) -> Mobility | None:
+    """Calculate W of the mechanism and, as a check of its dissection, of each part; None if nobody asks."""
     assert bench.scene.mechanism is not None
+    if not bench.wanted & {STRUCTURE, PARTS}:
+        return None
     structure, draft = dissect(bench.scene.mechanism), bench.draft
     draft.open(VIEW)
     higher = draft.take(Number, "p_4", 0.0)
