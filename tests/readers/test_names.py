@@ -14,6 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support.each import each
+from support.examples import most
 from support.gallery import SHEETS, made
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
@@ -211,7 +212,7 @@ def _lines(log: Construction, reading: Reading, language: str) -> Iterator[Line]
 
 @pytest.mark.slow
 @given(st.integers(0, 10**6), st.integers(1, 3), st.booleans(), st.booleans())
-@settings(deadline=None, max_examples=10, suppress_health_check=list(HealthCheck))
+@settings(deadline=None, max_examples=most(10), suppress_health_check=list(HealthCheck))
 def test_random_mechanisms_under_loads_are_told_in_names_of_the_field(
     seed: int, dyads: int, turned: bool, pairs: bool
 ) -> None:
