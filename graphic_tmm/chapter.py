@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.record import Mark
     from graphic_tmm.board.scales import Scale
     from graphic_tmm.drawn import Drawn, Results
+    from graphic_tmm.fitting.choice import Ledger
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
     from graphic_tmm.paper.drawing import Drawing, Stroke
@@ -191,7 +192,8 @@ class Chapter:
     what sheets can show of it, ``sizes``: how large.
 
     **Its scale factors.** ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size,
-    without drawing them. ``scales``: the values of its scale factors, put into what is given. ``named``:
+    without drawing them. ``scales``: the values of its scale factors, put into what is given; ``choice``:
+    enters how they were chosen. ``named``:
     further scale factors as drawn, by view, of those that were given a value; ``scale_key``: what machines
     call the scale factor of a view.
 
@@ -230,6 +232,7 @@ class Chapter:
     reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
     plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}
     scales: Callable[[Fitting], Mapping[Mark, object]] = lambda fitting: {}
+    choice: Callable[[Drawn, Ledger], None] = lambda drawn, ledger: None
     named: Callable[[Project, Reading, Container[Mark]], Mapping[str, Scale]] = (
         lambda project, reading, given: {}
     )

@@ -27,11 +27,17 @@ _GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
 
 
 class Term(NamedTuple):
-    """A vector of an equation: its letter as mark-up, known wholly or in direction, and that direction."""
+    """A vector of an equation: its letter as mark-up, known wholly or in direction, and that direction.
+
+    ``marks``: where its segment begins and ends on the plan; ``line``: the line that it was drawn along, if it
+    was.
+    """
 
     symbol: str
     known: bool
     direction: str = ""
+    marks: tuple[Mark, ...] = ()
+    line: Mark | None = None
 
     @property
     def barred(self) -> str:
@@ -44,11 +50,15 @@ class Term(NamedTuple):
 
 
 class Equation(NamedTuple):
-    """The equation of a group: its heading in the log, the vector sought, the sides that it equals."""
+    """The equation of a group: its heading in the log, the vector sought, the sides that it equals.
+
+    ``marks``: where the vector sought begins and ends on the plan: the pole, and the point that was found.
+    """
 
     group: str
     sought: Term | str
     sides: tuple[tuple[Term, ...], ...]
+    marks: tuple[Mark, ...] = ()
 
     @property
     def markup(self) -> str:
@@ -154,17 +164,19 @@ def _equation(
         known = list[Term]()
         while start in fresh and fresh[start].op is lay_off:
             drawn, length = fresh[start].uses
-            known.insert(0, Term(quantity(length.name), True, _direction(fresh[drawn], turned)))
-            start = fresh[drawn].uses[0]
+            end, start = start, fresh[drawn].uses[0]
+            way = _direction(fresh[drawn], turned)
+            known.insert(0, Term(quantity(length.name), True, way, (start, end), drawn))
         if start != pole:
-            known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True))
+            known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True, marks=(pole, start)))
         direction = _direction(line, turned)
         if known:
             symbol = quantity(read[line.it]) if line.it in read else name
-            sides.append((*known, Term(symbol, False, direction)))
+            ends = line.uses[0], point
+            sides.append((*known, Term(symbol, False, direction, ends, line.it)))
         else:
-            sought = Term(name, False, direction)
-    return Equation(group, sought, tuple(sides))
+            sought = Term(name, False, direction, (pole, point), line.it)
+    return Equation(group, sought, tuple(sides), (pole, point))
 
 
 def _direction(line: Step, turned: bool) -> str:

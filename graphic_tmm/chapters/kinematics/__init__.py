@@ -47,6 +47,7 @@ from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
 from graphic_tmm.chapters.kinematics.captions import CAPTIONS
+from graphic_tmm.chapters.kinematics.choice import choose
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.given import given
 from graphic_tmm.chapters.kinematics.plan import (
@@ -161,6 +162,7 @@ CHAPTER = Chapter(
     record=record,
     reach=extents,
     plan_scales=plan_scales,
+    choice=choose,
     warnings=outlying,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     undrawn=_undrawn,
