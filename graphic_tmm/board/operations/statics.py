@@ -137,7 +137,8 @@ def _sense(rate: Reals, fastest: Reals) -> Reals:
 @formula(
     holds=f"|{{segment}}| > {STANDS:.9f}·|{{of_pin}}|, {{of_pin}} > 0",
     why=said(
-        "The force has the sense of the velocity of its point, which the sign of {segment} tells."
+        "The resistance turns round with the motion: where {segment} is negative, the force on its line is "
+        "negative too."
     ),
 )
 def with_motion(size: Number, segment: Length, of_pin: Length) -> Number:
