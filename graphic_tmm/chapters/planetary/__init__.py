@@ -31,6 +31,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.captions import CAPTIONS
+from graphic_tmm.chapters.planetary.choice import choose_steps
 from graphic_tmm.chapters.planetary.given import given
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
@@ -67,6 +68,7 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    choice=choose_steps,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(_NAME,),
