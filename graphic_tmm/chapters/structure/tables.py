@@ -30,7 +30,7 @@ WORDS = Tongues(
         "kind R": said("turning"),
         "kind P": said("sliding"),
         "contact": said("Contact"),
-        "lower": said("lower"),
+        "lower": said("lower", context="pair"),
         "freedoms": said("Class, freedoms"),
         "one freedom": said("5, one"),
         "index": said("Index"),
