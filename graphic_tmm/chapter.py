@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from graphic_tmm.drawn import Drawn, Results
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
+    from graphic_tmm.note.document import Block
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import (
@@ -183,6 +184,7 @@ class Chapter:
     that stand before its protocol. ``captions``: what its views, plans, letters of columns and results are
     called, English, by name; ``called``: a view whose name it makes up -> what that is called in a language;
     ``titles``: a view -> what it is called in the protocol of what was made, where that tells more.
+    ``note``: a drawn board, a language -> its section of the explanatory note; None: what the log tells of it.
     ``accuracy``: what it tells of its accuracy.
 
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
@@ -233,6 +235,7 @@ class Chapter:
     captions: Mapping[str, str] = field(default_factory=dict)
     called: Callable[[str, Speech], str] = lambda view, speech: ""
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
+    note: Callable[[Drawn, str], Iterable[Block] | None] = lambda drawn, language: None
     accuracy: Accuracy = NOTHING
 
 

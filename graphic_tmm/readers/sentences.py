@@ -53,8 +53,8 @@ def _value(reading: Reading, mark: Mark, place: int) -> float:
     return float(row[place if row.size > 1 else 0])
 
 
-def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
-    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+def phrase(step: Step, language: str, reading: Reading, place: int) -> tuple[str, dict[str, str]]:
+    """Return the sentence of a step as a template, and what stands for its names, see `sentence`."""
     _ = speaking(language)
     sides = _(step.op.sides[0]), _(step.op.sides[1])
 
@@ -70,10 +70,16 @@ def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
     here = [mark for mark in (step.it, *step.uses) if mark.view == step.it.view]
     elsewhere = {mark.name for mark in here if mark.kind is not Side}
     words = letters_of(step, name)
-    if step.op.formula:
-        return f"{captions(language)['calculate']} {words['it']}."
     words |= {key: sides[0 if choice > 0 else 1] for key, choice in step.choice.items()}
-    return _segments(_(step.op.sentence), words).format(**words)
+    if step.op.formula:
+        return f"{captions(language)['calculate']} {{it}}.", words
+    return _segments(_(step.op.sentence), words), words
+
+
+def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
+    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+    template, words = phrase(step, language, reading, place)
+    return template.format(**words)
 
 
 def calculation(

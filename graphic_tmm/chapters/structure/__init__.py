@@ -28,6 +28,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Made, Place
 from graphic_tmm.chapters.structure.tables import structure_views
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 
@@ -43,6 +44,7 @@ def _record(bench: Bench) -> Structure:
 CHAPTER = Chapter(
     name=STRUCTURE.chapter,
     number=1,
+    captions={"chapter structure": said("Structure of the mechanism")},
     places=(Place("structure", 90, structure_views, shows=()),),
     asked=lambda scene: scene.mechanism is not None,
     always=True,
