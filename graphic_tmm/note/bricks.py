@@ -6,17 +6,18 @@ A chapter's own section (`Chapter.note`) is built of these; of one that has none
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
+from string import Formatter
 
 from graphic_tmm.board.record import Step
 from graphic_tmm.captions import captions
-from graphic_tmm.chapter import Chapter, Place
-from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.chapter import MECHANISM, Chapter, Place
+from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import (
     Block,
@@ -38,6 +39,7 @@ from graphic_tmm.note.steps import Told, protocol_blocks
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column, known_at
+from graphic_tmm.readers.protocol import covering
 from graphic_tmm.readers.text import column_name, result_name
 from graphic_tmm.readers.titles import title_of
 
@@ -46,6 +48,9 @@ ACROSS = 13
 
 MANY = 8
 """With more positions than these the first columns of a table are narrower."""
+
+WIDEST = 0.12
+"""What share of a page's width the column of a position takes at most."""
 
 
 def worked(drawn: Drawn) -> int:
@@ -83,8 +88,13 @@ def plan(
     language: str,
     shown: Sequence[Picture] = (),
     level: int = 2,
+    known: set[Runs] | None = None,
+    bare: bool = False,
 ) -> Iterator[Block]:
-    """Yield the section of a view: heading, protocol in a position, the figures that show it."""
+    """Yield the section of a view: heading, protocol in a position, the figures that show it.
+
+    ``known``: what was told already; ``bare``: only what is calculated or read; see `steps.protocol_blocks`.
+    """
     told = at_position(drawn, view, place, language)
     if told is None or not any(step.it.view == view for step in drawn.construction.steps):
         return
@@ -96,8 +106,31 @@ def plan(
     yield heading(title, level)
     if shown:
         yield referred(shown, language)
-    yield from protocol_blocks(told, turned=drawn.scene.turned)
+    yield from protocol_blocks(
+        told,
+        turned=drawn.scene.turned,
+        elsewhere=_elsewhere(drawn, view, told),
+        known=known,
+        bare=bare,
+    )
     yield from shown
+
+
+def _elsewhere(drawn: Drawn, view: str, told: Told) -> list[tuple[int, str]]:
+    """Return other positions of a part, so that what is not there in one is told in another."""
+    if drawn.board == MECHANISM:
+        return []
+    steps = [step.it for step in drawn.construction.steps if step.it.view == view]
+    return [(k, drawn.names[k]) for k in covering(told.reading, steps, [told.place])]
+
+
+def filled(told: str, put: Mapping[str, Run]) -> Runs:
+    """Return a sentence with runs in the places of its names."""
+    found: list[Run] = []
+    for words, name, _, _ in Formatter().parse(told):
+        found += [Text(words)] if words else []
+        found += [put[name]] if name is not None else []
+    return tuple(found)
 
 
 def _varies(drawn: Drawn, view: str) -> bool:
@@ -202,9 +235,27 @@ def _block(
         values = _told(drawn, column, shown, language, mm=False)
         rows.append((_lettered(name), _unit(column.unit, language), *values))
     lead = 0.1 if len(shown) > MANY else 0.13
-    wide = (lead, lead - 0.01, *[(1.01 - 2 * lead) / len(shown)] * len(shown))
+    each = min((1.01 - 2 * lead) / len(shown), WIDEST)
+    wide = (lead, lead - 0.01, *[each] * len(shown))
     id = f"table-{plan}-{shown[0]}".replace(" ", "-")
-    return Table(id, text(title), heads, tuple(rows), "lc" + "c" * len(shown), wide)
+    made = Table(id, text(title), heads, tuple(rows), "lc" + "c" * len(shown), wide)
+    return folded(made) if len(shown) == 1 else made
+
+
+TALL = 12
+"""A narrow table of more rows than these stands in two halves beside one another."""
+
+
+def folded(one: Table) -> Table:
+    """Return a narrow table in two halves beside one another if it has many rows."""
+    count = len(one.rows)
+    if count <= TALL:
+        return one
+    half = -(-count // 2)
+    none: tuple[Runs, ...] = ((),) * len(one.heads)
+    second = (*one.rows[half:], *[none] * (2 * half - count))
+    rows = tuple((*a, *b) for a, b in zip(one.rows[:half], second, strict=True))
+    return one._replace(heads=one.heads * 2, rows=rows, align=one.align * 2, widths=one.widths * 2)
 
 
 def _lettered(name: str) -> Runs:
@@ -245,7 +296,7 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     rows = []
     for name, (value, of) in single(chapter.results(drawn)).items():
         told = Number(number(value, language), "", Source("result", drawn.board, name), value)
-        rows.append((_result(name, language), (told,), _unit(of, language)))
+        rows.append((_result(name, chapter.name, language), (told,), _unit(of, language)))
     if rows:
         heads = (text(words["value"]), text(words["figure"]), text(words["unit"]))
         yield Table(
@@ -253,9 +304,36 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
         )
 
 
-def _result(name: str, language: str) -> Runs:
+def _result(name: str, chapter: str, language: str) -> Runs:
     """Return what a result is called: a letter as a symbol, words as words."""
     caption = captions(language).get(name)
-    if caption and " " not in caption:
-        return (Symbol(symbol(caption, language)),)
-    return text(result_name(name, language))
+    if caption is None:
+        return (Symbol(result_symbol(name.removeprefix(f"{chapter}_"), language)),)
+    return (
+        text(result_name(name, language))
+        if " " in caption
+        else (Symbol(symbol(caption, language)),)
+    )
+
+
+# ---------------------------------------------------------------- conclusions
+
+
+def result_number(drawn: Drawn, results: Results, name: str, language: str) -> Number:
+    """Return a result as a number with its unit."""
+    value, of = single({name: results[name]})[name]
+    return Number(number(value, language), of, Source("result", drawn.board, name), value)
+
+
+def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:
+    """Return the value of a column that is the greatest in size, and the position where it stands."""
+    values = column.without(drawn.undrawn).told[1] if not column.at else column.told[1]
+    there = [(abs(value), k) for k, value in enumerate(values) if value is not None]
+    if not there:
+        return None
+    _, k = max(there, key=lambda one: (one[0], -one[1]))
+    value = values[k]
+    assert value is not None
+    names = [name for name, _ in column.at] or list(drawn.names)
+    source = Source("column", drawn.board, f"{column.plan}/{column.segment}", k, "", 1)
+    return Number(number(value, language, 3), column.unit, source, value), names[k]

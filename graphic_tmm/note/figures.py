@@ -13,8 +13,10 @@ from graphic_tmm.paper.write.svg import clean
 
 FORMAT = "A4"
 """The format whose pens and letters figures are drawn with: a note is held in the hand."""
-WIDTH, HEIGHT = 165.0, 215.0
-"""Room for a figure on a page, mm."""
+WIDTH, HEIGHT, WHOLE = 165.0, 130.0, 215.0
+"""Room for a figure on a page, mm: its width, its usual height, the height of a page."""
+SMALLEST = 0.75
+"""A figure takes more of a page than usual before it is made smaller than this. Chosen by eye."""
 LARGEST = 1.25
 """How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""
 EDGE = 1.5
@@ -71,4 +73,5 @@ def sheet_of(drawing: Drawing, language: str, name: str) -> Sheet:
 
 def scale(width: float, height: float) -> float:
     """Return how many times larger a picture stands on its page."""
-    return min(WIDTH / width, HEIGHT / height, LARGEST)
+    usual = min(HEIGHT / height, LARGEST)
+    return min(WIDTH / width, max(usual, min(SMALLEST, WHOLE / height)))

@@ -8,6 +8,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.document import Block, Document
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.sections.chapter import chapter_section
+from graphic_tmm.note.sections.conclusions import conclusions
 from graphic_tmm.note.sections.scales import scales
 from graphic_tmm.note.sections.synthesis import synthesis
 from graphic_tmm.note.sections.task import task
@@ -32,6 +33,7 @@ def note(made: DrawnScene) -> Document:
     for _, board, chapter in told:
         if (_, board, chapter) not in first:
             blocks += chapter_section(board, chapter, language)
+    blocks += conclusions(made, language)
     return Document(made.scene.title, language, tuple(blocks))
 
 

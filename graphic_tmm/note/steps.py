@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from string import Formatter
 from typing import NamedTuple
@@ -10,9 +9,10 @@ from typing import NamedTuple
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.formula_text import Node, tree_of
 from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
+from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
-from graphic_tmm.captions import captions
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
@@ -35,6 +35,8 @@ from graphic_tmm.readers.equations import Equation, equations
 from graphic_tmm.readers.narration import defined, protocol, remark
 from graphic_tmm.readers.sentences import phrase
 
+PLAIN = (to_board, rescaled, in_si, on_lever, moment)
+"""Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
 LEAST = 2
 """A formula of more sides than these stands on a line of its own; what is only read stands in its sentence."""
 
@@ -72,12 +74,20 @@ class Told(NamedTuple):
 
 
 def protocol_blocks(
-    told: Told, *, turned: bool = False, elsewhere: Sequence[tuple[int, str]] = ()
+    told: Told,
+    *,
+    turned: bool = False,
+    elsewhere: Sequence[tuple[int, str]] = (),
+    known: set[Runs] | None = None,
+    bare: bool = False,
 ) -> Iterator[Block]:
     """Yield the protocol of a view as blocks: headings of groups, equations, sentences.
 
-    ``elsewhere``: other positions by index and name, see `readers.narration.protocol`.
+    ``elsewhere``: other positions by index and name, see `readers.narration.protocol`. ``known``: sentences
+    that were told already and are not told again; those of this view are entered. ``bare``: only what is
+    calculated or read is told. What is not there in the position is left out.
     """
+    known = set() if known is None else known
     log, view = told.log, told.view
     steps = [step for step in log.steps if step.it.view == view]
     solved = {e.group: e for e in equations(log, view, turned=turned)}
@@ -103,14 +113,20 @@ def protocol_blocks(
         step, first = steps[line.number - 1], steps[max(line.first, 1) - 1 : line.number]
         at = next((k for k in own if defined(told.reading, step.it, k)), told.place)
         here = told._replace(place=at)
+        after = line.number
+        if not defined(told.reading, step.it, at):
+            continue
         formula = calculated(here, step, _terms(first) if len(first) > 1 else ())
-        if formula is not None and len(formula.sides) > LEAST:
+        if formula is not None and len(formula.sides) > LEAST and step.op not in PLAIN:
             yield from _flushed(words)
             yield Display(broken(formula))
-        else:
-            words += [Text(" ")] if words else []
-            words += _told(here, step, formula)
-        after = line.number
+            continue
+        more = _told(here, step, formula)
+        if formula is None:
+            if bare or tuple(more) in known:
+                continue
+            known.add(tuple(more))
+        words += [Text(" "), *more] if words else more
     yield from _flushed(words)
 
 
@@ -123,6 +139,8 @@ def _flushed(words: list[Run]) -> Iterator[Block]:
 
 def _told(told: Told, step: Step, formula: Formula | None) -> list[Run]:
     """Return what is done in a step as words, with what was read."""
+    if formula is not None and step.op.formula:
+        return [formula._replace(flat=True), Text(".")]
     runs = list(sentence_runs(told, step))
     if formula is None:
         return runs
@@ -225,8 +243,6 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
     if not (step.op.reads or step.op.formula):
         return None
     it = told.symbol(step.it)
-    if not math.isfinite(told.value(step.it)):
-        return Formula((it, Symbol(captions(told.language)["undrawn"])), sign=":")
     result = told.number(step.it, unit=True)
     if step.op.reads:
         return Formula((it, result))

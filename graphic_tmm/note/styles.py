@@ -34,8 +34,8 @@ TYPST = """\
   numbering: "1",
   number-align: center,
 )
-#set text(font: ("Libertinus Serif", "New Computer Modern"), size: 13pt, hyphenate: true)
-#set par(leading: 0.85em, spacing: 0.85em, justify: true, first-line-indent: (amount: 12.5mm, all: true))
+#set text(font: ("Libertinus Serif", "New Computer Modern"), size: 12pt, hyphenate: true)
+#set par(leading: 0.8em, spacing: 0.8em, justify: true, first-line-indent: (amount: 12.5mm, all: true))
 #set enum(indent: 6mm, body-indent: 2mm, spacing: 0.75em)
 #set list(marker: [–], indent: 6mm, body-indent: 2mm)
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 3.5pt))
@@ -52,18 +52,19 @@ TYPST = """\
 #show figure.where(kind: table): set figure.caption(position: top)
 #show figure.where(kind: table): set align(left)
 #show figure.where(kind: image): set block(breakable: false)
+#show figure.where(kind: image): set figure(placement: bottom)
 #show figure.caption: it => {
   set par(first-line-indent: 0mm, justify: false)
   block(sticky: true, width: 100%, it.body)
 }
-#show math.equation.where(block: true): set block(above: 0.9em, below: 0.9em, breakable: true)
+#show math.equation.where(block: true): set block(above: 0.8em, below: 0.8em, breakable: true)
 #show math.equation: set text(font: "New Computer Modern Math")
 #show heading: set text(hyphenate: false)
 #show heading: set par(justify: false, first-line-indent: 0mm)
 #show heading: set block(above: 1.6em, below: 1em)
 #show heading.where(level: 1): set text(size: 15pt)
-#show heading.where(level: 2): set text(size: 13.5pt)
-#show heading.where(level: 3): set text(size: 13pt, style: "italic", weight: "regular")
+#show heading.where(level: 2): set text(size: 13pt)
+#show heading.where(level: 3): set text(size: 12pt, style: "italic", weight: "regular")
 #show link: set text(fill: black)
 #let contents(title) = {
   align(center, text(size: 15pt, weight: "bold", title))
@@ -76,7 +77,7 @@ TYPST = """\
 }
 #let bare(told) = {
   set table(stroke: none)
-  show table: set text(size: 13pt)
+  show table: set text(size: 12pt)
   told
 }
 #show enum: it => { show math.equation.where(block: true): set align(left); it }

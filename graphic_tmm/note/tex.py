@@ -77,8 +77,13 @@ _WORDS = frozenset(
     {"in", "dr", "ser", "mean", "red", "max", "min", "lim", "Zh", "bal", "fly", "bl"}
 )
 """Indices that are words: they stand upright."""
+_WORD = re.compile("[а-яА-Я–-]")
+"""An index with one of these is words, or a range: no product of letters."""
 _NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
 _RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
+
+BEGUN = {"open": ("(", ""), "close": ("", ")"), "inner": ("", "")}
+"""Parts of a bracket over several lines: its first, its last (which may be divided), those between."""
 
 Ink = markup.Text | markup.Lined | markup.Scripts
 Put = Callable[[str], str]
@@ -112,6 +117,8 @@ class _Writer:
 
     def __init__(self, language: str, put: Put) -> None:
         self.language, self.put = language, put
+        self.flat = False
+        """Fractions are written in a line: the formula stands among words."""
 
     def told(self, one: Formula | Tree | Leaf) -> str:
         if isinstance(one, Symbol):
@@ -121,6 +128,7 @@ class _Writer:
         if isinstance(one, Tree):
             return self.tree(one.node, one.put)
         sign = _RELATIONS.get(one.sign, f" {one.sign} ")
+        self.flat = one.flat
         found = sign.join(self.told(side) for side in one.sides)
         if one.follows:
             found = f"{sign.strip()} {found}"
@@ -152,6 +160,8 @@ class _Writer:
     def _text(self, words: str, index: bool) -> str:
         if index and words in _WORDS:
             return rf"\mathrm{{{words}}}"
+        if index and _WORD.search(words):
+            return _upright(words)
         found = []
         for known, some in groupby(words, key=_known):
             run = "".join(some)
@@ -193,6 +203,10 @@ class _Writer:
             return self._power(node, put)
         if node.head in ("radians", "degrees"):
             return self.tree(node.parts[0], put)
+        if node.head in BEGUN:
+            before, behind = BEGUN[node.head]
+            told = f"{before}{self.tree(node.parts[0], put)}{behind}"
+            return told + "".join(f"/{self._below(part, put)}" for part in node.parts[1:])
         if node.head in _RELATIONS:
             return _RELATIONS[node.head].join(self.tree(part, put) for part in node.parts)
         return self._call(node, put)
@@ -208,7 +222,7 @@ class _Writer:
     def _power(self, node: Node, put: Mapping[str, Leaf]) -> str:
         base, power = node.parts
         raised = self.tree(power, put).strip()
-        if base.head in _NAMED:
+        if base.head in _NAMED and power.head == "figure":
             return rf"\{base.head}^{{{raised}}} {self._argument(base.parts[0], put)}"
         return f"{self._base(base, put)}^{{{raised}}}"
 
@@ -231,6 +245,8 @@ class _Writer:
         upper, lower = r" \cdot ".join(above), r" \cdot ".join(below)
         if not below:
             return upper
+        if self.flat:
+            return f"{upper}/{lower}" if len(below) == 1 else f"{upper}/({lower})"
         bare = self._bare(node, put)
         return rf"\frac{{{upper}}}{{{lower}}}" if bare is None else bare
 
@@ -241,6 +257,11 @@ class _Writer:
             return None
         above, below = (self.tree(factor, put) for factor, _ in parts)
         return rf"\frac{{{above}}}{{{below}}}"
+
+    def _below(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        """Return what stands behind a stroke of a fraction."""
+        told = self.tree(node, put)
+        return told if node.head in _LEAVES else f"({told})"
 
     def _within(
         self, node: Node, put: Mapping[str, Leaf], loose: tuple[str, ...], *, first: bool
@@ -266,7 +287,8 @@ class _Writer:
         name = rf"\{node.head}" if node.head in _NAMED else rf"\mathrm{{{escaped(node.head)}}}"
         if len(told) > 1:
             return rf"{name}\left({', '.join(told)}\right)"
-        return f"{name} {self._argument(node.parts[0], put)}"
+        apart = "" if node.head in _NAMED else r"\,"
+        return f"{name}{apart} {self._argument(node.parts[0], put)}"
 
     def _argument(self, node: Node, put: Mapping[str, Leaf]) -> str:
         inner = node.parts[0] if node.head in ("radians", "degrees") else node

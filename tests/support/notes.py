@@ -53,6 +53,8 @@ def looked_up(made: DrawnScene, one: Number) -> float:
     drawn = next(board for board in made.boards if board.board == source.board)
     ways = {
         "mark": _of_mark,
+        "size": lambda drawn, source: abs(_of_mark(drawn, source)),
+        "structure": _of_structure,
         "column": _of_column,
         "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
         "given": _of_given,
@@ -81,6 +83,23 @@ def _of_mark(drawn: Drawn, source: Source) -> float:
     assert reading is not None
     row = reading.figure(mark)[0]
     return float(row[source.place if row.size > 1 else 0])
+
+
+def _of_structure(drawn: Drawn, source: Source) -> float:
+    """Count links and pairs anew, off the scene."""
+    mechanism = drawn.scene.mechanism
+    assert mechanism is not None
+    what, _, group = source.name.partition(" ")
+    if group:
+        return {"links": 2.0, "pairs": 3.0, "W": 0.0}[what]
+    if what == "link":
+        return float(mechanism.drive.link)
+    sliding = sum(len(link.slides) for link in mechanism.links)
+    letters = [letter for link in (*mechanism.links, mechanism.frame) for letter in link.points]
+    turning = sum(letters.count(letter) - 1 for letter in set(letters))
+    counts = {"n": len(mechanism.links), "p": sliding + turning}
+    counts["W"] = 3 * counts["n"] - 2 * counts["p"]
+    return float(counts[what])
 
 
 def _of_column(drawn: Drawn, source: Source) -> float:

@@ -27,6 +27,7 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Made, Place
+from graphic_tmm.chapters.structure.note import note
 from graphic_tmm.chapters.structure.tables import structure_views
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
@@ -53,4 +54,5 @@ CHAPTER = Chapter(
         "W": STRUCTURE.on(drawn).mobility,
         "formula": STRUCTURE.on(drawn).formula,
     },
+    note=note,
 )

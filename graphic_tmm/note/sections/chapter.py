@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
 from graphic_tmm.note.bricks import columns, figures_of, heading, plan, results, worked
-from graphic_tmm.note.document import Block, Picture
+from graphic_tmm.note.document import Block, Picture, Runs
 
 
 def chapter_section(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
@@ -27,8 +27,13 @@ def title(chapter: Chapter, language: str) -> str:
     return plain(words.get(f"chapter {chapter.name}", words.get(chapter.name, chapter.name)))
 
 
-def from_log(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
-    """Yield what the log tells of a chapter: its plans with figures, its columns, its results."""
+def from_log(
+    drawn: Drawn, chapter: Chapter, language: str, calculated: Container[str] = ()
+) -> Iterator[Block]:
+    """Yield what the log tells of a chapter: its plans with figures, its columns, its results.
+
+    ``calculated``: the views of which only is told what is calculated or read.
+    """
     at = worked(drawn)
     shown = [
         one
@@ -38,10 +43,12 @@ def from_log(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     ]
     views = _views(drawn, chapter)
     taken: set[str] = set()
+    known: set[Runs] = set()
     for view in views:
         own = [one for one in shown if view in one.drawing.shows and one.id not in taken]
         taken |= {one.id for one in own}
-        yield from plan(drawn, view, at, language, own)
+        bare = view in calculated
+        yield from plan(drawn, view, at, language, own, known=known, bare=bare)
     yield from _left(shown, taken)
     yield from columns(drawn, chapter.columns(drawn), language)
     yield from results(drawn, chapter, language)

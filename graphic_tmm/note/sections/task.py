@@ -11,7 +11,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import heading, worked
+from graphic_tmm.note.bricks import folded, heading, worked
 from graphic_tmm.note.document import (
     Block,
     Number,
@@ -82,4 +82,4 @@ def given_table(drawn: Drawn, language: str) -> Table | None:
         return None
     title = words["given" if drawn.board == MECHANISM else f"given {drawn.board}"]
     heads = text(words["letter"]), text(words["figure"]), text(words["unit"])
-    return Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc")
+    return folded(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))
