@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from graphic_tmm.fitting.choice import Ledger
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
+    from graphic_tmm.note.document import Block, Runs
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import (
@@ -208,6 +209,8 @@ class Chapter:
     that stand before its protocol. ``captions``: what its views, plans, letters of columns and results are
     called, English, by name; ``called``: a view whose name it makes up -> what that is called in a language;
     ``titles``: a view -> what it is called in the protocol of what was made, where that tells more.
+    ``note``: a drawn board, a language -> its section of the explanatory note; None: what the log tells of it;
+    ``concludes``: what follows from its results, a sentence each. ``sources``: the books that it follows.
     ``accuracy``: what it tells of its accuracy.
 
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
@@ -260,6 +263,9 @@ class Chapter:
     captions: Mapping[str, str] = field(default_factory=dict)
     called: Callable[[str, Speech], str] = lambda view, speech: ""
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
+    note: Callable[[Drawn, str], Iterable[Block] | None] = lambda drawn, language: None
+    concludes: Callable[[Drawn, str], Iterable[Runs]] = lambda drawn, language: ()
+    sources: tuple[str, ...] = ()
     accuracy: Accuracy = NOTHING
 
 

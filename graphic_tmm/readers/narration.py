@@ -60,7 +60,7 @@ def protocol(
     first = 0
     for counted, step in enumerate(steps, 1):
         for note in filter(None, step.note.split("\n")):
-            yield Line(0, view_name(note, language) if plan == SCALES else _remark(note, language))
+            yield Line(0, view_name(note, language) if plan == SCALES else remark(note, language))
             if note in solved:
                 yield Line(0, _told(solved[note], language))
         first = first or counted
@@ -117,7 +117,7 @@ _EXTREMES = {
 }
 
 
-def _remark(note: str, language: str) -> str:
+def remark(note: str, language: str) -> str:
     """Return a remark of the log in words: "D: left" is the extreme left position of D."""
     words = captions(language)
     if f"phase {note}" in words:

@@ -122,7 +122,7 @@ def part_protocol(
     if position is not None and position not in names:
         raise _no_position(drawn.scene, position, names)
     first = [names.index(position)] if position is not None else []
-    places = _covering(drawn.reading, [step.it for step in log.steps], first)
+    places = covering(drawn.reading, [step.it for step in log.steps], first)
     others = [(k, names[k]) for k in places]
     at = f", {captions(language)['position']} {names[places[0]]}" if len(names) > 1 else ""
     for view in dict.fromkeys(step.it.view for step in log.steps):
@@ -132,7 +132,7 @@ def part_protocol(
         yield ""
 
 
-def _covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
+def covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
     """Return positions (indices) so that each mark has a value in one of them: ``first``, then few more.
 
     A position is taken in the middle of the longest stretch on which the same has a value, and most of it.

@@ -78,7 +78,7 @@ def test_the_published_lengths_keep_the_stroke_but_not_the_ratio() -> None:
 
 def test_the_steps_of_the_synthesis_are_recorded() -> None:
     found = rocker(1.45, 0.095, 0.48)
-    assert [step.it.letter for step in found.construction.steps] == ["θ", "l_OA", "l_BC"]
+    assert [step.it.letter for step in found.construction.steps] == ["θ", "l_{OA}", "l_{BC}"]
     assert all(step.op.formula for step in found.construction.steps)
     assert sorted(found.lengths) == ["BC", "OA", "OB"]
 

@@ -43,6 +43,7 @@ from graphic_tmm.chapters.forces.captions import CAPTIONS, called
 from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.given import given
+from graphic_tmm.chapters.forces.note import concludes, note
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
 from graphic_tmm.chapters.forces.sections import SECTIONS
@@ -132,4 +133,6 @@ CHAPTER = Chapter(
     views=_views,
     equations=views.polygon_equation,
     accuracy=ACCURACY,
+    note=note,
+    concludes=concludes,
 )

@@ -154,7 +154,7 @@ def _three(
         high,
     )
     heading = f"{called(f'equations {name}', _)}, {at}"
-    equation = _equation(polygon, language)
+    equation = vectors_of(polygon, language)
     return paired(
         [
             told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}"),
@@ -164,7 +164,7 @@ def _three(
     )
 
 
-def _equation(polygon: Polygon, language: str) -> str:
+def vectors_of(polygon: Polygon, language: str) -> str:
     """Return the vector equation of a polygon: two lines under what was known, one under a direction."""
     letters = [symbol(letter, language) for letter, _, _ in polygon.sides]
     known = len(letters) - (2 if "-" in polygon.view else 1)

@@ -50,6 +50,7 @@ from graphic_tmm.chapters.kinematics.captions import CAPTIONS
 from graphic_tmm.chapters.kinematics.choice import choose
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.given import given
+from graphic_tmm.chapters.kinematics.note import note
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
     KINEMATICS,
@@ -175,4 +176,5 @@ CHAPTER = Chapter(
     speeds=speed_marks,
     views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)},
     accuracy=ACCURACY,
+    note=note,
 )
