@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
@@ -157,8 +158,9 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[
         found = synthesis(drawn.scene)
         if found is None:
             return
-        reading = execute(found.construction, found.given)
-        lines = list(narrate(found.construction, view, reading, 0, language))
+        log = found.construction
+        reading = execute(log, found.given).doubted(Doubts(log.steps, found.given))
+        lines = list(narrate(log, view, reading, 0, language))
         yield view_name(view, language)
     else:
         at, row = drawn.of(view), drawn.row(view)
