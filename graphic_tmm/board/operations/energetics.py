@@ -130,6 +130,13 @@ def added(first: Number, second: Number) -> Number:
 
 
 @formula(
+    why=said("A link is taken for an even rod: its moment of inertia about the middle is m·l²/12.")
+)
+def rod_inertia(mass: Number, length: Number) -> Number:
+    """{mass}·{length}²/12"""
+
+
+@formula(
     why=said(
         "The reduced moment of inertia, turning with the crank, has the kinetic energy of all links: "
         "J·ω²/2 = T."

@@ -36,6 +36,7 @@ from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.inertia import inertia_of
 from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 
@@ -182,7 +183,7 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
     force = _inertia_force(ground, plan, link) if link.mass else None
     couple = None
     if link.inertia and n in plan.rates:
-        inertia = ground.draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
+        inertia = inertia_of(draft, link)
         letter = f"M_{{i{n}}}"
         value = draft.draw(
             inertia_couple, letter, inertia, plan.rates[n], unit="N·m", role=roles.INERTIA
