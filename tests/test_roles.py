@@ -35,6 +35,8 @@ ALLOWED = {
     "readers/text.py: captions(language).get(column.letter)",
     # people name what they read by the names of the table
     "checking/judging/taken_marks.py: found.setdefault((mark.view, segment_name(mark.letter)), step)",
+    # how many marks of a name stand before one, of which people are told
+    "board/record.py: self.letter.count(TALLY)",
     # what strokes a text is lettered with
     "paper/write/svg.py: groups.setdefault(letters.letter(label.text, size=label.size).pen, [])",
 }

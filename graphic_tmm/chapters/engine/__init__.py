@@ -30,6 +30,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
 from graphic_tmm.chapters.engine.captions import CAPTIONS
+from graphic_tmm.chapters.engine.choice import choose
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
@@ -89,6 +90,7 @@ CHAPTER = Chapter(
     charts=lambda made: made.charts,
     reach=reach,
     scales=engine_scales,
+    choice=choose,
     named=named,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(ENGINE.chapter,),

@@ -40,6 +40,7 @@ from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.forces import views
 from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.captions import CAPTIONS, called
+from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.given import given
 from graphic_tmm.chapters.forces.plan import FORCES, record
@@ -117,6 +118,7 @@ CHAPTER = Chapter(
     record=record,
     reach=reach,
     scales=force_scales,
+    choice=choose,
     named=named,
     scale_key=scale_key,
     nothing=balanced,

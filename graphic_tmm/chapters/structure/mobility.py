@@ -9,6 +9,7 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapter import Aside
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 
@@ -17,7 +18,11 @@ STRUCTURE, PARTS = "structure", "groups of structure"
 """The places of the tables, and of the parts by themselves."""
 
 
-@formula
+@formula(
+    why=said(
+        "A link has three freedoms in the plane; a pair of class 5 takes two of them, one of class 4 one."
+    )
+)
 def mobility(n: Number, p5: Number, p4: Number) -> Number:
     """3·{n} − 2·{p5} − {p4}"""
 
