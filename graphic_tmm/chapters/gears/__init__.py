@@ -29,11 +29,13 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
+from graphic_tmm.chapters.gears.beside import record_beside
 from graphic_tmm.chapters.gears.captions import CAPTIONS
 from graphic_tmm.chapters.gears.choice import choose
 from graphic_tmm.chapters.gears.given import given
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
+from graphic_tmm.chapters.gears.stations import station_columns
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import view_scales
@@ -43,7 +45,7 @@ from graphic_tmm.scene.records import Scene
 
 
 def _fixed(scene: Scene) -> str:
-    return "gears.mu_l" if "gears.mu_l" in scene.told else ""
+    return next((key for key in ("gears.mu_l", "gears.a_w") if key in scene.told), "")
 
 
 CHAPTER = Chapter(
@@ -60,12 +62,13 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     scales=gear_scales,
     choice=choose,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
     plans=(GEARS.chapter,),
-    columns=measured_columns,
+    columns=lambda drawn: (*measured_columns(drawn), *station_columns(drawn)),
     results=gear_results,
     accuracy=ACCURACY,
 )

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.plan import GEARS
-from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.drawn import MEASURED, Drawn, Results
 
 
 def gear_results(drawn: Drawn) -> Results:
     """Return each result with its unit: those of the pair, those of each wheel with its number behind them.
 
-    ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
+    Behind them those that are drawn, mm on the sheet. ``contact_ratio`` is that of the formula,
+    ``contact_ratio_drawn`` ab over the base pitch as measured.
     """
     gear, reading = GEARS.on(drawn), drawn.reading
-    sizes, contact = gear.sizes, gear.contact
+    sizes, contact, beside = gear.sizes, gear.contact, BESIDE.on(drawn)
     marks: dict[str, Mark] = {
+        "gear_ratio": beside.ratio,
         "alpha_w": sizes.alpha_w,
         "a": sizes.a,
         "a_w": sizes.a_w,
@@ -24,6 +27,7 @@ def gear_results(drawn: Drawn) -> Results:
         "h_w": sizes.h_w,
         "p": sizes.p,
         "p_b": sizes.p_b,
+        "arc_of_engagement": beside.arc,
         "contact_ratio": sizes.contact_ratio,
         "contact_ratio_drawn": contact.drawn,
         "contact_ratio_difference": contact.difference,
@@ -41,8 +45,10 @@ def gear_results(drawn: Drawn) -> Results:
             "arc_of_engagement": engaged.real,
         }
         marks |= {f"{name}{wheel.number}": mark for name, mark in own.items()}
+    lengths = {name: mark for name, mark in marks.items() if mark in beside.drawn}
+    marks |= {f"{name}_drawn": beside.drawn[mark] for name, mark in lengths.items()}
     units = {"alpha_w": "°"}
     return {
-        name: (reading[mark][:, 0].copy(), units.get(name, mark.unit))
+        name: (reading[mark][:, 0].copy(), units.get(name, MEASURED.get(mark.kind, mark.unit)))
         for name, mark in marks.items()
     }
