@@ -34,15 +34,17 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
+from graphic_tmm.chapters.cam.beside import record_beside
 from graphic_tmm.chapters.cam.captions import CAPTIONS
 from graphic_tmm.chapters.cam.choice import choose
-from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.findings import cam_findings, changes
 from graphic_tmm.chapters.cam.given import given
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
-from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
+from graphic_tmm.chapters.cam.table import cam_columns, results
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
+from graphic_tmm.chapters.cam.verdict import verdict
 from graphic_tmm.chapters.cam.views import cam_views
-from graphic_tmm.drawn import Drawn, results_of, view_scales
+from graphic_tmm.drawn import Drawn, view_scales
 from graphic_tmm.readers.given import given_place
 from graphic_tmm.scene.records import Scene
 
@@ -55,9 +57,10 @@ def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
 
 
 def _limits(drawn: Drawn, language: str) -> tuple[str, ...]:
-    """Return, as sentences, the limits that a cam passes."""
-    found = cam_findings(drawn.reading, CAM.on(drawn))
-    return tuple(one.says(language) for one in found)
+    """Return, as sentences, what was changed of diagrams read off paper, and the limits that a cam passes."""
+    made = CAM.on(drawn)
+    found = cam_findings(drawn.reading, made)
+    return (*changes(made, language), *(one.says(language) for one in found))
 
 
 def _told(key: str) -> Size:
@@ -74,6 +77,14 @@ def _told(key: str) -> Size:
 CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
 """What share of a sheet's height what a key sizes may take."""
 
+SCALE_KEYS = {
+    "cam S": "mu_S_cam",
+    "cam dS": "mu_dS_cam",
+    "cam ddS": "mu_ddS_cam",
+    "cam profile": "mu_l_cam",
+}
+"""What the scale factors are called where machines read them."""
+
 CHAPTER = Chapter(
     name=CAM.chapter,
     number=8,
@@ -85,12 +96,15 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     choice=choose,
     charts=lambda made: made.charts,
+    scale_key=lambda view: SCALE_KEYS.get(view, ""),
     named=lambda project, reading, given: view_scales(project, reading),
     warnings=_limits,
     plans=(CAM.chapter,),
     columns=cam_columns,
-    results=lambda drawn: results_of(drawn, cam_marks(CAM.on(drawn))),
+    results=results,
+    concludes=verdict,
     accuracy=ACCURACY,
 )

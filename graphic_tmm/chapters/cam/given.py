@@ -10,9 +10,11 @@ from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
     FlatFollower,
+    Follower,
     RockerFollower,
     RollerFollower,
 )
+from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
 
 MM = 1000.0
@@ -33,6 +35,8 @@ def given(scene: Scene) -> Iterator[Given]:
     for number, angle in enumerate(phases, 1):
         if angle:
             yield Given(f"φ_{number}", angle, "°")
+    if order.speed is not None:
+        yield given_speed("1", order.speed)
     yield from _laws(order)
     yield from _follower(order)
     if not isinstance(order.follower, FlatFollower):
@@ -51,8 +55,9 @@ def _laws(order: CamTask) -> Iterator[Given]:
 
 
 def _follower(order: CamTask) -> Iterator[Given]:
-    """The sizes of the follower that the task fixes."""
+    """What follows the cam, and its sizes that the task fixes."""
     follower = order.follower
+    yield Given("given follower", _called(follower))
     if isinstance(follower, RockerFollower):
         yield Given("l", follower.lever * MM, "mm")
         yield Given("a_w", follower.centres * MM, "mm")
@@ -60,3 +65,10 @@ def _follower(order: CamTask) -> Iterator[Given]:
         yield Given("e", follower.offset * MM, "mm")
     elif isinstance(follower, FlatFollower) and follower.least:
         yield Given("[ρ]", follower.least * MM, "mm")
+
+
+def _called(follower: Follower) -> str:
+    """Return the name by which the follower is captioned."""
+    if isinstance(follower, RollerFollower):
+        return "follower with offset" if follower.offset else "follower central"
+    return "follower rocker" if isinstance(follower, RockerFollower) else "follower flat"

@@ -37,6 +37,7 @@ from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.stations import station_columns
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
+from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.given import given_place
@@ -70,5 +71,6 @@ CHAPTER = Chapter(
     plans=(GEARS.chapter,),
     columns=lambda drawn: (*measured_columns(drawn), *station_columns(drawn)),
     results=gear_results,
+    concludes=verdict,
     accuracy=ACCURACY,
 )

@@ -17,8 +17,11 @@ from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.chapters.gears.refusals import refuse_order
 from graphic_tmm.chapters.gears.stations import PLAN
 from graphic_tmm.chapters.gears.task import GearTask
+from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.fitting.choice import choices
+from graphic_tmm.note.document import Number as Figure
+from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -130,6 +133,15 @@ def test_the_table_of_sliding_has_its_limits_the_pole_and_the_stations_of_the_ta
     assert second[inner] == pytest.approx((along[1] - along[0]) / along[1], abs=1e-9)
     assert (first[-1], second[0]) == (1.0, 1.0)
     assert np.isnan([first[0], second[-1]]).all()
+
+
+def test_that_all_checks_hold_is_told_in_words_and_only_then(tmp_path: Path) -> None:
+    (told,) = verdict(part(read(SCENE)), "en")
+    words = "".join(one.text for one in told if isinstance(one, (Text, Figure)))
+    assert words.startswith("All conditions of the meshing hold")
+    assert "1.158" in words
+    undercut = edited(tmp_path, ("x1 = 0.83", "x1 = 0.0"), name="gear-pair")
+    assert not list(verdict(part(read(undercut)), "en"))
 
 
 def _results(drawn: Drawn) -> Results:
