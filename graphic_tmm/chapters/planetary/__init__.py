@@ -36,8 +36,9 @@ from graphic_tmm.chapters.planetary.choice import choose_steps
 from graphic_tmm.chapters.planetary.given import given
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
+from graphic_tmm.chapters.planetary.verdict import train_results, verdict
 from graphic_tmm.chapters.planetary.views import planetary_views
-from graphic_tmm.drawn import results_of, view_scales
+from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.given import given_place
 from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene.records import Scene
@@ -75,5 +76,6 @@ CHAPTER = Chapter(
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(_NAME,),
     columns=measured_columns,
-    results=lambda drawn: results_of(drawn, PLANETARY_TRAIN.on(drawn).results),
+    results=train_results,
+    concludes=verdict,
 )
