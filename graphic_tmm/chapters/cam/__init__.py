@@ -77,14 +77,6 @@ def _told(key: str) -> Size:
 CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
 """What share of a sheet's height what a key sizes may take."""
 
-SCALE_KEYS = {
-    "cam S": "mu_S_cam",
-    "cam dS": "mu_dS_cam",
-    "cam ddS": "mu_ddS_cam",
-    "cam profile": "mu_l_cam",
-}
-"""What the scale factors are called where machines read them."""
-
 CHAPTER = Chapter(
     name=CAM.chapter,
     number=8,
@@ -99,7 +91,6 @@ CHAPTER = Chapter(
     aside=record_beside,
     choice=choose,
     charts=lambda made: made.charts,
-    scale_key=lambda view: SCALE_KEYS.get(view, ""),
     named=lambda project, reading, given: view_scales(project, reading),
     warnings=_limits,
     plans=(CAM.chapter,),

@@ -10,7 +10,6 @@ from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
     FlatFollower,
-    Follower,
     RockerFollower,
     RollerFollower,
 )
@@ -55,9 +54,8 @@ def _laws(order: CamTask) -> Iterator[Given]:
 
 
 def _follower(order: CamTask) -> Iterator[Given]:
-    """What follows the cam, and its sizes that the task fixes."""
+    """The sizes of the follower that the task fixes."""
     follower = order.follower
-    yield Given("given follower", _called(follower))
     if isinstance(follower, RockerFollower):
         yield Given("l", follower.lever * MM, "mm")
         yield Given("a_w", follower.centres * MM, "mm")
@@ -65,10 +63,3 @@ def _follower(order: CamTask) -> Iterator[Given]:
         yield Given("e", follower.offset * MM, "mm")
     elif isinstance(follower, FlatFollower) and follower.least:
         yield Given("[ρ]", follower.least * MM, "mm")
-
-
-def _called(follower: Follower) -> str:
-    """Return the name by which the follower is captioned."""
-    if isinstance(follower, RollerFollower):
-        return "follower with offset" if follower.offset else "follower central"
-    return "follower rocker" if isinstance(follower, RockerFollower) else "follower flat"

@@ -15,8 +15,8 @@ CAPTIONS: dict[str, str] = {
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),
     "planetary_difference": said("Δ_{U}"),
-    "planetary_mesh_1": said("U of the first mesh, carrier stopped"),
-    "planetary_mesh_2": said("U of the second mesh, carrier stopped"),
+    "planetary_mesh_1": said("U^{H} of the first mesh"),
+    "planetary_mesh_2": said("U^{H} of the second mesh"),
     "planetary_most": "k_{max}",
     "overall_ratio": "U_{0}",
 }

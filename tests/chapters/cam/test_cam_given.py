@@ -24,7 +24,6 @@ def test_a_roller_by_phases_law_and_pressure_angle(tmp_path: Path) -> None:
         "h": (pytest.approx(28.0), "mm"),
         **{"φ_1": (100.0, "°"), "φ_2": (20.0, "°"), "φ_3": (90.0, "°"), "φ_4": (150.0, "°")},
         "given law": ("law sine", ""),
-        "given follower": ("follower with offset", ""),
         "e": (pytest.approx(6.0), "mm"),
         "[α]": (35.0, "°"),
     }
