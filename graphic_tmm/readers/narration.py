@@ -9,25 +9,28 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.captions import captions
+from graphic_tmm.captions import captions, view_name
+from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.readers.equations import Equation, equations
-from graphic_tmm.readers.sentences import calculation, sentence
+from graphic_tmm.readers.equations import Equation, equations, heading
+from graphic_tmm.readers.sentences import calculation, reason, sentence
 
 
 class Line(NamedTuple):
     """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none).
 
-    ``first``: the number of the first of the steps that the line tells, where it tells several.
+    ``first``: the number of the first of the steps that the line tells, where it tells several. ``why``: the
+    reason of the step.
     """
 
     number: int
     text: str
     calculation: str = ""
     first: int = 0
+    why: str = ""
 
     @property
     def label(self) -> str:
@@ -57,7 +60,7 @@ def protocol(
     sums = _sums(steps)
     first, remarks, left_out = 0, list[Line](), list[Line]()
     for counted, step in enumerate(steps, 1):
-        remarks = _remarks(step.note, solved, language) or remarks
+        remarks = _remarks(step, solved, language) or remarks
         first = first or counted
         terms = sums.get(step.it, ())
         if step.it in sums and not terms:
@@ -73,7 +76,8 @@ def protocol(
             yield Line(0, f"{captions(language)['position']} {own[at]}")
             told = at
         note = calculation(step, reading, at, language, terms)
-        yield Line(counted, sentence(step, language, reading, at), note, first)
+        why = reason(step, language, reading, at)
+        yield Line(counted, sentence(step, language, reading, at), note, first, why)
         first = 0
     yield from _left_out(left_out, language)
 
@@ -90,11 +94,12 @@ def _left_out(lines: Sequence[Line], language: str) -> Iterator[Line]:
         yield Line(0, speaking(language)(text))
 
 
-def _remarks(notes: str, solved: Mapping[str, Equation], language: str) -> list[Line]:
+def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[Line]:
     """Return what stands before a step: its remarks, and the equations that they begin."""
     found = []
-    for note in filter(None, notes.split("\n")):
-        found.append(Line(0, _remark(note, language)))
+    for note in filter(None, step.note.split("\n")):
+        heading = view_name if step.it.view == SCALES else remark
+        found.append(Line(0, heading(note, language)))
         if note in solved:
             found.append(Line(0, _told(solved[note], language)))
     return found
@@ -140,7 +145,7 @@ _EXTREMES = {
 }
 
 
-def _remark(note: str, language: str) -> str:
+def remark(note: str, language: str) -> str:
     """Return a remark of the log in words: "D: left" is the extreme left position of D."""
     words = captions(language)
     if f"phase {note}" in words:
@@ -149,5 +154,5 @@ def _remark(note: str, language: str) -> str:
     return (
         speaking(language)(_EXTREMES[way], point=letter)
         if way in _EXTREMES
-        else plain(symbol(note, language))
+        else plain(symbol(heading(note, language), language))
     )

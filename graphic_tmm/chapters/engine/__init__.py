@@ -30,6 +30,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
 from graphic_tmm.chapters.engine.captions import CAPTIONS
+from graphic_tmm.chapters.engine.choice import choose
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
@@ -45,6 +46,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     POSITIONS,
     VELOCITIES,
 )
+from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -57,7 +59,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 
 
 def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
-    return ("graphs",) if view.startswith("indicator") else ("engine", POSITIONS)
+    return (GRAPHS,) if view.startswith("indicator") else ("engine", POSITIONS)
 
 
 def _views(project: Project) -> dict[str, list[str]]:
@@ -77,10 +79,10 @@ CHAPTER = Chapter(
             71,
             engine_diagram_views,
             follows=(POSITIONS,),
-            sizes=lambda scene, view: ("graphs",),
+            sizes=lambda scene, view: (GRAPHS,),
         ),
     ),
-    sizes=(Size("engine", least=0.5, small=0.7, cap=0.4),),
+    sizes=(GRAPH, Size("engine", least=0.5, small=0.7, cap=0.4)),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     sections=SECTIONS,
@@ -88,6 +90,7 @@ CHAPTER = Chapter(
     charts=lambda made: made.charts,
     reach=reach,
     scales=engine_scales,
+    choice=choose,
     named=named,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(ENGINE.chapter,),

@@ -20,6 +20,7 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.chapters.forces.statics import Slope
@@ -127,9 +128,9 @@ class Rub:
             self.fastest,
             unit="N·m",
         )
-        made.couples.append(Couple(letter, link, value))
+        made.couples.append(Couple(letter, link, value, (name, body)))
         back = draft.draw(reversed_, f"M_{{f{name}{body}}}", value, unit="N·m")
-        made.couples.append(Couple(f"M_{{f{name}{body}}}", body, back))
+        made.couples.append(Couple(f"M_{{f{name}{body}}}", body, back, (name, link)))
 
     def _guide(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
         assert reaction.normal is not None
@@ -152,7 +153,9 @@ class Rub:
         draft.open(view)
         letters = (f"F_{{{body}{link}}}", f"F_{{{link}{body}}}")
         ends = (reaction.tail, reaction.head)
-        segment = draft.draw(measure_along, f"y_{{F{body}{link}}}", *ends, leg.line)
+        segment = draft.draw(
+            measure_along, f"y_{{F{body}{link}}}", *ends, leg.line, why=why.FRICTION_READ
+        )
         value = draft.draw(in_si, letters[0], segment, unit="N")
         own = self.velocities.closed[closing.group.name]
         under = known_image(self.velocities, closing, leg)

@@ -12,6 +12,8 @@ CAPTIONS: dict[str, str] = {
     "planetary-conditions": said("Conditions on the tooth numbers"),
     "planetary-trains": said("Trains, the smallest first"),
     "train size": said("size"),
+    "planetary-calculation": said("Calculation of the train"),
+    "planetary-behind": said("Speed behind the train"),
     "planetary_satellites": said("number of satellites k"),
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),
