@@ -12,6 +12,7 @@ CAPTIONS: dict[str, str] = {
     "gear-rolling-1": said("Construction of a tooth of wheel 1"),
     "gear-rolling-2": said("Construction of a tooth of wheel 2"),
     "sliding": said("Specific sliding"),
+    "sliding-table": said("Specific sliding"),
     "alpha_w": "α_{w}",
     "delta_y": "Δy",
     "contact_ratio": "ε_{α}",
