@@ -53,3 +53,19 @@ SHARE_OF_CENTRE = said(
     "The components of the vector from the centre, along the way and square to it, go into the curvature "
     "of the profile."
 )
+WAVE_CENTRE = said("The circle of the wave stands on the ordinate of the phase's beginning.")
+WAVE_CIRCLE = said(
+    "A circle with the amplitude of the wave as its radius gives all heights of the wave."
+)
+WAVE_LEVEL = said("The height of the point on the circle is carried across to the positions.")
+WAVE_AT = said(
+    "The level of its part of the circle and the place of the position on the base meet in a point of the "
+    "diagram."
+)
+OVER_POSITION = said("Over each part of the phase stands its ordinate.")
+STROKE_TOP = said("At the inner end of the phase the whole stroke is done.")
+MIDDLE = said("In the middle of the phase the acceleration changes its sign.")
+PARABOLA_RAY = said("Rays to equal parts of the middle ordinate cut the ordinates of the parabola.")
+TRIANGLE_SIDE = said(
+    "Under constant acceleration the velocity changes evenly: along a straight line."
+)
