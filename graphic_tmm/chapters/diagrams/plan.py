@@ -27,6 +27,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.diagrams import reasons as why
+from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
@@ -44,8 +45,6 @@ UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
 """Of the diagrams over time."""
 ROOM = 50.0
 """Room for the highest ordinate of a diagram, mm."""
-BASE = 120.0
-"""Length of the base where the task does not say, mm."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +79,7 @@ def record(bench: Bench) -> Kinematic | None:
     assert velocities is not None
     leg = sliding_leg(positions, order.point, plans.mechanism.frame.number, ASKED.section)
     _refuse_poles(order)
+    order = settled(order, plans.mechanism.drive.speed)
     base = _base(draft, velocities, order, plans.numbers, plans.count)
     planned = {"V": velocities.readings[leg.link]}
     if accelerations is not None and leg.link in accelerations.readings:
