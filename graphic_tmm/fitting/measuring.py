@@ -97,7 +97,9 @@ class Rooms:
                 self._counts[key] = 1
                 return 1
             try:
-                self._counts[key] = len(shared([Order(tuple(outlines), rooms, order.format)]))
+                wanted = [Order(tuple(outlines), rooms, order.format)]
+                enough = most if math.isfinite(most) else 0.0
+                self._counts[key] = len(shared(wanted, enough=enough))
             except ViewError:
                 self._counts[key] = math.inf
         return self._counts[key]
@@ -127,6 +129,10 @@ class Rooms:
             for one in self.shown(sizes)
             if places()[one.place][0].board in self.boards and not holds(one.within, one.view)
         ]
+
+    def holding(self, number: int, sizes: Sizes) -> Iterator[bool]:
+        """Yield of each view of an order whether a sheet of it holds the view."""
+        return (holds(one.within, one.view) for one in self._of(number, sizes))
 
     def near(self, sizes: Sizes) -> bool:
         """Whether a view is about as large as what a sheet holds: then its letters tell whether it does."""

@@ -58,6 +58,9 @@ class Search:
             self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
         for rooms in (self.rooms, self.written):
+            if rooms is self.written:
+                # or less: of many positions they stand far out
+                least = self._with_letters(least)
             least, saved = self._saving(least, free, rooms)
             if saved:
                 return least
@@ -83,10 +86,21 @@ class Search:
 
     def lettered(self, steps: list[Sizes], most: float) -> Sizes | None:
         """Return the largest of sizes, in order, that take no more sheets with their letters; None: all do."""
-        for sizes in reversed(steps):
-            if not self.written.takes_more(sizes, most):
-                return sizes
-        return None
+        held, back = -1, 1  # the last known to be, and how far before the last it is looked for
+        over = len(steps)
+        while over > 0 and held < 0:
+            tried = max(len(steps) - back, 0)
+            if self.written.takes_more(steps[tried], most):
+                over, back = tried, 2 * back + 1
+            else:
+                held = tried
+        while held >= 0 and over - held > 1:
+            middle = (held + over) // 2
+            if self.written.takes_more(steps[middle], most):
+                over = middle
+            else:
+                held = middle
+        return steps[held] if held >= 0 else None
 
     def _saving(self, sizes: Sizes, free: Sequence[str], rooms: Rooms) -> tuple[Sizes, bool]:
         """Return sizes to begin with: less than usual where that saves sheets that nobody ordered.
@@ -94,10 +108,11 @@ class Search:
         And whether they stay so: what would stand on a sheet that is saved has just room on others.
         """
         count, ordered = rooms.count(sizes), len(self.scene.sheets)
-        if count <= ordered:
+        if count <= ordered or math.isinf(count):
             return sizes, False
         tried = [sizes]
-        for less in self._giving_way(sizes, free):
+        narrow = ordered > 1 and count == ordered + 1  # then what is left over may stand elsewhere
+        for less in self._giving_way(sizes, free, rooms, math.inf if narrow else count - 1):
             if not rooms.takes_more(less, count - 1):
                 sizes, count = less, rooms.count(less)
             if count <= ordered:
@@ -108,17 +123,30 @@ class Search:
                 return less, True
         return sizes, False
 
-    def _giving_way(self, sizes: Sizes, free: Sequence[str]) -> Iterator[Sizes]:
-        """Yield smaller sizes: small ones, one of them step by step, all of them step by step."""
+    def _giving_way(
+        self, sizes: Sizes, free: Sequence[str], rooms: Rooms, most: float
+    ) -> Iterator[Sizes]:
+        """Yield smaller sizes: small ones, one of them step by step, all of them step by step.
+
+        What takes more sheets than ``most`` where it is smallest is not tried in between.
+        """
         small = {n: min(sizes[n], self.own[n][1].small) for n in free if self.own[n][1].small}
         yield {**sizes, **small}
         there = [name for name in free if self.own[name][1].cap > 0.0]
+        groups = [*([name] for name in there), there]
+
+        def smaller(names: Sequence[str], part: float) -> Sizes:
+            less: Sizes = {**sizes, **small} if len(names) > 1 else sizes
+            for name in names:
+                less = self._less(name, part * sizes[name], less)
+            return less
+
+        if math.isfinite(most):
+            groups = [g for g in groups if not rooms.takes_more(smaller(g, WAY[-1]), most)]
         tried = {self._come_of(sizes)}
         for part in WAY:
-            for names in (*([name] for name in there), there):
-                less: Sizes = {**sizes, **small} if len(names) > 1 else sizes
-                for name in names:
-                    less = self._less(name, part * sizes[name], less)
+            for names in groups:
+                less = smaller(names, part)
                 if (known := self._come_of(less)) not in tried:
                     tried.add(known)
                     yield less
@@ -128,10 +156,10 @@ class Search:
 
     def _less(self, name: str, wanted: float, sizes: Sizes) -> Sizes:
         """Return sizes of which one has given way, if it can and what comes of it can still be measured."""
-        board, size = self.own[name]
+        size = self.own[name][1]
         least = size.least if size.in_mm else max(size.least, size.small)
         less = {**sizes, name: min(sizes[name], max(wanted, least))}
-        return less if board.mm(name, less) >= SAVING * MEASURABLE else sizes
+        return sizes if self._tiny(name, less) else less
 
     def with_board(self, board: Board) -> Search:
         """Return a search with another board of the same name, for its scene."""
@@ -203,6 +231,29 @@ class Search:
                 break
             sizes = less
         return sizes
+
+    def _with_letters(self, sizes: Sizes) -> Sizes:
+        """Return sizes at which a sheet holds every view with its letters; as they were if these are too small.
+
+        Letters of many points stand the farther out the smaller their plan is.
+        """
+        tried = sizes
+        while over := self.written.too_large(tried):
+            less = _smaller(over, tried, self.scene)
+            tiny = (n for n in less if n in self.own and less[n] < tried[n] and self._tiny(n, less))
+            if less == tried or any(tiny):
+                return sizes
+            tried = less
+        return tried
+
+    def _tiny(self, name: str, sizes: Sizes) -> bool:
+        """Whether a size leaves of a plan less than can be measured."""
+        return self.own[name][0].mm(name, sizes) < SAVING * MEASURABLE
+
+    def over(self, sizes: Sizes) -> list[int]:
+        """Return the orders (indices) of which a view fits no sheet."""
+        there = range(len(self.scene.sheets))
+        return [k for k in there if not all(self.written.holding(k, sizes))]
 
     def by_hand(self, own: Mechanism, sizes: Sizes, wanted: Set[str] | None) -> tuple[Sizes, Drawn]:
         """Return the sizes, and what is drawn with them by the scene's own hand.

@@ -33,10 +33,10 @@ def rocker(K_v: float, stroke: float, OB: float) -> Found:
     board.open("synthesis")
     ratio = board.take(Number, "K_v")
     travel = board.take(Number, "S", "m")
-    centres = board.take(Number, "l_OB", "m")
+    centres = board.take(Number, "l_{OB}", "m")
     theta = board.draw(swing_angle, "θ", ratio)
-    crank = board.draw(sine_of_half, "l_OA", centres, theta, unit="m")
-    arm = board.draw(half_chord, "l_BC", travel, theta, unit="m")
+    crank = board.draw(sine_of_half, "l_{OA}", centres, theta, unit="m")
+    arm = board.draw(half_chord, "l_{BC}", travel, theta, unit="m")
     given: dict[Mark, object] = {ratio: K_v, travel: stroke, centres: OB}
     return Found(board.construction(), given, {"OA": crank, "BC": arm, "OB": centres})
 

@@ -8,17 +8,22 @@ the line itself. A side that begins at the pole has no vector but that of the li
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel
 from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 
 QUANTITIES = {"p": "v", "π": "a"}
 """What a segment stands for whose name begins with the letter of a pole."""
 VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
 """The vectors of a plan by the role of its pole."""
+_GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
+"""How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
 
 
 class Term(NamedTuple):
@@ -34,9 +39,14 @@ class Term(NamedTuple):
     marks: tuple[Mark, ...] = ()
     line: Mark | None = None
 
+    @property
+    def barred(self) -> str:
+        """The letter of the vector, without lines under it."""
+        return _bar(self.symbol)
+
     def __str__(self) -> str:
         under = "uu" if self.known else "u"
-        return f"\\{under}{{{_bar(self.symbol)}}}"
+        return f"\\{under}{{{self.barred}}}"
 
 
 class Equation(NamedTuple):
@@ -72,6 +82,16 @@ class Equation(NamedTuple):
             f"{term.symbol}{': ' if '→' in term.direction else ' '}{term.direction}"
             for term in found
         )
+
+
+def heading(note: str, language: str) -> str:
+    """Return a remark of the log that heads a group in words; any other remark as it is.
+
+    >>> heading("II(2-3)", "en"), heading("v_A = ω_1·l_{OA}", "en")
+    ('group 2-3 of class II', 'v_A = ω_1·l_{OA}')
+    """
+    found = _GROUP.fullmatch(note)
+    return note if found is None else speaking(language)(_HEADING, name=found[1])
 
 
 def _bar(symbol: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
@@ -122,7 +123,7 @@ def part_protocol(
     if position is not None and position not in names:
         raise _no_position(drawn.scene, position, names)
     first = [names.index(position)] if position is not None else []
-    places = _covering(drawn.reading, [step.it for step in log.steps], first)
+    places = covering(drawn.reading, [step.it for step in log.steps], first)
     others = [(k, names[k]) for k in places]
     at = f", {captions(language)['position']} {names[places[0]]}" if len(names) > 1 else ""
     for view in dict.fromkeys(step.it.view for step in log.steps):
@@ -132,7 +133,7 @@ def part_protocol(
         yield ""
 
 
-def _covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
+def covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
     """Return positions (indices) so that each mark has a value in one of them: ``first``, then few more.
 
     A position is taken in the middle of the longest stretch on which the same has a value, and most of it.
@@ -206,11 +207,10 @@ def _beside(drawn: Drawn, plan: str, language: str, why: bool) -> Iterator[str]:
     found = synthesis(drawn.scene) if plan == SYNTHESIS else choices(drawn)
     if found is None or not found.construction.steps:
         return
-    reading = execute(found.construction, found.given)
+    log = found.construction
+    reading = execute(log, found.given).doubted(Doubts(log.steps, found.given))
     yield view_name(plan, language)
-    yield from _printed(
-        narrate(found.construction, plan, reading, 0, language), language if why else ""
-    )
+    yield from _printed(narrate(log, plan, reading, 0, language), language if why else "")
     yield ""
 
 

@@ -43,6 +43,7 @@ from graphic_tmm.chapters.forces.captions import CAPTIONS, called
 from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.given import given
+from graphic_tmm.chapters.forces.note import concludes, note
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
 from graphic_tmm.chapters.forces.sections import SECTIONS
@@ -59,6 +60,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -75,7 +77,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 
 def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
     if view.startswith("indicator"):
-        return ("graphs",)
+        return (GRAPHS,)
     return ("groups",) if view.startswith("group") else ("forces",)
 
 
@@ -109,7 +111,7 @@ CHAPTER = Chapter(
         Place("force table", 62, views.force_table, follows=(POSITIONS,)),
         Place(PLACE, 0, load_views, follows=(POSITIONS,), attends=POSITIONS),
     ),
-    sizes=SIZES,
+    sizes=(GRAPH, *SIZES),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
@@ -131,4 +133,6 @@ CHAPTER = Chapter(
     views=_views,
     equations=views.polygon_equation,
     accuracy=ACCURACY,
+    note=note,
+    concludes=concludes,
 )

@@ -127,7 +127,7 @@ class Writer:
 
         ``over``: taken over to the other side of an equation.
         """
-        terms = [term for term in self.terms(of) if self._counts(term)]
+        terms = [term for term in self.terms(of) if self.counts(term)]
         forces = [term for term in terms if term.arm is not None]
         couples = [term for term in terms if term.arm is None]
 
@@ -142,7 +142,7 @@ class Writer:
             found[-1] += f"·{mu}"
         return found + [told(term) for term in couples]
 
-    def _counts(self, term: Term) -> bool:
+    def counts(self, term: Term) -> bool:
         """Whether a term is there at all: a force without an arm turns nothing."""
         told = self.value(term.acts)
         turns = told if term.arm is None else told * self.value(term.arm)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
+    "chapter gears": said("Gear pair"),
     "given gears": said("Given data: gears"),
     "gear": said("Meshing of the gears"),
     "gear-dimensions": said("Dimensions of the gear pair"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
+    "chapter kinematics": said("Kinematics of the mechanism"),
     "positions": said("Plan of positions"),
     "extremes": said("Extreme positions"),
     "velocities": said("Velocity plan"),

@@ -12,6 +12,7 @@ from graphic_tmm.language.said import said
 
 _NO_TEETH = "a wheel has no teeth"
 _STANDS = "the driven shaft stands"
+_NO_ROOM = "satellites have no room beside each other"
 _NO_SATELLITES = "there are no satellites"
 
 
@@ -115,6 +116,80 @@ def inverse_ratio(ratio: Number) -> Number:
 )
 def overall_ratio(ratio: Number, driven: Number, driving: Number) -> Number:
     """|{ratio}|·{driven}/{driving}"""
+
+
+@formula(
+    why=said(
+        "Willis: with the ring held the ratio is 1 + z3/z1, and that gives the teeth of the ring."
+    )
+)
+def teeth_of_ring(z1: Number, ratio: Number) -> Number:
+    """{z1}·({ratio} − 1)"""
+
+
+@formula(
+    holds="{ratio} ≠ 0",
+    fails=_STANDS,
+    why=said("The carrier drives, so the ratio is the inverse of 1 + z3/z1."),
+)
+def teeth_of_driven_ring(z1: Number, ratio: Number) -> Number:
+    """{z1}·(1/{ratio} − 1)"""
+
+
+@formula(why=said("The satellite fills the gap between the sun and the ring: common axis."))
+def teeth_between(z3: Number, z1: Number) -> Number:
+    """({z3} − {z1})/2"""
+
+
+@formula(
+    holds="{driving} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier stopped the wheels are a plain pair; outer teeth turn each other backwards."
+    ),
+)
+def mesh_outside(driven: Number, driving: Number) -> Number:
+    """−{driven}/{driving}"""
+
+
+@formula(
+    holds="{driving} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier stopped the wheels are a plain pair; inside a ring both turn the same way."
+    ),
+)
+def mesh_inside(driven: Number, driving: Number) -> Number:
+    """{driven}/{driving}"""
+
+
+@formula(
+    holds="0 < {tip}, {tip} < 2·{axes}",
+    fails=_NO_ROOM,
+    why=said(
+        "Neighbouring satellites must not touch: the chord between their axes is longer than the tip diameter."
+    ),
+)
+def most_satellites(tip: Number, axes: Number) -> Number:
+    """⌈180°/arcsin({tip}/(2·{axes}))⌉ − 1"""
+
+
+@formula(
+    why=said("Both rims of the satellites must clear each other, so the smaller number counts.")
+)
+def fewer(first: Number, second: Number) -> Number:
+    """min({first}, {second})"""
+
+
+@formula(
+    holds="{ratio} ≠ 0",
+    fails=_STANDS,
+    why=said(
+        "The ratio tells how many times more slowly the last wheel turns than the driving shaft."
+    ),
+)
+def speed_behind(speed: Number, ratio: Number) -> Number:
+    """{speed}/{ratio}"""
 
 
 @formula(

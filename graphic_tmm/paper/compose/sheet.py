@@ -6,7 +6,16 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from graphic_tmm.paper.compose.slicing import GRID, NONE, Curves, curve, curves, steps, tree
+from graphic_tmm.paper.compose.slicing import (
+    GRID,
+    NONE,
+    Curves,
+    curve,
+    curves,
+    grid_of,
+    steps,
+    tree,
+)
 from graphic_tmm.paper.compose.spread import grown, need, spread
 from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes
 from graphic_tmm.paper.packing import GAP, Room
@@ -30,13 +39,19 @@ class Cutting(NamedTuple):
     ways: Sequence[Sequence[Shape]]
     gap: float
 
+    @property
+    def grid(self) -> float:
+        """The grid on which it is cut, mm."""
+        return grid_of(len(self.units))
+
     def curves(self, share: float = 1.0) -> Curves:
         """Return the curves of all runs of units on a sheet by a ``share`` higher."""
-        gap, units = self.gap, self.units
-        across, down = steps(self.size[0] + gap), steps(share * (self.size[1] + gap))
+        gap, units, grid = self.gap, self.units, self.grid
+        across, down = steps(self.size[0] + gap, grid), steps(share * (self.size[1] + gap), grid)
         below = [(j, k) for k, unit in enumerate(units) for j in range(k) if _under(unit, units[j])]
         leaves = [
-            curve([(s.width + gap, s.height + gap) for s in way], across, down) for way in self.ways
+            curve([(s.width + gap, s.height + gap) for s in way], across, down, grid)
+            for way in self.ways
         ]
         return curves(leaves, down, below)
 
@@ -62,7 +77,8 @@ def excess(units: Sequence[Unit], room: Room, gap: float) -> float:
     if cut is None:
         return math.inf
     least = int(cut.curves(SPARE).heights[len(cut.units), 0, -1])
-    return (least - steps(cut.size[1] + gap)) * GRID if least < NONE else math.inf
+    over = (least - steps(cut.size[1] + gap, cut.grid)) * cut.grid
+    return over if least < NONE else math.inf
 
 
 def placed(
@@ -75,7 +91,7 @@ def placed(
     found, (width, height) = cut.curves(), cut.size
     for shorter in (0, 1):
         cuts = tree(found, *(side - 1 - shorter for side in (found.across, found.down)))
-        least = cuts and need(cuts, cut.units, cut.ways, gap)
+        least = cuts and need(cuts, cut.units, cut.ways, gap, cut.grid)
         if least and least.width <= width + 1e-6 and least.height <= height + 1e-6:
             break
     else:
@@ -87,10 +103,30 @@ def placed(
         least.height + (least.down - 1) * (high - gap),
     )
     middle = cut.corner + complex(width - size[0], size[1] - height) / 2
-    return {
+    places = {
         k: middle + complex(at, -down - outlines[k].height)
         for k, at, down in spread(least, 0.0, 0.0, *size, gap, whole=True)
     }
+    return _balanced(places, outlines, room)
+
+
+def _balanced(places: Places, outlines: Sequence[Outline], room: Room) -> Places:
+    """Return places moved together up or down, so that as much is left above all of them as below.
+
+    A corner that is kept free for the title block has a gap of its own, which is not seen as one.
+    """
+    boxes = [(z.real, z.real + outlines[k].width) for k, z in places.items()]
+    feet = [z.imag for z in places.values()]
+    tops = [z.imag + outlines[k].height for k, z in places.items()]
+    _, bottom, _, top = room.inner
+    above = min(top - high for high in tops)
+    below = min(low - bottom for low in feet)
+    for left, base, right, head in room.occupied:
+        for (first, last), low, high in zip(boxes, feet, tops, strict=True):
+            if first < right + GAP and last > left - GAP:
+                above = min(above, base - high if base >= high else math.inf)
+                below = min(below, low - head if low >= head else math.inf)
+    return {k: z + 0.5j * (above - below) for k, z in places.items()}
 
 
 def _under(unit: Unit, other: Unit) -> bool:

@@ -1,0 +1,166 @@
+"""The section of forces in a note: loads, each group with its moments and its polygon, the lever."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.forces.captions import called
+from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
+from graphic_tmm.chapters.forces.lever import VIEW as LEVER
+from graphic_tmm.chapters.forces.loads import VIEW as LOADS
+from graphic_tmm.chapters.forces.note_sums import Kept, sums
+from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.forces.polygons import Polygon
+from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
+from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.note.bricks import (
+    at_position,
+    columns,
+    filled,
+    heading,
+    plan,
+    referred,
+    worked,
+)
+from graphic_tmm.note.document import (
+    Block,
+    Display,
+    Formula,
+    Number,
+    Paragraph,
+    Picture,
+    Run,
+    Runs,
+    Source,
+    Symbol,
+    Text,
+    text,
+)
+from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.steps import protocol_blocks
+from graphic_tmm.paper.seen import Seen
+from graphic_tmm.readers.writing import decimals_of
+
+MOMENTS = said("Equilibrium of moments:")
+CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")
+IDLE = said("All forces are zero: there is no polygon.")
+FRICTION = "friction"
+AGREE = said(
+    "In position {position} the lever differs from the force plans by {apart} % (limit {limit} %): within it."
+)
+APART = said(
+    "In position {position} the lever differs from the force plans by {apart} % (limit {limit} %): beyond it."
+)
+
+
+def note(drawn: Drawn, language: str) -> Iterator[Block]:
+    """Yield the section of forces."""
+    made = FORCES.of(drawn)
+    if made is None:
+        return
+    page = _Page(drawn, made, language)
+    yield from plan(drawn, LOADS, page.at, language)
+    plans = KINEMATICS.on(drawn)
+    crank = plans.structure.driver
+    pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
+    for solved in made.groups:
+        rows = group_rows(page.writer, made, solved)
+        yield from page.detached(solved.closing.group.name, solved.polygon, rows)
+    rows = driver_rows(page.writer, made, pivot, crank)
+    yield from page.detached(str(crank), made.driven.polygon, rows)
+    yield from plan(drawn, FRICTION, page.at, language)
+    yield from page.lever()
+    yield from columns(drawn, force_columns(drawn), language)
+
+
+class _Page:
+    """The position that is told, and what is written of it."""
+
+    def __init__(self, drawn: Drawn, made: Forces, language: str) -> None:
+        self.drawn, self.made, self.language = drawn, made, language
+        at = worked(drawn)
+        there = [k for k in made.places if k not in drawn.undrawn]
+        self.at = at if at in there or not there else there[0]
+        seen = Seen(drawn.construction, drawn.reading, (), [self.at])
+        ruler = drawn.hand.ruler
+        decimals = EXACTLY if ruler is None else decimals_of(ruler)
+        self.writer = Kept(seen, self.at, language, decimals)
+        held = in_hand(drawn)
+        views = [*force_views(held, True), *lever_views(held, True)]
+        self.views = {view.name: view for view in views if is_figure(view)}
+
+    def figures(self, *names: str) -> tuple[Picture, ...]:
+        """Return those of some views that are drawn."""
+        position = self.drawn.names[self.at]
+        wanted = [f"{name}-{position}" for name in names]
+        return tuple(picture(self.views[k], self.language) for k in wanted if k in self.views)
+
+    def detached(self, name: str, polygon: Polygon, rows: Iterator[object]) -> Iterator[Block]:
+        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon."""
+        _, language = speaking(self.language), self.language
+        yield heading(called(f"group {name}", _))
+        shown = self.figures(f"group-{name}")
+        if shown:
+            yield referred(shown, language)
+        yield from shown
+        yield from self.moments(rows)
+        plain = self.figures(f"forces-{name}")
+        if polygon.view not in self.drawn.scales:
+            yield Paragraph(text(_(IDLE)))
+            return
+        yield Paragraph(text(_(CLOSED)))
+        yield Display((Formula((Symbol(vectors_of(polygon, language)),)),))
+        told = at_position(self.drawn, polygon.view, self.at, language)
+        if told is not None:
+            yield from protocol_blocks(told)
+        if plain:
+            yield referred(plain, language)
+        yield from plain
+
+    def moments(self, rows: Iterator[object]) -> Iterator[Block]:
+        """Yield the equations of moments among rows that are written."""
+        for _ in rows:
+            pass
+        found = tuple(sums(self.writer, self.drawn.board))
+        if found:
+            yield Paragraph(text(speaking(self.language)(MOMENTS)))
+            yield Display(found)
+
+    def lever(self) -> Iterator[Block]:
+        """Yield what is told of the lever: its figure, its protocol, its moments, what it comes to."""
+        language = self.language
+        yield heading(captions(language)[LEVER])
+        shown = self.figures(LEVER)
+        if shown:
+            yield referred(shown, language)
+        told = at_position(self.drawn, LEVER, self.at, language)
+        if told is not None:
+            yield from protocol_blocks(told)
+        yield from shown
+        yield from self.moments(iter(lever_rows(self.writer, self.made)))
+
+
+def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
+    """Yield, for each position that is asked for, whether the lever agrees with the force plans."""
+    made, _ = FORCES.of(drawn), speaking(language)
+    if made is None:
+        return
+    column = next(one for one in force_columns(drawn) if one.segment.endswith(DIFFERENCE))
+    for k in made.places:
+        apart = column.told[1][k] if k not in drawn.undrawn else None
+        if apart is None:
+            continue
+        said_ = AGREE if apart <= made.order.limit else APART
+        source = Source("column", drawn.board, f"{column.plan}/{column.segment}", k, "", 1)
+        put: dict[str, Run] = {
+            "position": Text(drawn.names[k]),
+            "apart": Number(number(apart, language, 2), "", source, apart),
+            "limit": Text(number(made.order.limit, language, 2)),
+        }
+        yield filled(_(said_), put)

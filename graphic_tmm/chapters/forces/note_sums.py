@@ -1,0 +1,159 @@
+"""Sums of moments as formulas of a note: the same terms as beside a figure, each number with its mark."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.board.formula_text import Node
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.forces.balances import Sought, Sum, Term, Writer
+from graphic_tmm.language.numbers import number
+from graphic_tmm.note.document import Formula, Leaf, Number, Source, Symbol, Tree
+from graphic_tmm.note.widths import broken
+from graphic_tmm.paper.seen import Seen
+
+
+class Balance(NamedTuple):
+    """A sum of moments that was written: its heading, the sum, what it gives, the scale factor of its arms."""
+
+    heading: str
+    of: Sum
+    sought: Sought | None
+    mu: Mark | None
+
+
+class Kept(Writer):
+    """A writer that keeps the sums that it writes, so that they can be told as formulas too."""
+
+    def __init__(self, seen: Seen, index: int, language: str, decimals: int) -> None:
+        super().__init__(seen, index, language, decimals)
+        self.sums: list[Balance] = []
+
+    def sought(self, heading: str, of: Sum, sought: Sought, mu: Mark | None) -> list[list[str]]:
+        """Write a sum that gives something."""
+        self.sums.append(Balance(heading, of, sought, mu))
+        return super().sought(heading, of, sought, mu)
+
+    def summed(self, heading: str, of: Sum, mu: Mark) -> list[str]:
+        """Write a sum that nothing balances."""
+        self.sums.append(Balance(heading, of, None, mu))
+        return super().summed(heading, of, mu)
+
+
+def sums(writer: Kept, board: str) -> Iterator[Formula]:
+    """Yield the sums that were written since the last time, as formulas."""
+    for one in writer.sums:
+        yield from _Told(writer, board, one).formulas()
+    writer.sums.clear()
+
+
+class _Told:
+    """One sum as formulas."""
+
+    def __init__(self, writer: Kept, board: str, one: Balance) -> None:
+        self.writer, self.board, self.one = writer, board, one
+        self.put: dict[str, Leaf] = {}
+
+    def formulas(self) -> Iterator[Formula]:
+        """Yield ΣM by letters, then what it gives with figures."""
+        one, writer = self.one, self.writer
+        heading = Symbol(writer.letter(one.heading))
+        if one.sought is None:
+            total = self._figure(one.of.total, "N·m", signed=True)
+            letters, figures = self._sum(figures=False), self._sum(figures=True)
+            yield from broken(Formula((heading, self._tree(letters), self._tree(figures), total)))
+            return
+        sense = one.sought.sense * writer.sense(one.sought.value)
+        left = [*self._parts(figures=False), (sense, self._last(one.sought))]
+        yield from broken(Formula((heading, self._tree(_signed(left)), Symbol("0"))))
+        name = Symbol(writer.letter(one.sought.letter))
+        value = self._figure(one.sought.value, one.sought.unit)
+        yield from broken(Formula((name, self._tree(self._quotient(one.sought, sense)), value)))
+
+    def _sum(self, *, figures: bool) -> Node:
+        parts = self._parts(figures=figures)
+        return _signed(parts) if parts else self._leaf(Symbol("0"))
+
+    def _tree(self, node: Node) -> Tree:
+        return Tree(node, self.put)
+
+    def _leaf(self, leaf: Leaf) -> Node:
+        name = f"x{len(self.put)}"
+        self.put[name] = leaf
+        return Node("name", (), name)
+
+    def _parts(self, *, figures: bool) -> list[tuple[int, Node]]:
+        """Return the terms with their signs: forces, times the scale factor if there is one, then couples."""
+        terms = [term for term in self.writer.terms(self.one.of) if self.writer.counts(term)]
+        forces = [(term.sense, self._term(term, figures)) for term in terms if term.arm]
+        couples = [(term.sense, self._term(term, figures)) for term in terms if not term.arm]
+        if forces and self.one.mu is not None:
+            mu = self._either(self.one.mu, figures)
+            if len(forces) == 1:
+                forces = [(forces[0][0], Node("·", (forces[0][1], mu)))]
+            else:
+                forces = [(1, Node("·", (_signed(forces), mu)))]
+        return [*forces, *couples]
+
+    def _term(self, term: Term, figures: bool) -> Node:
+        name = self.writer.name(term.acts, self.one.of)
+        acts = self._leaf(self._size(term.acts) if figures else Symbol(name))
+        if term.arm is None:
+            return acts
+        return Node("·", (acts, self._either(term.arm, figures)))
+
+    def _either(self, mark: Mark, figures: bool) -> Node:
+        return self._leaf(self._size(mark) if figures else Symbol(self.writer.letter(mark.name)))
+
+    def _size(self, mark: Mark) -> Number:
+        """Return the size of a mark, a length as the ruler tells it."""
+        writer = self.writer
+        told = writer.length(mark) if mark.kind is Length else writer.figure(mark)
+        return Number(told, "", self._source(mark, "size"), abs(writer.value(mark)))
+
+    def _figure(self, mark: Mark, unit: str, *, signed: bool = False) -> Number:
+        value = self.writer.value(mark)
+        if not signed:
+            told = Number(self.writer.figure(mark), unit, self._source(mark, "size"), abs(value))
+            return told
+        text = number(value, self.writer.language)
+        return Number(text, unit, self._source(mark, "mark"), value)
+
+    def _source(self, mark: Mark, kind: str) -> Source:
+        return Source(kind, self.board, str(mark.slot), self.writer.index, mark.view)
+
+    def _last(self, sought: Sought) -> Node:
+        """Return the term of what is sought: a force and its arm, times the scale factor, or a couple."""
+        name = self._leaf(Symbol(self.writer.letter(sought.letter)))
+        if sought.by is None:
+            return name
+        by = self._either(sought.by, False)
+        both = (name, by) if sought.by.kind is Length else (by, name)
+        product = Node("·", both)
+        if self.one.mu is not None:
+            product = Node("·", (product, self._either(self.one.mu, False)))
+        return product
+
+    def _quotient(self, sought: Sought, sense: int) -> Node:
+        """Return what is sought with figures: the other terms, taken over, by what it is multiplied by."""
+        over = -1 if sense > 0 else 1
+        terms = [(over * sign, node) for sign, node in self._parts(figures=True)]
+        above = _signed(terms) if terms else self._leaf(Symbol("0"))
+        if sought.by is None:
+            return above
+        below = self._either(sought.by, True)
+        if self.one.mu is not None:
+            below = Node("·", (below, self._either(self.one.mu, True)))
+        return Node("/", (above, below))
+
+
+def _signed(terms: Sequence[tuple[int, Node]]) -> Node:
+    """Return terms with their signs as one node."""
+    (sign, found), *others = terms
+    if sign < 0:
+        found = Node("neg", (found,))
+    for sign, node in others:
+        found = Node("+" if sign > 0 else "−", (found, node))
+    return found

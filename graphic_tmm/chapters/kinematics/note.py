@@ -1,0 +1,48 @@
+"""The section of kinematics in a note: extreme positions, plans with their figures, tables of all positions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.kinematics import views
+from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
+from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.table import kinematic_columns
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.note.bricks import columns, plan, worked
+from graphic_tmm.note.document import Block, Picture
+from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.readers.titles import title_of
+
+
+def note(drawn: Drawn, language: str) -> Iterator[Block]:
+    """Yield the section of kinematics: each plan is drawn in one position, the tables hold all."""
+    at = worked(drawn)
+    yield from plan(drawn, EXTREMES, at, language)
+    yield from plan(drawn, POSITIONS, at, language, _positions(drawn, language))
+    for view in (VELOCITIES, ACCELERATIONS):
+        yield from plan(drawn, view, at, language, _plan(drawn, view, at, language))
+    yield from columns(drawn, kinematic_columns(drawn), language)
+
+
+def _positions(drawn: Drawn, language: str) -> tuple[Picture, ...]:
+    return tuple(picture(one, language) for one in views.position_views(in_hand(drawn), True))
+
+
+def _plan(drawn: Drawn, view: str, at: int, language: str) -> tuple[Picture, ...]:
+    """Return a plan in one position; velocity plans from a common pole all together."""
+    row, held = drawn.row(view), in_hand(drawn)
+    if drawn.of(view) is None or view not in drawn.scales or not row:
+        return ()
+    if view == VELOCITIES and drawn.scene.common_pole and len(row) > 1:
+        return tuple(picture(one, language) for one in views.velocity_views(held, True))
+    place = at if at in row else row[0]
+    title = f"{title_of(drawn.project, view, language)}, {captions(language)['position']}"
+    title = f"{title} {drawn.names[place]}"
+    found = views.plan_at(held, view, place, f"{view}-{drawn.names[place]}", title, ())
+    mu, high = mu_text(drawn.scales[view], language), heights(held.scene, view)
+    return (picture(captioned(found, escape(title), mu, heights=high), language),)

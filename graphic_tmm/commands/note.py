@@ -1,0 +1,58 @@
+"""note: the explanatory note of a scene as files."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from graphic_tmm.commands.shared.progress import waiting
+from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.language.reader import asked
+from graphic_tmm.language.said import said
+
+
+@click.command(cls=Command)
+@click.argument("scene", required=False)
+@click.option("-o", "--output", default="out", show_default=True, help=said("Folder for the note."))
+@click.option(
+    "-f",
+    "--format",
+    "forms",
+    default="pdf",
+    show_default=True,
+    help=said("pdf, html, docx, md; several with commas."),
+)
+@hands
+def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int | None) -> None:
+    """Write the explanatory note of SCENE: task, structure, plans with their calculations, conclusions."""
+    from graphic_tmm.errors import SheetError
+    from graphic_tmm.files import write
+    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.note.formats import FORMATS, refuse_missing
+    from graphic_tmm.note.note import note_files
+    from graphic_tmm.scenes import scene_name
+    from graphic_tmm.studio import make
+
+    wanted = [form.strip().lower() for form in forms.split(",")]
+    if unknown := [form for form in wanted if form not in FORMATS]:
+        says = said(
+            "--format: no {unknown}; choose from {known}",
+            unknown=", ".join(unknown),
+            known=", ".join(FORMATS),
+        )
+        raise SheetError(says)
+    refuse_missing(wanted)
+    task = drawn_by(read_scene(scene, lettered=True), hand, seed)
+    given = read_composition(beside(task.source))
+    language = asked() or task.language
+    spoken = task if language == task.language else replace(task, language=language)
+    with waiting(said("choosing scale factors and writing the note")):
+        made = make(spoken, given=given)
+        texts = note_files(made, f"{scene_name(task.source)}-note", wanted)
+    for path in write(Path(output), texts, remedy=said("name another folder with -o")):
+        click.echo(str(path))
+    warn(made)

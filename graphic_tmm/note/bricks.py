@@ -1,0 +1,339 @@
+"""What sections are built of: the protocol of a plan, its figures, tables of columns and results.
+
+A chapter's own section (`Chapter.note`) is built of these; of one that has none `sections.chapter` builds it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from string import Formatter
+
+from graphic_tmm.board.record import Step
+from graphic_tmm.captions import captions
+from graphic_tmm.chapter import MECHANISM, Chapter, Place
+from graphic_tmm.drawn import Drawn, Results, single
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import result_symbol, symbol
+from graphic_tmm.language.units import unit
+from graphic_tmm.note.document import (
+    Block,
+    Heading,
+    Number,
+    Paragraph,
+    Picture,
+    Ref,
+    Run,
+    Runs,
+    Source,
+    Symbol,
+    Table,
+    Text,
+    text,
+)
+from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.steps import Told, protocol_blocks
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.readers.columns import Column, known_at
+from graphic_tmm.readers.protocol import covering
+from graphic_tmm.readers.text import column_name, result_name
+from graphic_tmm.readers.titles import title_of
+
+ACROSS = 13
+"""So many positions stand beside one another in a table of a page's width."""
+
+MANY = 8
+"""With more positions than these the first columns of a table are narrower."""
+
+WIDEST = 0.12
+"""What share of a page's width the column of a position takes at most."""
+
+
+def worked(drawn: Drawn) -> int:
+    """Return the position (index) that is worked in full: one that most plans are drawn and told in."""
+    rows = [*drawn.project.rows.values(), *drawn.project.told.values()]
+    there = [k for k in drawn.all if k not in drawn.undrawn] or [0]
+    counts = {k: sum(k in row for row in rows) for k in there}
+    most = max(counts.values())
+    if not most:
+        return there[min(1, len(there) - 1)]
+    return next(k for k in there if counts[k] == most)
+
+
+def heading(words: str, level: int = 2) -> Heading:
+    """Return a numbered heading."""
+    return Heading(level, text(words))
+
+
+def at_position(drawn: Drawn, view: str, place: int, language: str) -> Told | None:
+    """Return where the numbers of a view are read in a position; None where it is not drawn there."""
+    reading, row = drawn.of(view), drawn.row(view)
+    if reading is None or not row:
+        return None
+    if view in drawn.project.rows:
+        if place not in row:
+            place = row[0]
+        place = row.index(place)
+    return Told(drawn.board, drawn.construction, reading, view, place, language)
+
+
+def plan(
+    drawn: Drawn,
+    view: str,
+    place: int,
+    language: str,
+    shown: Sequence[Picture] = (),
+    level: int = 2,
+    known: set[Runs] | None = None,
+    bare: bool = False,
+) -> Iterator[Block]:
+    """Yield the section of a view: heading, protocol in a position, the figures that show it.
+
+    ``known``: what was told already; ``bare``: only what is calculated or read; see `steps.protocol_blocks`.
+    """
+    told = at_position(drawn, view, place, language)
+    if told is None or not any(step.it.view == view for step in drawn.construction.steps):
+        return
+    words, project = captions(language), drawn.project
+    title = title_of(project, view, language)
+    if _varies(drawn, view) and len(drawn.names) > 1:
+        at = drawn.row(view)[told.place] if view in project.rows else place
+        title = f"{title}, {words['position']} {drawn.names[at]}"
+    yield heading(title, level)
+    if shown:
+        yield referred(shown, language)
+    yield from protocol_blocks(
+        told,
+        turned=drawn.scene.turned,
+        elsewhere=_elsewhere(drawn, view, told),
+        known=known,
+        bare=bare,
+    )
+    yield from shown
+
+
+def _elsewhere(drawn: Drawn, view: str, told: Told) -> list[tuple[int, str]]:
+    """Return other positions of a part, so that what is not there in one is told in another."""
+    if drawn.board == MECHANISM:
+        return []
+    steps = [step.it for step in drawn.construction.steps if step.it.view == view]
+    return [(k, drawn.names[k]) for k in covering(told.reading, steps, [told.place])]
+
+
+def filled(told: str, put: Mapping[str, Run]) -> Runs:
+    """Return a sentence with runs in the places of its names."""
+    found: list[Run] = []
+    for words, name, _, _ in Formatter().parse(told):
+        found += [Text(words)] if words else []
+        found += [put[name]] if name is not None else []
+    return tuple(found)
+
+
+def _varies(drawn: Drawn, view: str) -> bool:
+    """Whether anything of a view differs from position to position."""
+    steps = [step for step in drawn.construction.steps if step.it.view == view]
+    return any(not step.op.across and _row(drawn, step) > 1 for step in steps)
+
+
+def _row(drawn: Drawn, step: Step) -> int:
+    reading = drawn.of(step.it.view)
+    if reading is None or step.it not in reading:
+        return 1
+    value = reading[step.it]
+    parts = value if isinstance(value, tuple) else (value,)
+    return max((part.shape[1] for part in parts if hasattr(part, "shape")), default=1)
+
+
+def referred(shown: Sequence[Picture | Table], language: str) -> Paragraph:
+    """Return the sentence that leads to figures or tables."""
+    runs: list[Run] = []
+    for k, one in enumerate(shown):
+        runs += [Text(", ")] if k else []
+        runs.append(Ref(one.id))
+    before, behind = speaking(language)(SEE).split("{}")
+    return Paragraph((Text(before), *runs, Text(behind)))
+
+
+SEE = said("The construction is shown in {}.")
+
+
+def figures_of(
+    drawn: Drawn, place: Place, at: int, language: str, shows: str = ""
+) -> tuple[Picture, ...]:
+    """Return the figures of a place of sheets; of those drawn for each position that at ``at`` (index).
+
+    ``shows``: only those that are pictures of this view of the log.
+    """
+    name = drawn.names[at] if drawn.names else ""
+    found = [view for view in drawings(drawn, place) if is_figure(view)]
+    others = {f"-{other}" for other in drawn.names if other != name}
+    kept = [
+        view
+        for view in found
+        if not shows or not view.shows or shows in view.shows
+        if not (any(view.name.endswith(one) for one in others) and _sisters(view, found, name))
+    ]
+    return tuple(picture(view, language) for view in kept)
+
+
+def _sisters(view: Drawing, found: Sequence[Drawing], name: str) -> bool:
+    """Whether the same view is drawn in another position, too: that of a ``name``."""
+    stem = view.name.rpartition("-")[0]
+    return any(other.name == f"{stem}-{name}" for other in found)
+
+
+def drawings(drawn: Drawn, place: Place) -> list[Drawing]:
+    """Return the views of a place, lettered for a page; kept beside the drawing."""
+    kept: dict[str, list[Drawing]] = drawn.cache.setdefault("note drawings", {})
+    if place.name not in kept:
+        kept[place.name] = place.draw(in_hand(drawn), True)
+    return kept[place.name]
+
+
+# ---------------------------------------------------------------- tables
+
+
+def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Table]:
+    """Yield tables of columns, plan by plan: mm and quantities, positions across."""
+    words = captions(language)
+    for (plan, at), group in groupby(some, key=lambda one: (one.plan, one.at)):
+        cells = [one.without(drawn.undrawn) if not at else one for one in group]
+        names = [name for name, _ in at] or list(drawn.names)
+        shown = known_at(cells)
+        title = words.get(f"table {plan}", words.get(plan, plan))
+        for k in range(0, len(shown), ACROSS):
+            told = title if k == 0 else f"{title} ({words['continued']})"
+            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], told, language)
+
+
+def _block(
+    drawn: Drawn,
+    plan: str,
+    cells: Sequence[Column],
+    names: Sequence[str],
+    shown: Sequence[int],
+    title: str,
+    language: str,
+) -> Table:
+    words = captions(language)
+    heads = (
+        text(words["value"]),
+        text(words["unit"]),
+        *(text(names[k]) for k in shown),
+    )
+    rows: list[tuple[Runs, ...]] = []
+    for column in cells:
+        name = column.ends or column_name(column, language)
+        if column.drawn:
+            lengths = _told(drawn, column, shown, language, mm=True)
+            rows.append((_lettered(name), _unit("mm", language), *lengths))
+            name = symbol(column.quantity, language) if column.quantity else name
+        values = _told(drawn, column, shown, language, mm=False)
+        rows.append((_lettered(name), _unit(column.unit, language), *values))
+    lead = 0.1 if len(shown) > MANY else 0.13
+    each = min((1.01 - 2 * lead) / len(shown), WIDEST)
+    wide = (lead, lead - 0.01, *[each] * len(shown))
+    id = f"table-{plan}-{shown[0]}".replace(" ", "-")
+    made = Table(id, text(title), heads, tuple(rows), "lc" + "c" * len(shown), wide)
+    return folded(made) if len(shown) == 1 else made
+
+
+TALL = 12
+"""A narrow table of more rows than these stands in two halves beside one another."""
+
+
+def folded(one: Table) -> Table:
+    """Return a narrow table in two halves beside one another if it has many rows."""
+    count = len(one.rows)
+    if count <= TALL:
+        return one
+    half = -(-count // 2)
+    none: tuple[Runs, ...] = ((),) * len(one.heads)
+    second = (*one.rows[half:], *[none] * (2 * half - count))
+    rows = tuple((*a, *b) for a, b in zip(one.rows[:half], second, strict=True))
+    return one._replace(heads=one.heads * 2, rows=rows, align=one.align * 2, widths=one.widths * 2)
+
+
+def _lettered(name: str) -> Runs:
+    return (Symbol(markup(name)),)
+
+
+def _unit(name: str, language: str) -> Runs:
+    return text(unit(name, language) or "—")
+
+
+def _told(
+    drawn: Drawn, column: Column, shown: Sequence[int], language: str, *, mm: bool
+) -> Iterator[Runs]:
+    """Yield the cells of a row: figures as the sheet's table tells them, each with where it stands."""
+    lengths, values = column.told
+    row = lengths if mm else values
+    places = 1 if mm else decimals(row)
+    for k in shown:
+        value = row[k]
+        if value is None:
+            yield text("—")
+            continue
+        source = Source(
+            "column", drawn.board, f"{column.plan}/{column.segment}", k, "", 0 if mm else 1
+        )
+        yield (Number(fixed(value, places, language), "", source, value),)
+
+
+def decimals(row: Sequence[float | None]) -> int:
+    """Return how many decimals give the largest figure of a row three significant digits."""
+    largest = max((abs(x) for x in row if x is not None), default=0.0)
+    return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
+
+
+def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
+    """Yield the table of a chapter's results."""
+    words = captions(language)
+    rows = []
+    for name, (value, of) in single(chapter.results(drawn)).items():
+        told = Number(number(value, language), "", Source("result", drawn.board, name), value)
+        rows.append((_result(name, chapter.name, language), (told,), _unit(of, language)))
+    if rows:
+        heads = (text(words["value"]), text(words["figure"]), text(words["unit"]))
+        yield Table(
+            f"table-results-{chapter.name}", text(words["results"]), heads, tuple(rows), "lcc"
+        )
+
+
+def _result(name: str, chapter: str, language: str) -> Runs:
+    """Return what a result is called: a letter as a symbol, words as words."""
+    caption = captions(language).get(name)
+    if caption is None:
+        return (Symbol(result_symbol(name.removeprefix(f"{chapter}_"), language)),)
+    return (
+        text(result_name(name, language))
+        if " " in caption
+        else (Symbol(symbol(caption, language)),)
+    )
+
+
+# ---------------------------------------------------------------- conclusions
+
+
+def result_number(drawn: Drawn, results: Results, name: str, language: str) -> Number:
+    """Return a result as a number with its unit."""
+    value, of = single({name: results[name]})[name]
+    return Number(number(value, language), of, Source("result", drawn.board, name), value)
+
+
+def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:
+    """Return the value of a column that is the greatest in size, and the position where it stands."""
+    values = column.without(drawn.undrawn).told[1] if not column.at else column.told[1]
+    there = [(abs(value), k) for k, value in enumerate(values) if value is not None]
+    if not there:
+        return None
+    _, k = max(there, key=lambda one: (one[0], -one[1]))
+    value = values[k]
+    assert value is not None
+    names = [name for name, _ in column.at] or list(drawn.names)
+    source = Source("column", drawn.board, f"{column.plan}/{column.segment}", k, "", 1)
+    return Number(number(value, language, 3), column.unit, source, value), names[k]

@@ -1,0 +1,230 @@
+"""What a note consists of: blocks of runs of text; every figure stands with where it was read.
+
+A formula is a tree whose leaves are symbols (mark-up, as lettered on sheets) and numbers; nothing here knows
+how it is written in the end. So a note can be walked back to the log: `numbers`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.board.formula_text import Node
+from graphic_tmm.paper.drawing import Drawing
+
+
+class Source(NamedTuple):
+    """Where a number was read.
+
+    ``kind``: "mark" (``name`` is its slot, ``place`` the index of a position in the reading of ``view``),
+    "column" (``name``: plan and segment; ``factor``: 0 mm, 1 SI), "result", "given", "scale" (``name``: its
+    view) or "scene" (``name`` says what).
+    """
+
+    kind: str
+    board: str
+    name: str
+    place: int = 0
+    view: str = ""
+    factor: int = -1
+
+
+class Symbol(NamedTuple):
+    """Mark-up, as `paper.lettering` reads it: a letter, or an equation of vectors."""
+
+    markup: str
+
+
+class Number(NamedTuple):
+    """A number as it is written, its unit ("" for none), where it was read, its value there."""
+
+    text: str
+    unit: str
+    source: Source
+    value: float
+
+
+Leaf = Symbol | Number
+
+
+class Tree(NamedTuple):
+    """A formula's text as a tree; ``put``: what stands for its names."""
+
+    node: Node
+    put: Mapping[str, Leaf]
+
+
+class Formula(NamedTuple):
+    """Sides one after another with the sign between them; ``behind`` follows after a comma.
+
+    ``follows``: it goes on with the formula before it, so that it begins with the sign. ``flat``: it stands
+    among words, fractions with a stroke.
+    """
+
+    sides: tuple[Leaf | Tree, ...]
+    sign: str = "="
+    behind: tuple[Symbol, ...] = ()
+    follows: bool = False
+    flat: bool = False
+
+
+class Text(NamedTuple):
+    """Letters in a row, as they are; ``style``: "", "strong", "emphasis"."""
+
+    text: str
+    style: str = ""
+
+
+class Ref(NamedTuple):
+    """A reference to a figure or a table by its id."""
+
+    to: str
+
+
+Run = Text | Formula | Number | Symbol | Ref
+Runs = tuple[Run, ...]
+
+
+class Heading(NamedTuple):
+    """A heading; ``numbered``: as a section of the main part, else as a centred part of the note."""
+
+    level: int
+    runs: Runs
+    numbered: bool = True
+
+
+class Paragraph(NamedTuple):
+    """A paragraph; ``style``: "" or one of the title page ("title", "centre", "above")."""
+
+    runs: Runs
+    style: str = ""
+
+
+class Display(NamedTuple):
+    """Formulas, each on a line of its own."""
+
+    formulas: tuple[Formula, ...]
+
+
+class Item(NamedTuple):
+    """An item of a list: its number as it is told ("" in a list without), what it says."""
+
+    label: str
+    blocks: tuple[Block, ...]
+
+
+class Listed(NamedTuple):
+    """Items below one another."""
+
+    items: tuple[Item, ...]
+
+
+class Table(NamedTuple):
+    """A ruled table: its id, its caption, heads, rows of cells; ``align``: "l", "c", "r" of each column.
+
+    ``widths``: shares of the text's width, () for as wide as needed. ``ruled``: with lines and a number.
+    """
+
+    id: str
+    caption: Runs
+    heads: tuple[Runs, ...]
+    rows: tuple[tuple[Runs, ...], ...]
+    align: str
+    widths: tuple[float, ...] = ()
+    ruled: bool = True
+
+
+class Picture(NamedTuple):
+    """A view as a figure: its id, its caption, what it is called to those who do not see it."""
+
+    id: str
+    caption: Runs
+    drawing: Drawing
+    alt: str
+
+
+class Contents(NamedTuple):
+    """The table of contents."""
+
+
+class Break(NamedTuple):
+    """A new page."""
+
+
+Block = Heading | Paragraph | Display | Listed | Table | Picture | Contents | Break
+
+
+class Document(NamedTuple):
+    """A note: its title, its language, the formats of paper its drawings were made for, its blocks."""
+
+    title: str
+    language: str
+    blocks: tuple[Block, ...]
+
+
+def text(words: str, style: str = "") -> Runs:
+    """Return plain text as runs."""
+    return (Text(words, style),) if words else ()
+
+
+def paragraph(words: str, style: str = "") -> Paragraph:
+    """Return a paragraph of plain text."""
+    return Paragraph(text(words), style)
+
+
+def walk(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Yield blocks, those in lists among them."""
+    for block in blocks:
+        yield block
+        if isinstance(block, Listed):
+            for item in block.items:
+                yield from walk(item.blocks)
+
+
+def runs_of(block: Block) -> Iterator[Run]:
+    """Yield the runs of a block, without those of blocks within it."""
+    if isinstance(block, Heading | Paragraph):
+        yield from block.runs
+    elif isinstance(block, Display):
+        yield from block.formulas
+    elif isinstance(block, Picture):
+        yield from block.caption
+    elif isinstance(block, Table):
+        yield from block.caption
+        for row in (block.heads, *block.rows):
+            for cell in row:
+                yield from cell
+
+
+def leaves(one: Run | Tree) -> Iterator[Leaf]:
+    """Yield the symbols and numbers of a run."""
+    if isinstance(one, Symbol | Number):
+        yield one
+    elif isinstance(one, Tree):
+        yield from one.put.values()
+    elif isinstance(one, Formula):
+        for side in (*one.sides, *one.behind):
+            yield from leaves(side)
+
+
+def numbers(document: Document) -> Iterator[Number]:
+    """Yield every number of a note."""
+    for block in walk(document.blocks):
+        for run in runs_of(block):
+            yield from (leaf for leaf in leaves(run) if isinstance(leaf, Number))
+
+
+def symbols(document: Document) -> Iterator[Symbol]:
+    """Yield every symbol of a note."""
+    for block in walk(document.blocks):
+        for run in runs_of(block):
+            yield from (leaf for leaf in leaves(run) if isinstance(leaf, Symbol))
+
+
+def formulas(document: Document) -> int:
+    """Return how many formulas a note has: what its writers write as such."""
+
+    def count(run: Run) -> int:
+        return int(isinstance(run, Formula | Symbol))
+
+    return sum(count(run) for block in walk(document.blocks) for run in runs_of(block))

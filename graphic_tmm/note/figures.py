@@ -1,0 +1,77 @@
+"""Views as figures of a note: the same ink as on a sheet, without its title, as a picture of its own size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.note.document import Picture, text
+from graphic_tmm.paper.drawing import Drawing, Label, Sheet
+from graphic_tmm.paper.lettering.letters import plain
+from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.write.svg import clean
+
+FORMAT = "A4"
+"""The format whose pens and letters figures are drawn with: a note is held in the hand."""
+WIDTH, HEIGHT, WHOLE = 165.0, 130.0, 215.0
+"""Room for a figure on a page, mm: its width, its usual height, the height of a page."""
+SMALLEST = 0.75
+"""A figure takes more of a page than usual before it is made smaller than this. Chosen by eye."""
+LARGEST = 1.25
+"""How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""
+EDGE = 1.5
+"""White about a figure, mm: half of its thickest line, and a little."""
+
+
+def in_hand(drawn: Drawn) -> Drawn:
+    """Return a board whose views are lettered as those of a sheet held in the hand, without sheets."""
+    scene = drawn.scene
+    orders = tuple(replace(order, format=FORMAT) for order in scene.sheets)
+    return replace(drawn, project=replace(drawn.project, scene=replace(scene, sheets=orders)))
+
+
+def is_figure(drawing: Drawing) -> bool:
+    """Whether a view is a figure: tables and equations are set as such."""
+    return not drawing.name.startswith(("table", "equations"))
+
+
+def picture(drawing: Drawing, language: str, name: str = "") -> Picture:
+    """Return a view as a figure; ``name``: its id, if that is not its own.
+
+    The title below it is the caption of the figure; what else is told below it stays where it is.
+    """
+    titled, told = _below(drawing)
+    title = " ".join(clean(plain(label.text)) for label in titled) or clean(drawing.title)
+    kept = tuple(label for label in drawing.labels if label not in titled)
+    bare = drawing._replace(labels=kept, cell=None, apart=None)
+    alt = ", ".join([title, *(clean(plain(label.text)) for label in told)])
+    return Picture(f"fig-{name or drawing.name}".replace(" ", "-"), text(title), bare, alt)
+
+
+def _below(drawing: Drawing) -> tuple[list[Label], list[Label]]:
+    """Return the lettering below a view: the lines of its title, which are the largest, and the others."""
+    low = bounds(drawing)[1] + drawing.foot
+    below = [label for label in drawing.labels if drawing.foot and label.at.imag < low - TOUCH]
+    largest = max((label.size for label in below), default=0.0)
+    title = [label for label in below if label.size == largest]
+    if all(label.size == largest for label in below) and len(below) > 1:
+        title = below[:1]
+    return title, [label for label in below if label not in title]
+
+
+TOUCH = 1e-9
+"""Lengths nearer to one another than this, mm, are one."""
+
+
+def sheet_of(drawing: Drawing, language: str, name: str) -> Sheet:
+    """Return a paper just as large as a view."""
+    left, low, right, top = bounds(drawing._replace(cell=None))
+    width, height = right - left + 2 * EDGE, top - low + 2 * EDGE
+    moved = drawing.moved(complex(EDGE - left, EDGE - low))
+    return Sheet(name, drawing.title, FORMAT, width, height, (moved,), language)
+
+
+def scale(width: float, height: float) -> float:
+    """Return how many times larger a picture stands on its page."""
+    usual = min(HEIGHT / height, LARGEST)
+    return min(WIDTH / width, max(usual, min(SMALLEST, WHOLE / height)))

@@ -1,0 +1,294 @@
+"""The files of a note: HTML in one piece, DOCX, Markdown with its figures, PDF; the same bytes always."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from html import escape
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, NamedTuple
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.note import pandoc, word
+from graphic_tmm.note.document import Document, Picture, walk
+from graphic_tmm.note.figures import scale, sheet_of
+from graphic_tmm.note.pandoc import Outline, Target, raw
+from graphic_tmm.note.styles import CSS, TYPST
+from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.write.svg import svg
+
+FORMATS = ("pdf", "html", "docx", "md")
+"""What a note can be written as."""
+CONTENTS = said("Contents")
+PPI = 200.0
+"""Dots per inch of the figures of a DOCX."""
+
+Tree = dict[str, Any]
+
+
+class Drawn(NamedTuple):
+    """A figure ready to be shown: its file's name, its paper, how wide it stands on the page, mm."""
+
+    name: str
+    sheet: Sheet
+    width: float
+    alt: str
+
+
+def drawn_figures(document: Document) -> dict[str, Drawn]:
+    """Return the figures of a note by id, each on a paper of its size."""
+    found: dict[str, Drawn] = {}
+    for block in walk(document.blocks):
+        if isinstance(block, Picture):
+            name = f"figure-{len(found) + 1}"
+            sheet = sheet_of(block.drawing, document.language, name)
+            width = sheet.width * scale(sheet.width, sheet.height)
+            found[block.id] = Drawn(name, sheet, round(width, 1), block.alt)
+    return found
+
+
+def files(document: Document, stem: str, formats: Sequence[str]) -> dict[str, str | bytes]:
+    """Return the files of a note by name.
+
+    Raises
+    ------
+    SheetError
+        If what writes a format is not installed.
+    """
+    refuse_missing(formats)
+    shown = drawn_figures(document)
+    found: dict[str, str | bytes] = {}
+    for form in formats:
+        found |= WRITERS[form](document, stem, shown)
+    return found
+
+
+def refuse_missing(formats: Sequence[str]) -> None:
+    """Refuse formats whose writers are not installed.
+
+    Raises
+    ------
+    SheetError
+        If one is not there; says how to install it.
+    """
+    pandoc.program()
+    for form in formats:
+        if form in ("pdf", "docx"):
+            _typst(form)
+
+
+# ---------------------------------------------------------------- HTML
+
+
+def html(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+    """Return a page that needs no other file: figures drawn in it, formulas as MathML."""
+
+    def picture(block: Picture) -> Tree:
+        return raw("html", _inline(shown[block.id]))
+
+    target = Target(
+        "html5",
+        picture,
+        _listed_contents(document.language),
+        lambda: [],
+        ("--mathml", "--wrap=none"),
+    )
+    body = pandoc.written(document, target).decode("utf-8")
+    title, lang = escape(document.title), escape(document.language)
+    page = (
+        f'<!doctype html>\n<html lang="{lang}">\n<head>\n<meta charset="utf-8">\n'
+        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>{title}</title>\n<style>\n{CSS}</style>\n</head>\n<body>\n<main>\n{body}</main>\n"
+        "</body>\n</html>\n"
+    )
+    return {f"{stem}.html": page}
+
+
+def _inline(one: Drawn) -> str:
+    """Return a figure as an element of a page: an image to who does not see it."""
+    text = svg(one.sheet)
+    text = text[text.index("<svg") :]
+    head, rest = text.split(">", 1)
+    head = re.sub(r' (?:width|height)="[^"]*mm"', "", head)
+    label = escape(one.alt, quote=True)
+    return f'{head} role="img" aria-label="{label}" style="width:{one.width}mm">{rest}'
+
+
+def _listed_contents(language: str) -> Callable[[Outline], list[Tree]]:
+    """Return the contents as a list of links."""
+
+    def told(outline: Outline) -> list[Tree]:
+        items: list[list[Tree]] = []
+        for entry in outline:
+            if entry.level > 2:
+                continue
+            words = [{"t": "Str", "c": entry.text}]
+            link = {"t": "Link", "c": [pandoc.NONE, words, [f"#{entry.id}", ""]]}
+            plain = {"t": "Plain", "c": [link]}
+            if entry.level == 1 or not items:
+                items.append([plain])
+            elif len(items[-1]) == 1:
+                items[-1].append({"t": "BulletList", "c": [[plain]]})
+            else:
+                items[-1][1]["c"].append([plain])
+        title = {
+            "t": "Para",
+            "c": [{"t": "Strong", "c": [{"t": "Str", "c": speaking(language)(CONTENTS)}]}],
+        }
+        return [title, {"t": "BulletList", "c": items}]
+
+    return told
+
+
+# ---------------------------------------------------------------- Markdown
+
+
+def markdown(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+    """Return the note as Markdown, and its figures as files beside it."""
+
+    def picture(block: Picture) -> Tree:
+        one = shown[block.id]
+        words = [{"t": "Str", "c": one.alt}]
+        return {"t": "Image", "c": [pandoc.NONE, words, [f"{stem}-{one.name}.svg", ""]]}
+
+    target = Target(
+        pandoc.MARKDOWN[0],
+        picture,
+        _listed_contents(document.language),
+        lambda: [{"t": "HorizontalRule"}],
+        ("--wrap=none",),
+        captioned=False,
+    )
+    found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
+    for one in shown.values():
+        found[f"{stem}-{one.name}.svg"] = svg(one.sheet)
+    return found
+
+
+# ---------------------------------------------------------------- PDF
+
+
+def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+    """Return the note as PDF: tagged, with bookmarks, its title and its language."""
+    typst = _typst("pdf")
+
+    def picture(block: Picture) -> Tree:
+        one = shown[block.id]
+        told = f'#image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
+        return raw("typst", told)
+
+    contents = f"#contents({quoted(speaking(document.language)(CONTENTS))})"
+    target = Target(
+        "typst",
+        picture,
+        lambda outline: [raw("typst", contents, block=True)],
+        lambda: [raw("typst", "#pagebreak(weak: true)", block=True)],
+        ("--wrap=none",),
+        _set,
+        _bare,
+    )
+    body = pandoc.written(document, target).decode("utf-8")
+    head = (
+        f"#set document(title: {quoted(document.title)}, date: none)\n"
+        f"#set text(lang: {quoted(document.language)})\n"
+    )
+    with TemporaryDirectory() as folder:
+        home = Path(folder)
+        for one in shown.values():
+            (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
+        (home / "note.typ").write_text(f"{head}{TYPST}{body}", encoding="utf-8")
+        made = typst.compile(
+            str(home / "note.typ"), root=folder, format="pdf", ignore_system_fonts=True
+        )
+    return {f"{stem}.pdf": made}
+
+
+def _set(block: Tree, style: str) -> list[Tree]:
+    """Return a paragraph of the title page as typst sets it."""
+    if style == "space":
+        return [raw("typst", "#v(1fr)", block=True)]
+    opening = "#great[" if style == "title" else "#centred["
+    return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
+
+
+def _bare(table: Tree) -> list[Tree]:
+    """Return a table as typst sets it without lines."""
+    opening = raw("typst", "#bare[", block=True)
+    return [opening, table, raw("typst", "]", block=True)]
+
+
+def quoted(text: str) -> str:
+    """Return a text as typst writes it."""
+    return '"{}"'.format(" ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"'))
+
+
+def _typst(form: str) -> Any:
+    try:
+        import typst
+    except ImportError as error:
+        raise SheetError(
+            said(
+                "a note as {form} needs the package typst: pip install 'graphic-tmm[note]'",
+                form=form,
+            )
+        ) from error
+    return typst
+
+
+# ---------------------------------------------------------------- DOCX
+
+
+def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+    """Return the note as DOCX: formulas are those of a word processor, figures pictures."""
+    typst = _typst("docx")
+
+    def picture(block: Picture) -> Tree:
+        one = shown[block.id]
+        words = [{"t": "Str", "c": one.alt}]
+        attributes = ["", [], [["width", f"{one.width}mm"]]]
+        return {"t": "Image", "c": [attributes, words, [f"{one.name}.png", ""]]}
+
+    with TemporaryDirectory() as folder:
+        home = Path(folder)
+        _pictures(typst, home, list(shown.values()))
+        (home / "reference.docx").write_bytes(word.reference(document.language))
+        target = Target(
+            "docx",
+            picture,
+            lambda outline: [raw("openxml", word.contents(outline, document.language), block=True)],
+            lambda: [raw("openxml", word.BREAK, block=True)],
+            ("--reference-doc=reference.docx",),
+        )
+        pandoc.written(document, target, out="note.docx", folder=folder)
+        made = word.settled((home / "note.docx").read_bytes())
+    return {f"{stem}.docx": made}
+
+
+def _pictures(typst: Any, home: Path, shown: Sequence[Drawn]) -> None:
+    """Paint figures, all at once, as files beside the document."""
+    if not shown:
+        return
+    lines = []
+    for one in shown:
+        (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
+        size = f"width: {one.sheet.width:.3f}mm, height: {one.sheet.height:.3f}mm"
+        lines.append(f'#page({size}, margin: 0pt)[#image("{one.name}.svg", {size})]')
+    (home / "figures.typ").write_text("\n".join(lines), encoding="utf-8")
+    widest = [one.width / one.sheet.width for one in shown]
+    made = typst.compile(
+        str(home / "figures.typ"), root=str(home), format="png", ppi=PPI * max(*widest, 0.5)
+    )
+    painted = made if isinstance(made, list) else [made]
+    for one, image in zip(shown, painted, strict=True):
+        (home / f"{one.name}.png").write_bytes(image)
+
+
+WRITERS: Mapping[str, Callable[[Document, str, Mapping[str, Drawn]], dict[str, str | bytes]]] = {
+    "pdf": pdf,
+    "html": html,
+    "docx": docx,
+    "md": markdown,
+}

@@ -1,0 +1,52 @@
+"""A note of a scene, section by section, and its files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.note.document import Block, Document
+from graphic_tmm.note.formats import files
+from graphic_tmm.note.sections.chapter import chapter_section
+from graphic_tmm.note.sections.conclusions import conclusions
+from graphic_tmm.note.sections.scales import scales
+from graphic_tmm.note.sections.synthesis import synthesis
+from graphic_tmm.note.sections.task import task
+from graphic_tmm.note.sections.title import title_page
+
+
+def note(made: DrawnScene) -> Document:
+    """Return the note of a scene in its language."""
+    language = made.scene.language
+    blocks: list[Block] = [*title_page(made, language), *task(made, language)]
+    blocks += synthesis(made, language)
+    told = [
+        (chapter.number, board, chapter)
+        for board in made.boards
+        for chapter in board.project.chapters
+    ]
+    told.sort(key=lambda one: one[0])
+    first = [one for one in told if one[0] < FIRST]
+    for _, board, chapter in first:
+        blocks += chapter_section(board, chapter, language)
+    blocks += scales(made, language)
+    for _, board, chapter in told:
+        if (_, board, chapter) not in first:
+            blocks += chapter_section(board, chapter, language)
+    blocks += conclusions(made, language)
+    return Document(made.scene.title, language, tuple(blocks))
+
+
+FIRST = 2
+"""Chapters before this one need no scale factor: these are told behind them."""
+
+
+def note_files(made: DrawnScene, stem: str, formats: Sequence[str]) -> dict[str, str | bytes]:
+    """Return the files of the note of a scene by name.
+
+    Raises
+    ------
+    SheetError
+        If what writes a format is not installed.
+    """
+    return files(note(made), stem, formats)

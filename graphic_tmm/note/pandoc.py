@@ -1,0 +1,332 @@
+"""A note as pandoc's document: blocks become elements of its tree (JSON), so that no text is ever parsed again.
+
+pandoc is called once a format, with the tree on its standard input. Numbers of sections, figures and tables are
+words of the document, the same in all formats.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
+from graphic_tmm.note.document import (
+    Block,
+    Break,
+    Contents,
+    Display,
+    Document,
+    Formula,
+    Heading,
+    Listed,
+    Number,
+    Paragraph,
+    Picture,
+    Ref,
+    Run,
+    Symbol,
+    Table,
+    walk,
+)
+from graphic_tmm.note.tex import spelt, tex, whole
+
+API = [1, 23, 1]
+"""The version of pandoc's tree that is written."""
+NONE: list[Any] = ["", [], []]
+"""An element without id, classes and attributes."""
+ALIGN = {"l": "AlignLeft", "c": "AlignCenter", "r": "AlignRight"}
+FIGURE, TABLE = said("Figure {number} — "), said("Table {number} — ")
+FIGURE_AT, TABLE_AT = said("figure {number}"), said("table {number}")
+
+Tree = dict[str, Any]
+
+
+class Entry(NamedTuple):
+    """A heading in the contents: its level, its id, what it says."""
+
+    level: int
+    id: str
+    text: str
+
+
+Outline = tuple[Entry, ...]
+
+
+class Target(NamedTuple):
+    """A format as pandoc is asked for it: its name there, options, and what it has of its own.
+
+    ``picture``: the inline that shows a figure, ``contents`` and ``break_page``: blocks; ``styled``: a
+    paragraph of the title page, ``unruled``: a table without lines. ``captioned``: a figure and its caption
+    are one.
+    """
+
+    name: str
+    picture: Callable[[Picture], Tree]
+    contents: Callable[[Outline], list[Tree]]
+    break_page: Callable[[], list[Tree]]
+    options: tuple[str, ...] = ()
+    styled: Callable[[Tree, str], list[Tree]] = lambda block, style: [classed(block, style)]
+    unruled: Callable[[Tree], list[Tree]] = lambda table: [table]
+    captioned: bool = True
+
+
+class Numbered(NamedTuple):
+    """The numbers of a note: headings by their place among the blocks, figures and tables by id."""
+
+    headings: Mapping[int, str]
+    figures: Mapping[str, int]
+    tables: Mapping[str, int]
+
+
+def numbered(document: Document) -> Numbered:
+    """Return the numbers of sections, figures and tables, in order."""
+    headings: dict[int, str] = {}
+    counts: list[int] = []
+    for k, block in enumerate(document.blocks):
+        if isinstance(block, Heading) and block.numbered:
+            counts = [*counts[: block.level], *[0] * (block.level - len(counts))]
+            counts[block.level - 1] += 1
+            headings[k] = ".".join(map(str, counts))
+    figures: dict[str, int] = {}
+    tables: dict[str, int] = {}
+    for block in walk(document.blocks):
+        if isinstance(block, Picture):
+            figures[block.id] = len(figures) + 1
+        elif isinstance(block, Table) and block.ruled:
+            tables[block.id] = len(tables) + 1
+    return Numbered(headings, figures, tables)
+
+
+class _Writer:
+    """Writes one document as the tree of one format."""
+
+    def __init__(self, document: Document, target: Target) -> None:
+        self.document, self.target = document, target
+        self.speech = speaking(document.language)
+        self.numbers = numbered(document)
+        self.put = spelt if target.name in MARKDOWN else whole
+
+    def tree(self) -> Tree:
+        meta = {
+            "title": {"t": "MetaInlines", "c": _words(self.document.title)},
+            "lang": {"t": "MetaString", "c": self.document.language},
+        }
+        blocks = [one for k, b in enumerate(self.document.blocks) for one in self.block(b, k)]
+        return {"pandoc-api-version": API, "meta": meta, "blocks": blocks}
+
+    def outline(self) -> Outline:
+        found = []
+        for k, block in enumerate(self.document.blocks):
+            if isinstance(block, Heading):
+                words = "".join(self.plain(run) for run in block.runs)
+                number = self.numbers.headings.get(k, "")
+                found.append(Entry(block.level, _section(k), f"{number} {words}".strip()))
+        return tuple(found)
+
+    # ------------------------------------------------------------ blocks
+
+    def block(self, block: Block, k: int = 0) -> list[Tree]:
+        if isinstance(block, Heading):
+            return [self.heading(block, k)]
+        if isinstance(block, Paragraph):
+            told = _of("Para", self.inlines(block.runs))
+            return self.target.styled(told, block.style) if block.style else [told]
+        if isinstance(block, Display):
+            return [_of("Para", [self.math(one, display=True)]) for one in block.formulas]
+        if isinstance(block, Listed):
+            return list(self.listed(block))
+        if isinstance(block, Table):
+            made = self.table(block)
+            return [made] if block.ruled else self.target.unruled(made)
+        if isinstance(block, Picture):
+            return self.figure(block)
+        if isinstance(block, Contents):
+            return self.target.contents(self.outline())
+        assert isinstance(block, Break)
+        return self.target.break_page()
+
+    def heading(self, block: Heading, k: int) -> Tree:
+        number = self.numbers.headings.get(k)
+        told = _words(f"{number} ") if number else []
+        classes = [] if block.numbered else ["unnumbered"]
+        attributes = [] if block.numbered else [["custom-style", "Part"]]
+        return _of(
+            "Header",
+            [block.level, [_section(k), classes, attributes], [*told, *self.inlines(block.runs)]],
+        )
+
+    def listed(self, block: Listed) -> Iterator[Tree]:
+        items = [[one for b in item.blocks for one in self.block(b)] for item in block.items]
+        labels = [item.label for item in block.items]
+        if all(labels):
+            start = int(labels[0].partition("–")[0])
+            style = [start, {"t": "Decimal"}, {"t": "OneParen"}]
+            yield _of("OrderedList", [style, [_plain(item) for item in items]])
+        else:
+            yield _of("BulletList", [_plain(item) for item in items])
+
+    def table(self, block: Table) -> Tree:
+        aligned = [
+            [{"t": ALIGN[a]}, _of("ColWidth", w) if w else {"t": "ColWidthDefault"}]
+            for a, w in zip(block.align, block.widths or [0.0] * len(block.align), strict=True)
+        ]
+        caption = []
+        if block.ruled:
+            number = self.speech(TABLE, number=self.numbers.tables[block.id])
+            caption = [_of("Plain", [*_words(number), *self.inlines(block.caption)])]
+        rows = [[self.cell(cell) for cell in row] for row in block.rows]
+        heads = [_row([self.cell(cell) for cell in block.heads])] if any(block.heads) else []
+        attributes = [block.id, [] if block.ruled else ["unruled"], []]
+        return _of(
+            "Table",
+            [
+                attributes,
+                [None, caption],
+                aligned,
+                [NONE, heads],
+                [[NONE, 0, [], [_row(row) for row in rows]]],
+                [NONE, []],
+            ],
+        )
+
+    def cell(self, runs: Sequence[Run]) -> list[Any]:
+        inside = [_of("Plain", self.inlines(runs))] if runs else []
+        return [NONE, {"t": "AlignDefault"}, 1, 1, inside]
+
+    def figure(self, block: Picture) -> list[Tree]:
+        number = self.speech(FIGURE, number=self.numbers.figures[block.id])
+        caption = [*_words(number), *self.inlines(block.caption)]
+        shown = self.target.picture(block)
+        if not self.target.captioned:
+            return [_of("Para", [shown]), _of("Para", caption)]
+        whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", [shown])]]
+        return [_of("Figure", whole)]
+
+    # ------------------------------------------------------------ runs
+
+    def inlines(self, runs: Sequence[Run]) -> list[Tree]:
+        return [one for run in runs for one in self.inline(run)]
+
+    def inline(self, run: Run) -> list[Tree]:
+        if isinstance(run, Formula | Symbol):
+            return [self.math(run)]
+        if isinstance(run, Number):
+            return [_of("Str", self.plain(run))]
+        if isinstance(run, Ref):
+            return [_of("Link", [NONE, _words(self.plain(run)), [f"#{run.to}", ""]])]
+        inside = _words(run.text)
+        if run.style == "strong":
+            return [_of("Strong", inside)]
+        return [_of("Emph", inside)] if run.style else inside
+
+    def plain(self, run: Run) -> str:
+        """Return a run as plain words."""
+        if isinstance(run, Number):
+            told = unit(run.unit, self.document.language)
+            return run.text + (told if told in ("", "°") else f"\u00a0{told}")
+        if isinstance(run, Ref):
+            if run.to in self.numbers.figures:
+                return self.speech(FIGURE_AT, number=self.numbers.figures[run.to])
+            return self.speech(TABLE_AT, number=self.numbers.tables[run.to])
+        return run.text if not isinstance(run, Formula | Symbol) else ""
+
+    def math(self, one: Formula | Symbol, *, display: bool = False) -> Tree:
+        kind = "DisplayMath" if display else "InlineMath"
+        told = tex(one, self.document.language, self.put)
+        return _of("Math", [{"t": kind}, told])
+
+
+MARKDOWN = ("gfm+tex_math_dollars", "markdown")
+
+
+def _of(kind: str, content: object) -> Tree:
+    return {"t": kind, "c": content}
+
+
+def _section(k: int) -> str:
+    return f"section-{k}"
+
+
+def _row(cells: list[Any]) -> list[Any]:
+    return [NONE, cells]
+
+
+def _plain(blocks: list[Tree]) -> list[Tree]:
+    """Return the blocks of an item; one that is a paragraph only stands close to the others."""
+    if len(blocks) == 1 and blocks[0]["t"] == "Para":
+        return [{**blocks[0], "t": "Plain"}]
+    return blocks
+
+
+def classed(block: Tree, style: str) -> Tree:
+    """Return a block as one of a class, which is a style to a word processor."""
+    return _of("Div", [["", [style], [["custom-style", style]]], [block]])
+
+
+def _words(text: str) -> list[Tree]:
+    """Return plain text as words and spaces; lines that are broken stay so."""
+    found: list[Tree] = []
+    for k, line in enumerate(text.split("\n")):
+        if k:
+            found.append({"t": "LineBreak"})
+        for j, word in enumerate(line.split(" ")):
+            if j:
+                found.append({"t": "Space"})
+            if word:
+                found.append(_of("Str", word))
+    return found
+
+
+def raw(form: str, text: str, *, block: bool = False) -> Tree:
+    """Return what a format takes as it is written."""
+    return _of("RawBlock" if block else "RawInline", [form, text])
+
+
+def written(
+    document: Document, target: Target, *, out: str = "-", folder: str | None = None
+) -> bytes:
+    """Return a document as pandoc writes it in a format.
+
+    Raises
+    ------
+    SheetError
+        If pandoc is not installed, or refuses the document.
+    """
+    tree = json.dumps(_Writer(document, target).tree(), ensure_ascii=False)
+    command = [program(), "-f", "json", "-t", target.name, "--fail-if-warnings", "-o", out]
+    ended = subprocess.run(
+        [*command, *target.options],
+        input=tree.encode("utf-8"),
+        capture_output=True,
+        check=False,
+        cwd=folder,
+        env={**os.environ, "SOURCE_DATE_EPOCH": "315532800"},
+    )
+    if ended.returncode:
+        what = " ".join(ended.stderr.decode("utf-8", "replace").split())[:300]
+        raise SheetError(
+            said("pandoc cannot write the note as {form}: {what}", form=target.name, what=what)
+        )
+    return ended.stdout
+
+
+def program() -> str:
+    """Return where pandoc is.
+
+    Raises
+    ------
+    SheetError
+        If it is not installed.
+    """
+    try:
+        import pypandoc
+
+        return str(pypandoc.get_pandoc_path())
+    except (ImportError, OSError) as error:
+        raise SheetError(said("a note needs pandoc: pip install 'graphic-tmm[note]'")) from error

@@ -1,0 +1,85 @@
+"""The task: what the mechanism is, its scheme, what is given for it and for the parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.captions import captions
+from graphic_tmm.chapter import MECHANISM
+from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.units import unit
+from graphic_tmm.note.bricks import folded, heading, worked
+from graphic_tmm.note.document import (
+    Block,
+    Number,
+    Paragraph,
+    Picture,
+    Ref,
+    Runs,
+    Source,
+    Symbol,
+    Table,
+    Text,
+    text,
+)
+from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.readers.given import figure, given_rows
+
+TASK = said("Task")
+SCHEME = said("Scheme of the mechanism")
+OF = said("The mechanism is shown in {figure}; what is given stands in {table}.")
+
+
+def task(made: DrawnScene, language: str) -> Iterator[Block]:
+    """Yield the section of the task."""
+    yield heading(speaking(language)(TASK), 1)
+    yield Paragraph(text(f"{made.scene.title}."))
+    tables = [found for one in made.boards if (found := given_table(one, language)) is not None]
+    shown = scheme(made.mechanism, language) if made.mechanism is not None else None
+    if shown is not None and tables:
+        before, between, behind = (
+            speaking(language)(OF).replace("{table}", "{figure}").split("{figure}")
+        )
+        yield Paragraph(
+            (Text(before), Ref(shown.id), Text(between), Ref(tables[0].id), Text(behind))
+        )
+    if shown is not None:
+        yield shown
+    yield from tables
+
+
+def scheme(drawn: Drawn, language: str) -> Picture | None:
+    """Return the mechanism in one position, as its first plan that can be drawn alone."""
+    place = worked(drawn)
+    for chapter in drawn.project.chapters:
+        for plan in chapter.pointed:
+            title = speaking(language)(SCHEME)
+            view = chapter.plan_at(in_hand(drawn), plan, place, "scheme", title, ())
+            return picture(view, language)
+    return None
+
+
+def given_table(drawn: Drawn, language: str) -> Table | None:
+    """Return the table of what is given for a board."""
+    rows = given_rows(drawn.scene, drawn.board)
+    words = captions(language)
+    told: list[tuple[Runs, ...]] = []
+    for row in rows:
+        word = words.get(row.symbol)
+        called: Runs = text(word) if word else (Symbol(markup(symbol(row.symbol, language))),)
+        value: Runs
+        if isinstance(row.value, str):
+            value = text(words.get(row.value, row.value))
+        else:
+            source = Source("given", drawn.board, row.symbol)
+            value = (Number(figure(row.value, language), "", source, row.value),)
+        told.append((called, value, text(unit(row.unit, language) or "—")))
+    if not told:
+        return None
+    title = words["given" if drawn.board == MECHANISM else f"given {drawn.board}"]
+    heads = text(words["letter"]), text(words["figure"]), text(words["unit"])
+    return folded(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))

@@ -1,0 +1,272 @@
+"""The protocol of a view in one position as blocks: sentences with their letters, calculations as formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from string import Formatter
+from typing import NamedTuple
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.formula_text import Node, tree_of
+from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
+from graphic_tmm.board.operations.statics import moment, on_lever
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.language.names import spoken
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.note.document import (
+    Block,
+    Display,
+    Formula,
+    Leaf,
+    Number,
+    Paragraph,
+    Run,
+    Runs,
+    Source,
+    Symbol,
+    Text,
+    Tree,
+)
+from graphic_tmm.note.widths import broken
+from graphic_tmm.readers.equations import Equation, equations
+from graphic_tmm.readers.narration import defined, protocol, remark
+from graphic_tmm.readers.sentences import phrase
+
+PLAIN = (to_board, rescaled, in_si, on_lever, moment)
+"""Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
+LEAST = 2
+"""A formula of more sides than these stands on a line of its own; what is only read stands in its sentence."""
+
+
+class Told(NamedTuple):
+    """Where the numbers of a view are read: the board's name, the log, the reading, the view, a position."""
+
+    board: str
+    log: Construction
+    reading: Reading
+    view: str
+    place: int
+    language: str
+
+    def value(self, mark: Mark) -> float:
+        """Return the value of a mark, as it may be told."""
+        row = self.reading.figure(mark)[0]
+        return float(row[self.place if row.size > 1 else 0])
+
+    def number(self, mark: Mark, *, unit: bool = False) -> Number:
+        """Return the value of a mark as it is written; with its unit, or that of its angle only."""
+        value = self.value(mark)
+        of = "°" if mark.kind is Angle else "mm" if mark.kind is Length else mark.unit
+        source = Source("mark", self.board, str(mark.slot), self.place, self.view)
+        told = number(value, self.language)
+        return Number(told, of if unit or of == "°" else "", source, value)
+
+    def symbol(self, mark: Mark) -> Symbol:
+        """Return the letter of a mark."""
+        return Symbol(symbol(mark.name, self.language))
+
+    def leaf(self, mark: Mark) -> Leaf:
+        """Return the letter of a mark, or its value if it has none."""
+        return self.symbol(mark) if mark.name else self.number(mark)
+
+
+def protocol_blocks(
+    told: Told,
+    *,
+    turned: bool = False,
+    elsewhere: Sequence[tuple[int, str]] = (),
+    known: set[Runs] | None = None,
+    bare: bool = False,
+) -> Iterator[Block]:
+    """Yield the protocol of a view as blocks: headings of groups, equations, sentences.
+
+    ``elsewhere``: other positions by index and name, see `readers.narration.protocol`. ``known``: sentences
+    that were told already and are not told again; those of this view are entered. ``bare``: only what is
+    calculated or read is told. What is not there in the position is left out.
+    """
+    known = set() if known is None else known
+    log, view = told.log, told.view
+    steps = [step for step in log.steps if step.it.view == view]
+    solved = {e.group: e for e in equations(log, view, turned=turned)}
+    own = [told.place, *(k for k, _ in elsewhere)]
+    words: list[Run] = []
+    after = 0
+    for line in protocol(
+        log,
+        view,
+        told.reading,
+        told.place,
+        told.language,
+        turned=turned,
+        elsewhere=elsewhere,
+    ):
+        if not line.number:
+            continue
+        notes = [note for step in steps[after : line.number] for note in _notes(step)]
+        if notes:
+            yield from _flushed(words)
+        for note in notes:
+            yield from _heading(note, solved.get(note), told.language)
+        step, first = steps[line.number - 1], steps[max(line.first, 1) - 1 : line.number]
+        at = next((k for k in own if defined(told.reading, step.it, k)), told.place)
+        here = told._replace(place=at)
+        after = line.number
+        if not defined(told.reading, step.it, at):
+            continue
+        formula = calculated(here, step, _terms(first) if len(first) > 1 else ())
+        if formula is not None and len(formula.sides) > LEAST and step.op not in PLAIN:
+            yield from _flushed(words)
+            yield Display(broken(formula))
+            continue
+        more = _told(here, step, formula)
+        if formula is None:
+            if bare or tuple(more) in known:
+                continue
+            known.add(tuple(more))
+        words += [Text(" "), *more] if words else more
+    yield from _flushed(words)
+
+
+def _flushed(words: list[Run]) -> Iterator[Block]:
+    """Yield the paragraph of what was told so far, which begins anew."""
+    if words:
+        yield Paragraph(tuple(words))
+        words.clear()
+
+
+def _told(told: Told, step: Step, formula: Formula | None) -> list[Run]:
+    """Return what is done in a step as words, with what was read."""
+    if formula is not None and step.op.formula:
+        return [formula._replace(flat=True), Text(".")]
+    runs = list(sentence_runs(told, step))
+    if formula is None:
+        return runs
+    last = runs[-1]
+    if isinstance(last, Text) and last.text.endswith("."):
+        runs[-1] = Text(last.text[:-1] + ": ")
+    return [*runs, formula, Text(".")]
+
+
+def _notes(step: Step) -> list[str]:
+    return [note for note in step.note.split("\n") if note]
+
+
+def _terms(steps: Sequence[Step]) -> tuple[Mark, ...]:
+    """Return the terms of a sum that was added up in several steps."""
+    return (*steps[0].uses, *(mark for step in steps[1:] for mark in step.uses[1:]))
+
+
+def _heading(note: str, equation: Equation | None, language: str) -> Iterator[Block]:
+    told = symbol(note, language)
+    if "=" in told:
+        sides, _, behind = told.partition(",  ")
+        yield Display((Formula((Symbol(sides),), behind=(Symbol(behind),) if behind else ()),))
+        return
+    yield Paragraph((Text(remark(note, language) + ":", "emphasis"),))
+    if equation is not None:
+        yield Display(
+            (
+                Formula((Symbol(symbol(equation.markup, language)),)),
+                Formula((Symbol(symbol(equation.directions, language)),)),
+            )
+        )
+
+
+def sentence_runs(told: Told, step: Step) -> Runs:
+    """Return what is done in a step, its letters as symbols."""
+    template, words = phrase(step, told.language, told.reading, told.place)
+    return put(template, words, _marks(step), told)
+
+
+def _marks(step: Step) -> dict[str, Mark]:
+    return dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
+
+
+def put(template: str, words: dict[str, str], marks: dict[str, Mark], told: Told) -> Runs:
+    """Return a sentence: what stands for the names of its template, letters as symbols."""
+    found: list[Run] = []
+    for text, name, _, _ in Formatter().parse(template):
+        if text:
+            found.append(Text(text))
+        if name is None:
+            continue
+        mark, word = marks.get(name), words[name]
+        called = spoken(mark, told.language) if mark is not None else ""
+        if mark is None or not called or not word.startswith(called):
+            found += _number_or_word(told, mark, word)
+            continue
+        found.append(told.symbol(mark))
+        if rest := word.removeprefix(called):
+            found.append(Text(rest))
+    return tuple(_run_together(found))
+
+
+def _number_or_word(told: Told, mark: Mark | None, word: str) -> list[Run]:
+    if mark is None or mark.name or not any(c.isdigit() for c in word):
+        return [Text(word)]
+    return [told.number(mark, unit=True)]
+
+
+def _run_together(runs: Sequence[Run]) -> Iterator[Run]:
+    """Yield runs; symbols of a segment that follow each other are one: O–A, pa3."""
+    held: Symbol | None = None
+    dash = False
+    for run in runs:
+        if isinstance(run, Symbol) and held is not None:
+            held = Symbol(held.markup + ("–" if dash else "") + run.markup)
+            dash = False
+            continue
+        if isinstance(run, Text) and run.text == "–" and held is not None:
+            dash = True
+            continue
+        if held is not None:
+            yield held
+            if dash:
+                yield Text("–")
+        held, dash = None, False
+        if isinstance(run, Symbol):
+            held = run
+        else:
+            yield run
+    if held is not None:
+        yield held
+
+
+def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula | None:
+    """Return the calculation of a step with its numbers put in, or what was read; None if it has none.
+
+    ``terms``: of a sum that was added up in several steps.
+    """
+    if not (step.op.reads or step.op.formula):
+        return None
+    it = told.symbol(step.it)
+    result = told.number(step.it, unit=True)
+    if step.op.reads:
+        return Formula((it, result))
+    if terms:
+        node, marks = _sum(terms)
+    else:
+        node = tree_of(step.op.formula, FUNCTIONS)
+        marks = dict(zip(step.op.arguments, step.uses, strict=True))
+    letters = Tree(node, {name: told.leaf(mark) for name, mark in marks.items()})
+    figures = Tree(node, {name: told.number(mark) for name, mark in marks.items()})
+    sides: list[Leaf | Tree] = [it, letters, figures, result]
+    if isinstance(only := _alone(figures), Number) and only.text == result.text:
+        sides.remove(figures)
+    return Formula(tuple(sides))
+
+
+def _alone(tree: Tree) -> Leaf | None:
+    """Return the only leaf of a tree that is a name."""
+    return tree.put.get(tree.node.word) if tree.node.head == "name" else None
+
+
+def _sum(terms: Sequence[Mark]) -> tuple[Node, dict[str, Mark]]:
+    marks = {f"t{k}": mark for k, mark in enumerate(terms)}
+    first, *others = (Node("name", (), name) for name in marks)
+    for other in others:
+        first = Node("+", (first, other))
+    return first, marks

@@ -1,0 +1,86 @@
+"""How the pages of a note look: of HTML (CSS) and of PDF (typst); margins and sizes by ГОСТ 2.105 and 7.32."""
+
+from __future__ import annotations
+
+CSS = """\
+:root { color-scheme: light; }
+body { margin: 0; background: #fff; color: #111; font: 17px/1.5 "Times New Roman", "Liberation Serif", serif; }
+main { max-width: 48rem; margin: 0 auto; padding: 2rem 1rem; }
+h1 { font-size: 1.5rem; margin: 2.5rem 0 1rem; } h2 { font-size: 1.2rem; } h3 { font-size: 1.05rem; }
+h1.unnumbered { text-align: center; }
+figure { margin: 1.5rem 0; text-align: center; }
+figure svg { max-width: 100%; height: auto; }
+figcaption { text-align: center; }
+table { border-collapse: collapse; margin: 1.5rem 0; display: block; max-width: 100%; overflow-x: auto; }
+caption { text-align: left; margin-bottom: .3rem; white-space: nowrap; }
+th, td { border: 1px solid #555; padding: .15rem .4rem; font-size: .85rem; font-weight: normal; }
+table.unruled th, table.unruled td { border: 0; font-size: 1rem; }
+math[display="block"] { margin: .6rem 0; max-width: 100%; overflow-x: auto; overflow-y: hidden; }
+p { margin: .5rem 0; } li > p { margin: .2rem 0; }
+ul { list-style: none; padding-left: 1.2rem; }
+a { color: #0b4a8f; }
+.centre, .title { text-align: center; }
+.title { font-size: 1.6rem; font-weight: bold; margin: 2rem 0 1rem; }
+.space { height: 2rem; }
+@media print { main { max-width: none; padding: 0; } h1 { break-after: avoid; } }
+@media print { figure { break-inside: avoid; } }
+"""
+"""Of HTML: dark on white, figures and tables no wider than the window."""
+
+TYPST = """\
+#set page(
+  paper: "a4",
+  margin: (left: 30mm, right: 15mm, top: 20mm, bottom: 20mm),
+  numbering: "1",
+  number-align: center,
+)
+#set text(font: ("Libertinus Serif", "New Computer Modern"), size: 12pt, hyphenate: true)
+#set par(leading: 0.8em, spacing: 0.8em, justify: true, first-line-indent: (amount: 12.5mm, all: true))
+#set enum(indent: 6mm, body-indent: 2mm, spacing: 0.75em)
+#set list(marker: [–], indent: 6mm, body-indent: 2mm)
+#set table(stroke: 0.5pt, inset: (x: 3pt, y: 3.5pt))
+#set table.hline(stroke: 0.5pt)
+#show table: set text(size: 10pt, hyphenate: false)
+#show table: it => {
+  let wide = type(it.columns) == array and it.columns.len() > 10
+  set text(size: 8.5pt) if wide
+  set table(inset: (x: 1.5pt, y: 3pt)) if wide
+  it
+}
+#show table: set par(justify: false, leading: 0.5em, first-line-indent: 0mm)
+#show figure: set block(breakable: true, above: 1.2em, below: 1.2em)
+#show figure.where(kind: table): set figure.caption(position: top)
+#show figure.where(kind: table): set align(left)
+#show figure.where(kind: image): set block(breakable: false)
+#show figure.where(kind: image): set figure(placement: bottom)
+#show figure.caption: it => {
+  set par(first-line-indent: 0mm, justify: false)
+  block(sticky: true, width: 100%, it.body)
+}
+#show math.equation.where(block: true): set block(above: 0.8em, below: 0.8em, breakable: true)
+#show math.equation: set text(font: "New Computer Modern Math")
+#show heading: set text(hyphenate: false)
+#show heading: set par(justify: false, first-line-indent: 0mm)
+#show heading: set block(above: 1.6em, below: 1em)
+#show heading.where(level: 1): set text(size: 15pt)
+#show heading.where(level: 2): set text(size: 13pt)
+#show heading.where(level: 3): set text(size: 12pt, style: "italic", weight: "regular")
+#show link: set text(fill: black)
+#let contents(title) = {
+  align(center, text(size: 15pt, weight: "bold", title))
+  outline(title: none, depth: 2, indent: 6mm)
+  pagebreak(weak: true)
+}
+#let centred(told) = {
+  set par(justify: false, first-line-indent: 0mm)
+  align(center, text(hyphenate: false, told))
+}
+#let bare(told) = {
+  set table(stroke: none)
+  show table: set text(size: 12pt)
+  told
+}
+#show enum: it => { show math.equation.where(block: true): set align(left); it }
+#let great(told) = centred(text(size: 18pt, weight: "bold", told))
+"""
+"""Of PDF: what pandoc writes for typst is set by it."""

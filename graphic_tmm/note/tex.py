@@ -1,0 +1,322 @@
+r"""Formulas as TeX: trees of the board's formulas, letters as lettered on sheets, numbers with their units.
+
+Only what pandoc understands in all its formats is written; a letter that TeX has no name for stands in \text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from itertools import groupby
+
+from graphic_tmm.board.formula_text import Node
+from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.language.numbers import decimal_sign
+from graphic_tmm.language.units import unit
+from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
+from graphic_tmm.paper.lettering import markup
+from graphic_tmm.paper.lettering.indices import markup as indexed
+
+SIGNS = {
+    "·": r" \cdot ",
+    "−": "-",
+    "–": r"\text{–}",
+    "×": r" \times ",
+    "±": r" \pm ",
+    "=": " = ",
+    "≠": r" \neq ",
+    "≤": r" \leq ",
+    "≥": r" \geq ",
+    "<": " < ",
+    ">": " > ",
+    "∥": r" \parallel ",
+    "⊥": r" \perp ",
+    "→": r" \rightarrow ",
+    "∞": r"\infty ",
+    "′": "'",
+    "″": "''",
+    "*": r"\ast ",
+    " ": r"\ ",
+    ",": ",",
+    "Δ": r"\Delta ",
+    "Σ": r"\Sigma ",
+    "Φ": r"\Phi ",
+    "Ω": r"\Omega ",
+    "Θ": r"\Theta ",
+    "α": r"\alpha ",
+    "β": r"\beta ",
+    "γ": r"\gamma ",
+    "δ": r"\delta ",
+    "ε": r"\varepsilon ",
+    "ζ": r"\zeta ",
+    "η": r"\eta ",
+    "θ": r"\theta ",
+    "ϑ": r"\vartheta ",
+    "κ": r"\kappa ",
+    "λ": r"\lambda ",
+    "μ": r"\mu ",
+    "ν": r"\nu ",
+    "ξ": r"\xi ",
+    "π": r"\pi ",
+    "ρ": r"\rho ",
+    "σ": r"\sigma ",
+    "τ": r"\tau ",
+    "φ": r"\varphi ",
+    "χ": r"\chi ",
+    "ψ": r"\psi ",
+    "ω": r"\omega ",
+}
+"""What TeX calls the signs of sheets."""
+_PLAIN = frozenset("0123456789+-()[]|/.:;!'")
+_ESCAPED = {c: "\\" + c for c in "{}$%#&_"} | {
+    "\\": r"\textbackslash ",
+    "~": r"\textasciitilde ",
+    "^": r"\textasciicircum ",
+}
+_WORDS = frozenset(
+    {"in", "dr", "ser", "mean", "red", "max", "min", "lim", "Zh", "bal", "fly", "bl"}
+)
+"""Indices that are words: they stand upright."""
+_WORD = re.compile("[а-яА-Я–-]")
+"""An index with one of these is words, or a range: no product of letters."""
+_NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
+_RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
+
+BEGUN = {"open": ("(", ""), "close": ("", ")"), "inner": ("", "")}
+"""Parts of a bracket over several lines: its first, its last (which may be divided), those between."""
+
+Ink = markup.Text | markup.Lined | markup.Scripts
+Put = Callable[[str], str]
+"""How a format writes the digits of a number."""
+
+
+def spelt(digits: str) -> str:
+    """Return a number as TeX writes it: a decimal comma is no comma between two things."""
+    if not digits[-1:].isdigit():
+        return whole(digits)
+    return digits.replace(",", "{,}").replace("−", "-")
+
+
+def whole(digits: str) -> str:
+    """Return a number as one word, unless it is of digits only: a sign or a comma would stand apart."""
+    return digits if digits.isdigit() else rf"\text{{{escaped(digits)}}}"
+
+
+def tex(one: Formula | Tree | Leaf, language: str, put: Put = whole) -> str:
+    """Return a formula as TeX; ``put``: how digits are written."""
+    return _Writer(language, put).told(one)
+
+
+def escaped(words: str) -> str:
+    r"""Return words as they stand within \text."""
+    return "".join(_ESCAPED.get(c, c) for c in words)
+
+
+class _Writer:
+    """Writes the formulas of one language with the digits of one format."""
+
+    def __init__(self, language: str, put: Put) -> None:
+        self.language, self.put = language, put
+        self.flat = False
+        """Fractions are written in a line: the formula stands among words."""
+
+    def told(self, one: Formula | Tree | Leaf) -> str:
+        if isinstance(one, Symbol):
+            return self.markup(one.markup)
+        if isinstance(one, Number):
+            return self.number(one)
+        if isinstance(one, Tree):
+            return self.tree(one.node, one.put)
+        sign = _RELATIONS.get(one.sign, f" {one.sign} ")
+        self.flat = one.flat
+        found = sign.join(self.told(side) for side in one.sides)
+        if one.follows:
+            found = f"{sign.strip()} {found}"
+        return found + "".join(rf",\quad {self.told(more)}" for more in one.behind)
+
+    # ------------------------------------------------------------ letters
+
+    def markup(self, told: str) -> str:
+        return self._nodes(markup.parse_markup(indexed(told)), False).strip()
+
+    def _nodes(self, nodes: Iterable[Ink], index: bool) -> str:
+        return "".join(self._node(node, index) for node in nodes)
+
+    def _node(self, node: Ink, index: bool) -> str:
+        if isinstance(node, markup.Text):
+            return self._text(node.text, index)
+        if isinstance(node, markup.Lined):
+            inside = self._nodes(node.inside, index).strip()
+            if node.kind == "bar":
+                return rf"\bar{{{inside}}}"
+            lined = rf"\underline{{{inside}}}"
+            return rf"\underline{{{lined}}}" if node.kind == "uu" else lined
+        found = ""
+        for sign, part in (("_", node.lower), ("^", node.upper)):
+            if part is not None:
+                found += f"{sign}{{{self._nodes(part, True).strip()}}}"
+        return found
+
+    def _text(self, words: str, index: bool) -> str:
+        if index and words in _WORDS:
+            return rf"\mathrm{{{words}}}"
+        if index and _WORD.search(words):
+            return _upright(words)
+        found = []
+        for known, some in groupby(words, key=_known):
+            run = "".join(some)
+            found.append("".join(SIGNS.get(c, c) for c in run) if known else _upright(run))
+        return "".join(found)
+
+    # ------------------------------------------------------------ numbers
+
+    def number(self, one: Number) -> str:
+        """Return a number with its unit; a sign of degrees or of hundredths is a part of it."""
+        if one.unit in ("°", "%"):
+            return self.digits(one.text, one.unit)
+        found, told = self.digits(one.text), unit(one.unit, self.language)
+        return rf"{found}\ \text{{{escaped(told)}}}" if told else found
+
+    def digits(self, told: str, sign: str = "") -> str:
+        """Return a number as `language.numbers` tells it; powers of ten are raised."""
+        mantissa, _, power = told.partition("·10")
+        if not power:
+            return self.put(mantissa + sign)
+        return rf"{self.put(mantissa)} \cdot 10^{{{power.translate(_LOWERED)}}}"
+
+    # ------------------------------------------------------------ trees
+
+    def tree(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        if node.head in _LEAVES:
+            return self._leaf(node, put)
+        if node.head in ("·", "/"):
+            return self._product(node, put)
+        if node.head in ("+", "−", "±"):
+            left, right = node.parts
+            sign = {"+": " + ", "−": " - ", "±": r" \pm "}[node.head]
+            return (
+                self.tree(left, put) + sign + self._within(right, put, ("+", "−", "±"), first=False)
+            )
+        if node.head == "neg":
+            return f"-{self._within(node.parts[0], put, ('+', '−', '±'), first=False)}"
+        if node.head == "^":
+            return self._power(node, put)
+        if node.head in ("radians", "degrees"):
+            return self.tree(node.parts[0], put)
+        if node.head in BEGUN:
+            before, behind = BEGUN[node.head]
+            told = f"{before}{self.tree(node.parts[0], put)}{behind}"
+            return told + "".join(f"/{self._below(part, put)}" for part in node.parts[1:])
+        if node.head in _RELATIONS:
+            return _RELATIONS[node.head].join(self.tree(part, put) for part in node.parts)
+        return self._call(node, put)
+
+    def _leaf(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        if node.head == "π":
+            return r"\pi "
+        if node.head == "name":
+            return self.told(put[node.word]) if node.word in put else self._text(node.word, False)
+        degrees = "°" if node.head == "°" else ""
+        return self.put(node.word.replace(".", decimal_sign(self.language)) + degrees)
+
+    def _power(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        base, power = node.parts
+        raised = self.tree(power, put).strip()
+        if base.head in _NAMED and power.head == "figure":
+            return rf"\{base.head}^{{{raised}}} {self._argument(base.parts[0], put)}"
+        return f"{self._base(base, put)}^{{{raised}}}"
+
+    def _base(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        told = self.tree(node, put).strip()
+        if node.head == "name":
+            leaf = put.get(node.word)
+            simple = not (isinstance(leaf, Number) and (leaf.unit or leaf.text.startswith("−")))
+            if simple and not (isinstance(leaf, Symbol) and "^" in leaf.markup):
+                return told if not isinstance(leaf, Number) else f"{{{told}}}"
+            return rf"{{\left({told}\right)}}"
+        return told if node.head in ("figure", "π", "abs") else rf"{{\left({told}\right)}}"
+
+    def _product(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        above, below = list[str](), list[str]()
+        for factor, over in _factors(node):
+            row = below if over else above
+            told = self._within(factor, put, ("+", "−", "±", "neg"), first=not row)
+            row.append(told)
+        upper, lower = r" \cdot ".join(above), r" \cdot ".join(below)
+        if not below:
+            return upper
+        if self.flat:
+            return f"{upper}/{lower}" if len(below) == 1 else f"{upper}/({lower})"
+        bare = self._bare(node, put)
+        return rf"\frac{{{upper}}}{{{lower}}}" if bare is None else bare
+
+    def _bare(self, node: Node, put: Mapping[str, Leaf]) -> str | None:
+        """Return a fraction of two sums without the brackets that its line makes needless."""
+        parts = list(_factors(node))
+        if len(parts) != 2 or [over for _, over in parts] != [False, True]:
+            return None
+        above, below = (self.tree(factor, put) for factor, _ in parts)
+        return rf"\frac{{{above}}}{{{below}}}"
+
+    def _below(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        """Return what stands behind a stroke of a fraction."""
+        told = self.tree(node, put)
+        return told if node.head in _LEAVES else f"({told})"
+
+    def _within(
+        self, node: Node, put: Mapping[str, Leaf], loose: tuple[str, ...], *, first: bool
+    ) -> str:
+        """Return a part in brackets where it would else come apart, or two signs would meet."""
+        told = self.tree(node, put)
+        leaf = put.get(node.word) if node.head == "name" else None
+        minus = isinstance(leaf, Number) and leaf.text.startswith("−") and not first
+        return rf"\left({told}\right)" if node.head in loose or minus else told
+
+    def _call(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        told = [self.tree(part, put) for part in node.parts]
+        if node.head == "sqrt":
+            return rf"\sqrt{{{told[0]}}}"
+        pairs = {
+            "abs": ("|", "|"),
+            "ceil": (r"\lceil", r"\rceil"),
+            "floor": (r"\lfloor", r"\rfloor"),
+        }
+        if node.head in pairs:
+            left, right = pairs[node.head]
+            return rf"\left{left} {told[0]} \right{right}"
+        name = rf"\{node.head}" if node.head in _NAMED else rf"\mathrm{{{escaped(node.head)}}}"
+        if len(told) > 1:
+            return rf"{name}\left({', '.join(told)}\right)"
+        apart = "" if node.head in _NAMED else r"\,"
+        return f"{name}{apart} {self._argument(node.parts[0], put)}"
+
+    def _argument(self, node: Node, put: Mapping[str, Leaf]) -> str:
+        inner = node.parts[0] if node.head in ("radians", "degrees") else node
+        told = self.tree(inner, put)
+        if inner.head in _LEAVES or inner.head in FUNCTIONS:
+            return told
+        return rf"\left({told}\right)"
+
+
+_LEAVES = ("name", "figure", "°", "π")
+_LOWERED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+
+def _factors(node: Node, over: bool = False) -> Iterable[tuple[Node, bool]]:
+    """Yield the factors of a product or quotient, each with whether it stands below the line."""
+    if node.head == "·":
+        for part in node.parts:
+            yield from _factors(part, over)
+    elif node.head == "/":
+        yield from _factors(node.parts[0], over)
+        yield from _factors(node.parts[1], not over)
+    else:
+        yield node, over
+
+
+def _known(c: str) -> bool:
+    return c in SIGNS or c in _PLAIN or bool(re.match("[A-Za-z]", c))
+
+
+def _upright(run: str) -> str:
+    return rf"\text{{{escaped(run)}}}"

@@ -1,0 +1,149 @@
+"""How wide formulas are, so that one too wide for a page stands on several lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from graphic_tmm.board.formula_text import Node
+from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
+from graphic_tmm.paper.lettering.markup import plain
+
+WIDE = 58.0
+"""So many letters stand on a line of a page, brackets and signs among them. Measured on pages of PDF."""
+SMALL = 0.65
+"""What a letter of an index takes of one on the line."""
+SIGN = 2.5
+"""What a sign between two sides takes, letters."""
+
+
+def broken(one: Formula) -> tuple[Formula, ...]:
+    """Return a formula as one, or as several where it is too wide.
+
+    It is broken before a sign between sides; a side too wide alone, a sum or a sum over
+    something, at its terms.
+    """
+    lines: list[Formula] = []
+    room = 0.0
+    for k, side in enumerate(one.sides):
+        first, *rest = _lines(side, room if k == 1 else WIDE)
+        needed = width(first) + SIGN
+        if lines and needed <= room:
+            lines[-1] = lines[-1]._replace(sides=(*lines[-1].sides, first))
+            room -= needed
+        else:
+            lines.append(Formula((first,), one.sign, follows=k > 0))
+            room = WIDE - needed
+        for sign, more in rest:
+            lines.append(Formula((more,), sign, follows=True))
+            room = WIDE - width(more) - SIGN
+    lines[-1] = lines[-1]._replace(behind=one.behind)
+    return tuple(lines)
+
+
+class Line(NamedTuple):
+    """A line of a sum that follows another: the sign before it, what stands in it."""
+
+    sign: str
+    told: Tree
+
+
+def _lines(side: Leaf | Tree, room: float) -> tuple[Leaf | Tree, *tuple[Line, ...]]:
+    """Return a side, or its first line and those that follow; ``room``: that of the line it may go on."""
+    begun = room if room > LEAST else WIDE
+    if not isinstance(side, Tree) or width(side) + SIGN <= begun:
+        return (side,)
+    below, total = _over(side.node)
+    runs = _runs(list(_terms(total)), side.put, begun)
+    if len(runs) == 1:
+        return (side,)
+    first, *rest = [_joined(run) for run in runs]
+    if runs[0][0][0] == "−":
+        first = _joined([("", Node("neg", (runs[0][0][1],))), *runs[0][1:]])
+    if not below:
+        follow = [
+            Line(run[0][0], Tree(node, side.put)) for run, node in zip(runs[1:], rest, strict=True)
+        ]
+        return (Tree(first, side.put), *follow)
+    heads = ["inner"] * (len(rest) - 1) + ["close"]
+    made = [
+        Node(head, (node, *(below if head == "close" else ())))
+        for head, node in zip(heads, rest, strict=True)
+    ]
+    follow = [
+        Line(run[0][0], Tree(node, side.put)) for run, node in zip(runs[1:], made, strict=True)
+    ]
+    return (Tree(Node("open", (first,)), side.put), *follow)
+
+
+def _joined(run: list[tuple[str, Node]]) -> Node:
+    """Return terms as a sum; the sign of the first stands before it."""
+    found = run[0][1]
+    for sign, term in run[1:]:
+        found = Node(sign, (found, term))
+    return found
+
+
+LEAST = 24.0
+"""Less room than this, letters, is left empty: a long sum begins on a line of its own."""
+
+
+def _over(node: Node) -> tuple[tuple[Node, ...], Node]:
+    """Return what a sum is divided by, () if by nothing, and the sum."""
+    if node.head == "/" and node.parts[0].head in SUMS:
+        return (node.parts[1],), node.parts[0]
+    return (), node
+
+
+def _terms(node: Node) -> Iterator[tuple[str, Node]]:
+    """Yield the terms of a sum, each with its sign."""
+    if node.head not in SUMS:
+        yield ("−", node.parts[0]) if node.head == "neg" else ("+", node)
+        return
+    yield from _terms(node.parts[0])
+    yield node.head, node.parts[1]
+
+
+def _runs(
+    terms: list[tuple[str, Node]], put: Mapping[str, Leaf], room: float
+) -> list[list[tuple[str, Node]]]:
+    """Return terms in lines, each as full as it can be; ``room``: of the first."""
+    runs: list[list[tuple[str, Node]]] = [[]]
+    room -= SIGN
+    for one in terms:
+        needed = _tree(one[1], put) + SIGN
+        if runs[-1] and needed > room:
+            runs.append([])
+            room = WIDE - SIGN
+        runs[-1].append(one)
+        room -= needed
+    return runs
+
+
+SUMS = ("+", "−")
+"""Heads of sums."""
+
+
+def width(one: Leaf | Tree) -> float:
+    """Return about how wide a side of a formula is, letters."""
+    if isinstance(one, Symbol):
+        head, _, rest = plain(one.markup).partition("_")
+        return len(head) + SMALL * len(rest)
+    if isinstance(one, Number):
+        return len(one.text) + (len(one.unit) + 1 if one.unit else 0)
+    return _tree(one.node, one.put)
+
+
+def _tree(node: Node, put: Mapping[str, Leaf]) -> float:
+    if node.head == "name":
+        return width(put[node.word]) if node.word in put else len(node.word)
+    if not node.parts:
+        return float(len(node.word) or 1)
+    parts = [_tree(part, put) for part in node.parts]
+    if node.head == "/":
+        return max(parts)
+    if node.head == "^":
+        return parts[0] + SMALL * parts[1] + 2
+    if node.head in ("·", "+", "−", "±"):
+        return sum(parts) + SIGN
+    return sum(parts) + len(node.head) / 2 + 2

@@ -1,0 +1,260 @@
+"""What a word processor is given beside the text: styles, page, contents; the same bytes whenever it is made.
+
+The reference document is made here, so that nothing of it depends on who has installed what: page and margins,
+fonts and sizes by ГОСТ 2.105 and 7.32, English notes a little closer.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from collections.abc import Sequence
+from typing import NamedTuple
+from xml.sax.saxutils import escape
+
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.note.pandoc import Outline
+
+EPOCH = (1980, 1, 1, 0, 0, 0)
+"""When everything in the file was made: it does not tell."""
+BREAK = '<w:p><w:r><w:br w:type="page"/></w:r></w:p>'
+_W = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
+_R = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+_TYPES = "application/vnd.openxmlformats-officedocument.wordprocessingml"
+_HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
+FONT = "Times New Roman"
+TWIP = 56.6929
+"""Twentieths of a point a millimetre has."""
+
+
+class Style(NamedTuple):
+    """A style of paragraphs: its name, size (pt), alignment, room above and below (pt), indents (mm), lines."""
+
+    name: str
+    size: float
+    align: str = "both"
+    above: float = 0.0
+    below: float = 0.0
+    first: float = 0.0
+    line: float = 1.5
+    bold: bool = False
+    italic: bool = False
+    kept: bool = False
+    level: int = 0
+
+
+def _styles(lines: float) -> tuple[Style, ...]:
+    """Return the styles that pandoc asks for by name; ``lines``: how far lines stand apart."""
+    return (
+        Style("Body Text", 14, first=12.5, line=lines),
+        Style("First Paragraph", 14, first=12.5, line=lines),
+        Style("Compact", 10, "left", line=1.0),
+        Style("heading 1", 16, "left", 18, 10, 12.5, 1.15, bold=True, kept=True, level=1),
+        Style("heading 2", 14, "left", 14, 8, 12.5, 1.15, bold=True, kept=True, level=2),
+        Style("heading 3", 14, "left", 10, 6, 12.5, 1.15, italic=True, kept=True, level=3),
+        Style("Table Caption", 14, "left", 10, 3, line=1.0, kept=True),
+        Style("Image Caption", 14, "center", 3, 12, line=1.0),
+        Style("Figure", 14, "center", 10, 0, line=1.0, kept=True),
+        Style("Captioned Figure", 14, "center", 10, 0, line=1.0, kept=True),
+        Style("title", 18, "center", 60, 12, line=1.15, bold=True),
+        Style("centre", 14, "center", 0, 6, line=1.15),
+        Style("space", 14, "center", 60, 0, line=1.0),
+        Style("toc 1", 14, "left", 2, 2, line=1.15),
+        Style("toc 2", 14, "left", 1, 1, 6, line=1.15),
+        Style("TOC Heading", 16, "center", 0, 12, line=1.15, bold=True),
+        Style("footer", 12, "center", line=1.0),
+    )
+
+
+def reference(language: str) -> bytes:
+    """Return the document whose styles and page pandoc takes."""
+    margins = (30, 15, 20, 20) if language == "ru" else (25, 25, 25, 25)
+    parts = {
+        "[Content_Types].xml": _content_types(),
+        "_rels/.rels": _relations([("rId1", "officeDocument", "word/document.xml")]),
+        "word/document.xml": _document(margins),
+        "word/_rels/document.xml.rels": _relations(
+            [("rId1", "styles", "styles.xml"), ("rId2", "footer", "footer1.xml")]
+        ),
+        "word/styles.xml": _style_sheet(language, 1.5 if language == "ru" else 1.25),
+        "word/footer1.xml": _footer(),
+    }
+    return zipped([(name, text.encode("utf-8")) for name, text in parts.items()])
+
+
+def zipped(parts: Sequence[tuple[str, bytes]]) -> bytes:
+    """Return a zip file that tells no time."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in parts:
+            entry = zipfile.ZipInfo(name, EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, data)
+    return out.getvalue()
+
+
+def _content_types() -> str:
+    overrides = [("document", "document.main"), ("styles", "styles"), ("footer1", "footer")]
+    told = "".join(
+        f'<Override PartName="/word/{part}.xml" ContentType="{_TYPES}.{kind}+xml"/>'
+        for part, kind in overrides
+    )
+    return (
+        f'{_HEAD}<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
+        '<Default Extension="rels" '
+        'ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+        f'<Default Extension="xml" ContentType="application/xml"/>{told}</Types>'
+    )
+
+
+def _relations(found: Sequence[tuple[str, str, str]]) -> str:
+    told = "".join(
+        f'<Relationship Id="{id}" Type="{_R}/{kind}" Target="{target}"/>'
+        for id, kind, target in found
+    )
+    space = "http://schemas.openxmlformats.org/package/2006/relationships"
+    return f'{_HEAD}<Relationships xmlns="{space}">{told}</Relationships>'
+
+
+def _document(margins: tuple[int, int, int, int]) -> str:
+    left, right, top, bottom = (round(one * TWIP) for one in margins)
+    return (
+        f'{_HEAD}<w:document xmlns:w="{_W}" xmlns:r="{_R}"><w:body><w:p/><w:sectPr>'
+        '<w:footerReference w:type="default" r:id="rId2"/><w:pgSz w:w="11906" w:h="16838"/>'
+        f'<w:pgMar w:top="{top}" w:right="{right}" w:bottom="{bottom}" w:left="{left}" '
+        'w:header="567" w:footer="567" w:gutter="0"/><w:titlePg/></w:sectPr></w:body></w:document>'
+    )
+
+
+def _footer() -> str:
+    field = "".join(
+        f"<w:r>{one}</w:r>"
+        for one in (
+            '<w:fldChar w:fldCharType="begin"/>',
+            '<w:instrText xml:space="preserve"> PAGE </w:instrText>',
+            '<w:fldChar w:fldCharType="end"/>',
+        )
+    )
+    return (
+        f'{_HEAD}<w:ftr xmlns:w="{_W}"><w:p><w:pPr><w:pStyle w:val="Footer"/></w:pPr>{field}</w:p>'
+        "</w:ftr>"
+    )
+
+
+def _style_sheet(language: str, lines: float) -> str:
+    lang = {"ru": "ru-RU", "en": "en-GB"}.get(language, language)
+    fonts = f'<w:rFonts w:ascii="{FONT}" w:hAnsi="{FONT}" w:eastAsia="{FONT}" w:cs="{FONT}"/>'
+    defaults = (
+        f'<w:docDefaults><w:rPrDefault><w:rPr>{fonts}<w:sz w:val="28"/><w:szCs w:val="28"/>'
+        f'<w:lang w:val="{lang}" w:eastAsia="{lang}" w:bidi="ar-SA"/></w:rPr></w:rPrDefault>'
+        "<w:pPrDefault/></w:docDefaults>"
+    )
+    normal = (
+        '<w:style w:type="paragraph" w:default="1" w:styleId="Normal"><w:name w:val="Normal"/>'
+        "<w:qFormat/></w:style>"
+        '<w:style w:type="character" w:default="1" w:styleId="DefaultParagraphFont">'
+        '<w:name w:val="Default Paragraph Font"/></w:style>'
+        '<w:style w:type="character" w:styleId="Hyperlink"><w:name w:val="Hyperlink"/></w:style>'
+    )
+    edges = "".join(
+        f'<w:{side} w:val="single" w:sz="4" w:space="0" w:color="auto"/>'
+        for side in ("top", "left", "bottom", "right", "insideH", "insideV")
+    )
+    table = (
+        '<w:style w:type="table" w:default="1" w:styleId="TableNormal">'
+        '<w:name w:val="Normal Table"/></w:style>'
+        '<w:style w:type="table" w:styleId="Table"><w:name w:val="Table"/>'
+        f'<w:basedOn w:val="TableNormal"/><w:tblPr><w:tblBorders>{edges}</w:tblBorders>'
+        '<w:tblCellMar><w:left w:w="40" w:type="dxa"/><w:right w:w="40" w:type="dxa"/></w:tblCellMar>'
+        "</w:tblPr></w:style>"
+    )
+    told = "".join(map(_style, _styles(lines)))
+    return f'{_HEAD}<w:styles xmlns:w="{_W}">{defaults}{normal}{told}{table}</w:styles>'
+
+
+def style_id(name: str) -> str:
+    """Return the id of a style: its words, each with a capital, run together."""
+    return "".join(word[:1].upper() + word[1:] for word in name.split())
+
+
+def _style(one: Style) -> str:
+    paragraph = "<w:keepNext/>" if one.kept else ""
+    paragraph += (
+        f'<w:spacing w:before="{round(one.above * 20)}" w:after="{round(one.below * 20)}" '
+        f'w:line="{round(one.line * 240)}" w:lineRule="auto"/>'
+    )
+    if one.first:
+        kind = "left" if one.name.startswith("toc") else "firstLine"
+        paragraph += f'<w:ind w:{kind}="{round(one.first * TWIP)}"/>'
+    paragraph += f'<w:jc w:val="{one.align}"/>'
+    if one.level:
+        paragraph += f'<w:outlineLvl w:val="{one.level - 1}"/>'
+    run = ("<w:b/>" if one.bold else "") + ("<w:i/>" if one.italic else "")
+    size = round(one.size * 2)
+    run += f'<w:sz w:val="{size}"/><w:szCs w:val="{size}"/>'
+    return (
+        f'<w:style w:type="paragraph" w:styleId="{style_id(one.name)}"><w:name w:val="{one.name}"/>'
+        f'<w:basedOn w:val="Normal"/><w:qFormat/><w:pPr>{paragraph}</w:pPr><w:rPr>{run}</w:rPr></w:style>'
+    )
+
+
+# ---------------------------------------------------------------- contents
+
+CONTENTS = said("Contents")
+
+
+def contents(outline: Outline, language: str) -> str:
+    """Return the contents as a field that a word processor keeps; until it does, a list of the headings."""
+    shown = [entry for entry in outline if entry.level <= 2]
+    begin = (
+        '<w:r><w:fldChar w:fldCharType="begin" w:dirty="true"/></w:r>'
+        '<w:r><w:instrText xml:space="preserve">TOC \\o "1-2" \\h \\z \\u</w:instrText></w:r>'
+        '<w:r><w:fldChar w:fldCharType="separate"/></w:r>'
+    )
+    end = '<w:r><w:fldChar w:fldCharType="end"/></w:r>'
+    lines = []
+    for k, entry in enumerate(shown):
+        link = (
+            f'<w:hyperlink w:anchor="{entry.id}"><w:r><w:t xml:space="preserve">{escape(entry.text)}</w:t>'
+            "</w:r></w:hyperlink>"
+        )
+        lines.append(
+            f'<w:p><w:pPr><w:pStyle w:val="Toc{entry.level}"/></w:pPr>{begin if k == 0 else ""}{link}'
+            f"{end if k == len(shown) - 1 else ''}</w:p>"
+        )
+    title = escape(speaking(language)(CONTENTS))
+    return (
+        '<w:sdt><w:sdtPr><w:docPartObj><w:docPartGallery w:val="Table of Contents"/><w:docPartUnique/>'
+        f'</w:docPartObj></w:sdtPr><w:sdtContent><w:p><w:pPr><w:pStyle w:val="TOCHeading"/></w:pPr>'
+        f"<w:r><w:t>{title}</w:t></w:r></w:p>{''.join(lines)}</w:sdtContent></w:sdt>{BREAK}"
+    )
+
+
+# ---------------------------------------------------------------- afterwards
+
+_TITLE = re.compile(r'<w:p>\s*<w:pPr>\s*<w:pStyle w:val="Title" />\s*</w:pPr>.*?</w:p>', re.DOTALL)
+_DATES = re.compile(r"<dcterms:(created|modified).*?</dcterms:\1>", re.DOTALL)
+
+
+def settled(made: bytes, centred: Sequence[str] = ()) -> bytes:
+    """Return a document without the title that pandoc puts above all, without dates, its parts in one order.
+
+    ``centred``: the ids of headings that stand in the middle.
+    """
+    with zipfile.ZipFile(io.BytesIO(made)) as archive:
+        parts = {name: archive.read(name) for name in archive.namelist()}
+    text = _TITLE.sub("", parts["word/document.xml"].decode("utf-8"), count=1)
+    for id in centred:
+        text = re.sub(
+            rf'(w:name="{re.escape(id)}" />\s*<w:p>\s*<w:pPr>\s*<w:pStyle w:val="Heading1" />)',
+            r'\1<w:ind w:firstLine="0"/><w:jc w:val="center"/>',
+            text,
+        )
+    parts["word/document.xml"] = text.encode("utf-8")
+    core = "docProps/core.xml"
+    if core in parts:
+        parts[core] = _DATES.sub("", parts[core].decode("utf-8")).encode("utf-8")
+    return zipped(list(parts.items()))

@@ -1,0 +1,145 @@
+"""Notes of the package's scenes, made once; where each number of a note stands in the log, looked up anew."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from functools import cache
+from xml.etree import ElementTree
+
+import numpy as np
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.note.document import Document, Number, Source
+from graphic_tmm.note.formats import files
+from graphic_tmm.note.note import note
+from graphic_tmm.readers.given import given_rows
+from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
+from graphic_tmm.readers.table import columns_of, results_of
+from support.gallery import made
+
+
+@cache
+def spoken(name: str, language: str) -> DrawnScene:
+    """A scene of the package, drawn once, told in a language."""
+    from dataclasses import replace
+
+    drawn = made(name)
+    scene = replace(drawn.scene, language=language)
+    boards = tuple(replace(one, project=replace(one.project, scene=scene)) for one in drawn.boards)
+    return DrawnScene(scene, boards)
+
+
+@cache
+def noted(name: str, language: str = "ru") -> Document:
+    """The note of a scene of the package."""
+    return note(spoken(name, language))
+
+
+@cache
+def file_of(name: str, form: str, language: str = "ru") -> bytes:
+    """A file of the note of a scene of the package."""
+    found = files(noted(name, language), "note", (form,))[f"note.{form}"]
+    return found.encode("utf-8") if isinstance(found, str) else found
+
+
+def looked_up(made: DrawnScene, one: Number) -> float:
+    """The value that stands where a number says that it was read."""
+    source = one.source
+    if source.board == SYNTHESIS:
+        return _of_synthesis(made, source)
+    drawn = next(board for board in made.boards if board.board == source.board)
+    ways = {
+        "mark": _of_mark,
+        "size": lambda drawn, source: abs(_of_mark(drawn, source)),
+        "structure": _of_structure,
+        "column": _of_column,
+        "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
+        "given": _of_given,
+        "scale": lambda drawn, source: drawn.scales[source.name].value,
+    }
+    return ways[source.kind](drawn, source)
+
+
+def _of_synthesis(made: DrawnScene, source: Source) -> float:
+    found = synthesis(made.scene)
+    assert found is not None
+    reading = execute(found.construction, found.given)
+    marks = {*found.given, *(step.it for step in found.construction.steps)}
+    mark = next(one for one in marks if str(one.slot) == source.name)
+    return float(reading.figure(mark)[0, 0])
+
+
+def _of_mark(drawn: Drawn, source: Source) -> float:
+    log = drawn.construction
+    mark = next(
+        one
+        for one in (*log.given, *(step.it for step in log.steps))
+        if str(one.slot) == source.name
+    )
+    reading = drawn.of(source.view)
+    assert reading is not None
+    row = reading.figure(mark)[0]
+    return float(row[source.place if row.size > 1 else 0])
+
+
+def _of_structure(drawn: Drawn, source: Source) -> float:
+    """Count links and pairs anew, off the scene."""
+    mechanism = drawn.scene.mechanism
+    assert mechanism is not None
+    what, _, group = source.name.partition(" ")
+    if group:
+        return {"links": 2.0, "pairs": 3.0, "W": 0.0}[what]
+    if what == "link":
+        return float(mechanism.drive.link)
+    sliding = sum(len(link.slides) for link in mechanism.links)
+    letters = [letter for link in (*mechanism.links, mechanism.frame) for letter in link.points]
+    turning = sum(letters.count(letter) - 1 for letter in set(letters))
+    counts = {"n": len(mechanism.links), "p": sliding + turning}
+    counts["W"] = 3 * counts["n"] - 2 * counts["p"]
+    return float(counts[what])
+
+
+def _of_column(drawn: Drawn, source: Source) -> float:
+    found = next(one for one in columns_of(drawn) if f"{one.plan}/{one.segment}" == source.name)
+    row = (found.mm if source.factor == 0 else found.value)[0]
+    return float(row[source.place])
+
+
+def _of_given(drawn: Drawn, source: Source) -> float:
+    values = [
+        row.value for row in given_rows(drawn.scene, drawn.board) if row.symbol == source.name
+    ]
+    found = [value for value in values if isinstance(value, float | int)]
+    return float(found[0])
+
+
+def stands_for(text: str, value: float) -> bool:
+    """Whether a number as it is written can be the value: off by half of its last digit at most."""
+    plain = text.replace("−", "-").replace(",", ".")
+    found = re.fullmatch(r"(-?\d+(?:\.(\d+))?)(?:·10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+))?", plain)
+    if found is None:
+        return text == "—" and not np.isfinite(value)
+    power = int((found[3] or "⁰").translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")))
+    decimals = len(found[2] or "")
+    digits = len(found[1].replace("-", "").replace(".", "").lstrip("0"))
+    half = 0.5 * 10.0 ** (power - decimals)
+    if not decimals and digits > 4:  # figures of five digits and more are written whole
+        half = max(half, 0.5 * 10.0 ** (digits - 4))
+    return abs(float(found[1]) * 10.0**power - value) <= half * (1 + 1e-6)
+
+
+def parts(docx: bytes) -> dict[str, bytes]:
+    """The parts of a DOCX by name."""
+    with zipfile.ZipFile(io.BytesIO(docx)) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
+
+
+def document_of(docx: bytes) -> ElementTree.Element:
+    """The tree of a DOCX's text."""
+    return ElementTree.fromstring(parts(docx)["word/document.xml"])
+
+
+__all__ = ["document_of", "file_of", "looked_up", "noted", "parts", "spoken", "stands_for"]
