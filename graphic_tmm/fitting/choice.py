@@ -147,8 +147,6 @@ class Ledger:
         """
         if mark.slot in self.chosen:
             return self.chosen[mark.slot]
-        if mark.name in self._known:
-            return self._known[mark.name]
         value, step = self.value_of(drawn, mark), steps.get(mark)
         if step is not None and step.op.formula:
             uses = [self.copied(drawn, steps, one) for one in step.uses]
