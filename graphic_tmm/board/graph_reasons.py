@@ -39,3 +39,7 @@ MEAN_RAY = said(
     "The ray from the pole to the mean ordinate has the slope with which the integral rises over this "
     "interval."
 )
+STATION = said(
+    "The base is divided into as many equal parts as the turn; a position outside the row stands between "
+    "its neighbours as the crank pin divides their arc: [6–6*]/[6–7] is the arc 6–6* to the arc 6–7."
+)

@@ -112,7 +112,7 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
         )
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers)
-    x = draft.draw(abscissa, "x_{n}", n, length, intervals)
+    x = draft.draw(abscissa, "x_{n}", n, length, intervals, why=why.STATION)
     return Base(count, length, x, mu, draft.direction(0.0))
 
 

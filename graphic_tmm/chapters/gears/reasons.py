@@ -50,3 +50,4 @@ TURNED_FLANK = said(
 )
 STATION = said("The place of contact on the line of action.")
 SLIDING_AT = said("The ordinate shows how much the flanks slide where they touch here.")
+ROLLED = said("The wheel rolls by equal steps: so much of the thread has come off by then.")

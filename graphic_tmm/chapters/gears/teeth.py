@@ -201,7 +201,7 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     )
     parts = draft.take(Number, f"k_{i}", float(roll.parts))
     n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
-    unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts)
+    unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts, why=why.ROLLED)
     feet = draft.draw(along_arc, f"B_{{{i}}}", origin, circles.base, unrolled, sense=1)
     radii = draft.draw(join, f"(O_{i}B_{i})", circles.centre, feet, why=why.TANGENT)
     tangents = draft.draw(square, f"(B_{i}E_{i})", feet, radii, sense=-1, why=why.TANGENT)
