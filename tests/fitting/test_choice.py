@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.each import each
 from support.gallery import ALL, made
+from support.parts import PARTS, part_of
 from support.scenes import edited
 
 from graphic_tmm.accuracy.cost import count
@@ -55,6 +56,18 @@ def test_every_scale_factor_of_a_sheet_has_its_step_and_its_number(name: str) ->
         for chart in drawn.project.charts:
             due = float(drawn.reading[chart.mu][0, 0])
             assert math.isclose(found.value(chart.mu), due, rel_tol=SAME), chart.view
+
+
+@pytest.mark.slow
+@each("what", PARTS)
+def test_every_scale_factor_of_a_part_has_its_number(what: str, tmp_path: Path) -> None:
+    part = part_of(tmp_path, what)
+    found = choices(part)
+    for view in part.construction.views:
+        if view.name in part.scales and view.scale is not None:
+            due = part.scales[view.name].value
+            assert math.isclose(found.value(view.scale), due, rel_tol=SAME), view
+    assert all(step.reason for step in (*part.construction.steps, *found.construction.steps))
 
 
 @pytest.mark.slow
