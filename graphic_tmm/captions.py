@@ -27,7 +27,9 @@ COMMON: dict[str, str] = {
     "letter": said("Symbol"),
     "figure": said("Value"),
     "undrawn": said("cannot be drawn"),
+    "why": said("Why"),
     "synthesis": said("Synthesis"),
+    "scales": said("Scale factors"),
 }
 """The words that belong to no chapter."""
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from graphic_tmm.board.record import Mark
     from graphic_tmm.board.scales import Scale
     from graphic_tmm.drawn import Drawn, Results
+    from graphic_tmm.fitting.choice import Ledger
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
     from graphic_tmm.note.document import Block, Runs
@@ -85,6 +86,25 @@ class Made(Generic[T]):
         return found
 
 
+class Aside(Made[T]):
+    """What a chapter calculated beside its drawing, by the name of the chapter."""
+
+    def of(self, holder: Holder) -> T | None:
+        """Return what was calculated; None if there is nothing of the kind in this scene."""
+        found: T | None = holder.made.get(aside(self.chapter))
+        return found
+
+    def on(self, holder: Holder) -> T:
+        """Return what was calculated where it is known to have been."""
+        found: T = holder.made[aside(self.chapter)]
+        return found
+
+
+def aside(chapter: str) -> str:
+    """Return the name under which is held what a chapter calculated beside its drawing."""
+    return f"{chapter} aside"
+
+
 @dataclass(frozen=True)
 class Size:
     """How large something is drawn, by a name.
@@ -130,8 +150,9 @@ class Place:
     ``rank``: where it stands on a sheet that does not say what stands there; 0 where only a sheet that names
     it shows it. ``shows``: the plans of which it shows something, ``beside``: those of which it does so where
     they are drawn; ``follows``: the plans whose μ its room depends on. ``together``: it is these places, one
-    after the other. ``sizes``: a scene and the name of a view -> the sizes on which that depends, in the
-    order in which they give way.
+    after the other. ``attends``: it stands behind this one even where no sheet asks for it; ``tells``: a part
+    of another place stands behind this one, on the sheet that shows it. ``sizes``: a scene and the name of a
+    view -> the sizes on which that depends, in the order in which they give way.
     """
 
     name: str
@@ -143,6 +164,7 @@ class Place:
     follows: tuple[str, ...] = ()
     together: tuple[str, ...] = ()
     attends: str = ""
+    tells: str = ""
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
 
 
@@ -165,11 +187,14 @@ class Chapter:
     name: a chapter, or what another chapter understands. ``given``: what a scene gives for it, as the sheet
     of a task lists it.
 
-    **What it records and draws.** ``record``: what it leaves on its board. ``charts``: of what it made, the
-    graphs on axes. ``places``: what sheets can show of it, ``sizes``: how large.
+    **What it records and draws.** ``record``: what it leaves on its board; ``aside``: of what it made, what is
+    calculated beside it when everything on the board was recorded, in views of its own and used by nothing, so
+    that no drawing changes for it; see `Aside`. ``charts``: of what it made, the graphs on axes. ``places``:
+    what sheets can show of it, ``sizes``: how large.
 
     **Its scale factors.** ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size,
-    without drawing them. ``scales``: the values of its scale factors, put into what is given. ``named``:
+    without drawing them. ``scales``: the values of its scale factors, put into what is given; ``choice``:
+    enters how they were chosen. ``named``:
     further scale factors as drawn, by view, of those that were given a value; ``scale_key``: what machines
     call the scale factor of a view.
 
@@ -205,10 +230,12 @@ class Chapter:
     needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
     given: Callable[[Scene], Iterable[Given]] = lambda scene: ()
     record: Callable[[Bench], Any] = lambda bench: None
+    aside: Callable[[Bench], Any] = lambda bench: None
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
     reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
     plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}
     scales: Callable[[Fitting], Mapping[Mark, object]] = lambda fitting: {}
+    choice: Callable[[Drawn, Ledger], None] = lambda drawn, ledger: None
     named: Callable[[Project, Reading, Container[Mark]], Mapping[str, Scale]] = (
         lambda project, reading, given: {}
     )

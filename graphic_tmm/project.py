@@ -12,7 +12,7 @@ import numpy as np
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.chapter import MECHANISM, Chapter, boards, chapters, in_order, places
+from graphic_tmm.chapter import MECHANISM, Chapter, aside, boards, chapters, in_order, places
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
@@ -99,6 +99,11 @@ class Bench:
         """Tell at which positions it is told what becomes of a view; those told before stay."""
         self.told[view] = self.told.get(view, frozenset()) | frozenset(where)
 
+    def enter(self, name: str, made: Any) -> None:
+        """Keep what a chapter made, if it made anything."""
+        if made is not None:
+            self.made[name] = made
+
     def call(self) -> list[Chapter]:
         """Return the chapters to be recorded, in their order, and enter what they need."""
         called = []
@@ -166,9 +171,10 @@ def record(
     )
     try:
         for chapter in bench.call():
-            made = chapter.record(bench)
-            if made is not None:
-                bench.made[chapter.name] = made
+            bench.enter(chapter.name, chapter.record(bench))
+        for chapter in in_order(board):
+            if chapter.name in bench.made:
+                bench.enter(aside(chapter.name), chapter.aside(bench))
     except StructureError as error:
         raise scene.located(error) from error
     return bench.project()

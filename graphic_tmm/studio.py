@@ -12,7 +12,7 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
 from graphic_tmm.fitting.composition import Composition, beside, text
-from graphic_tmm.fitting.fit import fitted_boards
+from graphic_tmm.fitting.fit import fitted_boards, turned
 from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
@@ -52,6 +52,7 @@ def make(
     if given is not None and given.sizes:
         boards = drawn_as(scene, given.sizes, exact=exact, wanted=wanted, mechanism=mechanism)
     else:
+        scene = turned(scene, mechanism=mechanism)
         boards = fitted_boards(scene, exact=exact, wanted=wanted, mechanism=mechanism)
     if mechanism:
         refuse_tiny(scene, boards[0])

@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 # What is said to nobody in particular is in the terminal's language: English here, on every machine.
 os.environ["LC_ALL"] = "C.UTF-8"
 
+from support.examples import FEW
 from support.once import install
 
 install()
@@ -20,7 +21,7 @@ install()
 # the everyday run a few.
 settings.register_profile("person", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True, database=None, max_examples=60)
-settings.register_profile("everyday", deadline=None, max_examples=15)
+settings.register_profile("everyday", deadline=None, max_examples=FEW)
 
 
 def pytest_addoption(parser):
@@ -35,6 +36,33 @@ def many(request):
     return lambda told, usual: told if measured else usual
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Tests of one scene of the package run in one worker, which draws it once; every day of some scenes."""
+    from support.gallery import ALL, EVERYDAY
+
+    for item in items:
+        values = item.callspec.params.values() if hasattr(item, "callspec") else ()
+        for one in (getattr(value, "name", value) for value in values):
+            if isinstance(one, str) and one in ALL:
+                item.add_marker(pytest.mark.xdist_group(one))
+                if one not in EVERYDAY:
+                    item.add_marker(pytest.mark.slow)
+                break
+
+
+def pytest_collection_finish(session):
+    """Nothing is drawn while tests are collected: each worker collects them all, and waits for it."""
+    from support import gallery
+
+    if gallery.made.cache_info().currsize or gallery.paper.cache_info().currsize:
+        raise pytest.UsageError(
+            "a test module draws a scene where it is imported: draw in the test"
+        )
+
+
 def pytest_configure(config):
+    if config.getoption("dist", "no") == "load":
+        config.option.dist = "loadgroup"
     everyday = config.option.markexpr == "not slow"
     settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")

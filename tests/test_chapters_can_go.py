@@ -47,6 +47,16 @@ def chapters_of(name: str) -> frozenset[str]:
     return frozenset(shown | tasks)
 
 
+@cache
+def files_of(name: str) -> dict[str, str]:
+    """The sheets of a scene of the package with all chapters, each by what is hashed of it."""
+    return {
+        file: hashlib.sha256(text.encode()).hexdigest()
+        for file, text in sheet_files(scene(name))[1].items()
+        if isinstance(text, str)
+    }
+
+
 def covering(names: list[str]) -> list[str]:
     """Scenes enough that every chapter which any of some scenes calls for is called for."""
     chosen: list[str] = []
@@ -76,11 +86,6 @@ def test_a_chapter_can_be_taken_out(name: str, tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    due = {
-        file: hashlib.sha256(text.encode()).hexdigest()
-        for one in left
-        for file, text in sheet_files(scene(one))[1].items()
-        if isinstance(text, str)
-    }
+    due = {file: told for one in left for file, told in files_of(one).items()}
     assert json.loads(done.stdout) == due
     assert due

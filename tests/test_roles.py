@@ -26,6 +26,10 @@ ALLOWED = {
     "chapters/kinematics/motion.py: known[closing.letter]",
     # readers are told of which view a mark is where two of a sentence are called alike
     "readers/sentences.py: mark.name in elsewhere",
+    # how many others of its letter a mark stands behind
+    "board/record.py: self.letter.count(TALLY)",
+    # a column of a table is known by what it is called
+    "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
     # words that stand for the name of a column
     "readers/result_table.py: words.get(column.letter)",
     "readers/text.py: captions(language).get(column.letter)",

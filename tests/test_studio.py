@@ -142,7 +142,6 @@ def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
     whole, papers = paper(name)
     made = whole.mechanism
     due = [order.format for order in made.scene.sheets]
-    due += ["A4"] * (name == "slider-diagrams")  # three diagrams take two sheets
     assert [sheet.format for sheet in papers] == due
 
 

@@ -88,6 +88,7 @@ def test_a_notebook_shows_a_sheet_as_svg() -> None:
     assert sheet._repr_svg_().startswith(("<svg", "<?xml"))
 
 
+@pytest.mark.slow
 def test_an_upright_a1_holds_a_scene_inside_its_frame() -> None:
     scene = read(SHEETS / "shaper")
     order = SheetOrder("A1 portrait", scene.sheets[0].place)

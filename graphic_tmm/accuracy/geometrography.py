@@ -55,6 +55,7 @@ _SLIDE = "E1 + E2 + R2"
 _READ = "M1 + R1 + M3"
 _ANGLE = "P1 + P3"
 _CURVE = "nK1 + nK2"
+_LOOK = "N1"  # in the row of standard values
 _SUPPORT = "P1 + P2 + E1 + E2 + R2"
 
 SYMBOLS: dict[str, str] = {
@@ -107,10 +108,13 @@ SYMBOLS: dict[str, str] = {
     "next_satellite": FREE,
     "phase_end": FREE,
     "arrival": FREE,
+    "accepted": FREE,
     "outer_parallel": FREE,
     "extreme_of_two": FREE,
     "stand": FREE,
     "in_turn": FREE,
+    "next_standard": _LOOK,
+    "next_standard_length": _LOOK,
     # readings
     "measure": _READ,
     "measure_along": _READ,

@@ -3,7 +3,7 @@
 Board millimetres (mm) are a dimension of their own beside metres: a scale factor in m/mm turns one into the
 other, and a formula that forgets it does not come out. So are degrees (°), which only a factor with ° or a
 function of angles turns into a plain number, and kgf. A radian, a per cent and a count are plain numbers; so
-is a mark without a unit. A zero agrees with any unit.
+is a mark without a unit. Turns a minute (rpm) differ from 1/s by a plain factor. A zero agrees with any unit.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Dimension = tuple[tuple[str, float], ...]
 """Powers of base units, in the order of their names, none of them 0."""
 
 PLAIN: Dimension = ()
-_NAMED = {"N": "kg·m/s²", "J": "kg·m²/s²", "Pa": "kg/(m·s²)", "rad": "1", "%": "1"}
+_NAMED = {"N": "kg·m/s²", "J": "kg·m²/s²", "Pa": "kg/(m·s²)", "rad": "1", "%": "1", "rpm": "1/s"}
 _KNOWN: dict[str, Dimension] = {base: ((base, 1.0),) for base in ("kg", "kgf", "m", "mm", "s", "°")}
 
 

@@ -84,6 +84,7 @@ class Draft:
         unit: str = "",
         role: str = "",
         free: bool = False,
+        why: str = "",
         **choice: int,
     ) -> Mark:
         """Record one operation and return the mark it leaves (see `Board.draw`).
@@ -94,7 +95,9 @@ class Draft:
         """
         if len(uses) < len(op.takes):
             uses = self._scaled(op, uses)
-        return self.board.draw(op, letter, *uses, unit=unit, role=role, free=free, **choice)
+        return self.board.draw(
+            op, letter, *uses, unit=unit, role=role, free=free, why=why, **choice
+        )
 
     def _scaled(self, op: Operation, uses: tuple[Mark, ...]) -> tuple[Mark, ...]:
         """Put the scale factors in their places; what is given as it stands if it is not all the rest."""

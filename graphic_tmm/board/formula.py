@@ -53,7 +53,7 @@ def formula(function: Callable[..., Any], /) -> Operation: ...
 
 @overload
 def formula(
-    *, holds: str = "", fails: str | None = None
+    *, holds: str = "", fails: str | None = None, why: str = ""
 ) -> Callable[[Callable[..., Any]], Operation]: ...
 
 
@@ -63,11 +63,13 @@ def formula(
     *,
     holds: str = "",
     fails: str | None = None,
+    why: str = "",
 ) -> Any:
     """Turn an annotated function whose docstring is a formula into an `Operation`.
 
     ``holds``: a condition on the arguments, in the same language ("{z1}·{z3} ≠ 0, {z2} > 0"). Elsewhere there
-    is no answer (NaN), and ``fails`` says why; but a body answers in its own way.
+    is no answer (NaN), and ``fails`` says why; but a body answers in its own way. ``why``: the reason of the
+    formula, see `operation`.
 
     Raises
     ------
@@ -95,7 +97,7 @@ def formula(
             raise TypeError(f"{made.name}: where it does not hold it has to say why")
         run = function if has_body else _written(function, made)
         told = {} if fails is None else {"fails": fails}
-        found = operation(formula=True, **told)(run)  # type: ignore[arg-type]
+        found = operation(formula=True, why=why, **told)(run)  # type: ignore[arg-type]
         FORMULAS[made.name] = made
         return found
 

@@ -5,6 +5,10 @@ To add an operation: write a pure function of values, annotate every argument an
 it leaves) in braces; other languages have it in their catalogues. Arguments after ``*`` are choices: constants
 of the construction, not marks. A calculated length or number gives a ``formula`` instead: its docstring is the
 formula, and the same text serves all languages.
+
+Beside its sentence an operation may say ``why`` it is done, with the same names in braces, wherever that does
+not hang on the plan it is done in; and, where a figure similar to another is drawn, the ``proportion`` by which
+a student calculates it.
 """
 
 from __future__ import annotations
@@ -51,6 +55,8 @@ class Operation(NamedTuple):
     fails: str = ""
     gaps: tuple[Gap, ...] = ()
     sides: tuple[str, str] = ("+", "−")
+    why: str = ""
+    proportion: str = ""
 
     def __repr__(self) -> str:
         return self.name
@@ -69,13 +75,17 @@ def operation(
     fails: str = "the figure cannot be drawn",
     gaps: tuple[Gap, ...] = (),
     sides: tuple[str, str] = ("+", "−"),
+    why: str = "",
+    proportion: str = "",
 ) -> Callable[[F], Operation]:
     """Turn an annotated function into an `Operation` and enter it into the table.
 
     ``reads``: the result is a reading of the ruler and is rounded as one. ``across``: works across positions.
     ``condition(*values)``: how many times the relative error of what comes in is magnified (∞: no answer).
     ``fails``: why there may be no answer. ``sides``: what +1 and −1 of an argument of the kind Side, or a
-    choice that the sentence names, are called.
+    choice that the sentence names, are called. ``why``: its reason, with the names of the arguments and {it}.
+    ``proportion``: two ratios of segments that are equal, "{A}{it}/{A}{B} = {C}{E}/{C}{D}", of which the first
+    segment is sought; a segment is two points.
     """
 
     def enter(function: F) -> Operation:
@@ -106,6 +116,8 @@ def operation(
             fails,
             gaps,
             sides,
+            why,
+            proportion,
         )
         if OPERATIONS.setdefault(made.name, made) is not made:
             raise TypeError(f"the board has two operations called {made.name}")

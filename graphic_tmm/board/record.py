@@ -43,15 +43,30 @@ class Mark(NamedTuple):
         """What the mark is called on sheets, in tables and protocols; "" if it is told by its value."""
         return self.letter.replace(TALLY, "")
 
+    @property
+    def tally(self) -> int:
+        """How many marks of its name stand before it in its view."""
+        return self.letter.count(TALLY)
+
 
 class Step(NamedTuple):
-    """One operation done: it leaves the mark ``it`` and uses earlier marks; ``note`` is said before it."""
+    """One operation done: it leaves the mark ``it`` and uses earlier marks; ``note`` is said before it.
+
+    ``why``: the reason of this step in its plan, with the names of the operation's arguments and {it} in
+    braces; "" where that of its operation says it.
+    """
 
     op: Operation
     it: Mark
     uses: tuple[Mark, ...]
     choice: Mapping[str, int]
     note: str
+    why: str = ""
+
+    @property
+    def reason(self) -> str:
+        """Why it is done: its own reason, else that of its operation; "" if nobody gave one."""
+        return self.why or self.op.why
 
 
 class View(NamedTuple):
@@ -145,9 +160,10 @@ class Board:
         unit: str = "",
         role: str = "",
         free: bool = False,
+        why: str = "",
         **choice: int,
     ) -> Mark:
-        """Record one operation and return the mark it leaves.
+        """Record one operation and return the mark it leaves; ``why``: see `Step`.
 
         Two bodies may share a line or a length: its letter is freed, it gets a tally. A point bears its letter
         alone in its view, so that one drawn twice by mistake is found; ``free``: it may stand beside others.
@@ -172,7 +188,7 @@ class Board:
             if says := fault(op.name, units, unit_of(op.leaves, unit)):
                 raise ConstructionError(f"{self._place(op, letter)} {says}")
         mark = self._mark(letter, op.leaves, unit, role, free or op.leaves is not Point)
-        self._steps.append(Step(op, mark, uses, choice, self._note))
+        self._steps.append(Step(op, mark, uses, choice, self._note, why))
         self._note = ""
         return mark
 

@@ -46,14 +46,16 @@ class Plans(Choice):
     show_default=True,
 )
 @click.option("-n", "--position", help=said("Number of the position, as on the sheet."))
+@click.option("--why", is_flag=True, help=said("Tell why each step is done, too."))
 @click.option("--exact", is_flag=True, help=said("Read without the ruler's rounding."))
-def steps(scene: str | None, plan: str, position: str | None, exact: bool) -> None:
+def steps(scene: str | None, plan: str, position: str | None, why: bool, exact: bool) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
     from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
     drawn = make(read_scene(scene), exact=exact)
     chosen = plans() if plan == "all" else (plan,)
-    for line in steps_of(drawn, chosen, position, asked() or drawn.scene.language):
+    language = asked() or drawn.scene.language
+    for line in steps_of(drawn, chosen, position, language, why=why):
         click.echo(line)
     warn(drawn)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -11,9 +11,10 @@ from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, named
 from graphic_tmm.fitting.formats import oversized, room_on, views_of
-from graphic_tmm.fitting.given import restored_sheets
+from graphic_tmm.fitting.given import Laid, restored_sheets
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
@@ -66,7 +67,7 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         return Composed((), given, remarks)
     if laid is None:
         laid = sheets.composed(wanted)
-        remarks = oversized(wanted, laid, scene.language)
+        remarks = (*oversized(wanted, laid, scene.language), *_spared(wanted, laid))
     made = []
     papers = documents(scene)
     numbers = [papers[sheet.order] for sheet, _ in laid]
@@ -131,9 +132,23 @@ def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawin
     for order, rooms in orders(scene):
         within = rooms[0].within
         own = [view for place in order.place for view in views(place, within)]
-        found.append(sheets.Order(tuple(Outline.of(view) for view in own), rooms, order.format))
+        outlines = tuple(Outline.of(view) for view in own)
+        spared = bool(found) and len(order.place) > 1 and not (order.name or order.designation)
+        found.append(sheets.Order(outlines, rooms, order.format, spared))
         there += own
     return found, there
+
+
+def _spared(wanted: Sequence[sheets.Order], laid: Laid) -> Iterator[str]:
+    """Yield what is told of sheets that are ordered and not there."""
+    there = {sheet.order for sheet, _ in laid}
+    for k, order in enumerate(wanted):
+        if order.spared and order.outlines and k not in there:
+            yield said(
+                "sheet {number}: one small table is all that there is to show on it: it stands on another "
+                "sheet",
+                number=k + 1,
+            )
 
 
 def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:

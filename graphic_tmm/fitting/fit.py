@@ -12,11 +12,15 @@ from graphic_tmm.fitting.advice import half_white
 from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.fitting.search import Search
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.language.said import said
+from graphic_tmm.paper.formats import turned as other_way
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
 SEARCHED = "searched"
 """What is kept beside a scene: the search for its sizes, and what it found."""
+TURNED = "turned"
+"""What is kept beside a scene: the same with sheets turned where that holds what they do not."""
 
 
 def fitted(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Drawn:
@@ -45,9 +49,7 @@ def fitted_boards(
         If one of them cannot be made, even if nobody wants it.
     """
     key = (SEARCHED, mechanism)
-    if key not in scene.cache:
-        scene.cache[key] = _searched(scene, mechanism)
-    own, parts, search, sizes = scene.cache[key]
+    own, parts, search, sizes = _searched(scene, mechanism)
     found = [board.final(sizes, wanted, exact=exact) for board in parts]
     if own is not None:
         of = (*key, None if wanted is None else frozenset(wanted))
@@ -60,8 +62,50 @@ def fitted_boards(
     return tuple(one for one in found if one is not None)
 
 
+def turned(scene: Scene, *, mechanism: bool) -> Scene:
+    """Return a scene of which sheets are turned that hold one of their views only so, whatever its size.
+
+    Where that does not help it is the scene as it is.
+    """
+    key = (TURNED, mechanism)
+    if key not in scene.cache:
+        scene.cache[key] = _turned(scene, mechanism)
+    found: Scene = scene.cache[key]
+    return found
+
+
+def _turned(scene: Scene, mechanism: bool) -> Scene:
+    *_, search, sizes = _searched(scene, mechanism)
+    if not (over := search.over(sizes)):
+        return scene
+    other = [
+        replace(order, format=other_way(order.format)) if k in over else order
+        for k, order in enumerate(scene.sheets)
+    ]
+    told = (
+        said(
+            "sheet {number}: {ordered} does not hold one of its views: it is turned, {other}",
+            number=k + 1,
+            ordered=scene.sheets[k].format,
+            other=other[k].format,
+        )
+        for k in over
+    )
+    tried = replace(scene, sheets=tuple(other), remarks=(*scene.remarks, *told))
+    *_, search, sizes = _searched(tried, mechanism)
+    return scene if search.over(sizes) else tried
+
+
 def _searched(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Search, Sizes]:
     """Return the boards of a scene, and the search for sizes: they hang on no hand, nor on what is wanted."""
+    key = (SEARCHED, mechanism)
+    if key not in scene.cache:
+        scene.cache[key] = _search(scene, mechanism)
+    found: tuple[Mechanism | None, list[Board], Search, Sizes] = scene.cache[key]
+    return found
+
+
+def _search(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Search, Sizes]:
     parts: list[Board] = [Part(scene, board) for board in own_boards(scene)]
     own = Mechanism(scene) if mechanism else None
     search = Search(scene, [*([own] if own is not None else []), *parts])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -18,7 +18,7 @@ from graphic_tmm.paper.compose.search import fits
 from graphic_tmm.paper.compose.sheets import Order, Shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing
+from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing, turned
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.project import own_boards
@@ -52,12 +52,13 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
 
     A composition that is ``given`` tells which. To find out, things are drawn in the size usual for a format.
     """
+    told = {sheet.order: sheet.format for sheet in given.sheets} if given is not None else {}
+    scene = _as_told(scene, told)
     if all(order.format != AUTO for order in scene.sheets):
         return scene
     kept: Scene | None = scene.cache.get(FORMATTED) if given is None else None
     if kept is not None:
         return kept
-    told = {sheet.order: sheet.format for sheet in given.sheets} if given is not None else {}
     drawn: dict[str, list[Drawn]] = {}
     found = [
         order
@@ -69,6 +70,18 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     if given is None:
         scene.cache[FORMATTED] = made
     return made
+
+
+def _as_told(scene: Scene, told: Mapping[int, str]) -> Scene:
+    """Return a scene in which the sheets are turned that a composition (formats by order) has turned."""
+    over = {
+        k: replace(order, format=told[k])
+        for k, order in enumerate(scene.sheets)
+        if k in told and order.format != AUTO and told[k] == turned(order.format)
+    }
+    if not over:
+        return scene
+    return replace(scene, sheets=tuple(over.get(k, one) for k, one in enumerate(scene.sheets)))
 
 
 def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) -> str:

@@ -45,7 +45,10 @@ def restored_sheets(
     number = {name: k for k, name in enumerate(names)}
     orders = [sheet.order for sheet in given.sheets]
     formats = [wanted[s.order].format for s in given.sheets if s.order < len(wanted)]
-    if set(orders) != set(range(len(wanted))) or formats != [s.format for s in given.sheets]:
+    needed = {k for k, order in enumerate(wanted) if not order.spared}
+    if not needed <= set(orders) <= set(range(len(wanted))) or formats != [
+        s.format for s in given.sheets
+    ]:
         says = said("{file} is of other sheets than the scene orders: composed anew", file=FILE)
         return None, (says,)
     there = {name for sheet in given.sheets for name in sheet.views if name in number}

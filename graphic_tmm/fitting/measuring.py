@@ -128,6 +128,10 @@ class Rooms:
             if places()[one.place][0].board in self.boards and not holds(one.within, one.view)
         ]
 
+    def holding(self, number: int, sizes: Sizes) -> Iterator[bool]:
+        """Yield of each view of an order whether a sheet of it holds the view."""
+        return (holds(one.within, one.view) for one in self._of(number, sizes))
+
     def near(self, sizes: Sizes) -> bool:
         """Whether a view is about as large as what a sheet holds: then its letters tell whether it does."""
         return any(_at_the_edge(one.view, one.within) for one in self.shown(sizes))

@@ -14,7 +14,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
-from graphic_tmm.chapter import chapters
+from graphic_tmm.chapter import Size, chapters
 from graphic_tmm.drawn import Drawn, Numbers, hand_of, read
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
@@ -26,6 +26,8 @@ Sizes = Mapping[str, float]
 """How large what is drawn may be, by the names that chapters give to sizes."""
 GRAPHS = "graphs"
 """Graphs on axes, of whatever chapter."""
+GRAPH = Size(GRAPHS, least=0.2, small=0.7, cap=0.94, step=1.4)
+"""How large they are drawn: each chapter that has some lists it among its sizes."""
 
 
 def usual(scene: Scene) -> dict[str, float]:

@@ -58,6 +58,9 @@ class Search:
             self.rooms = self.written
         free = [name for name, (_, size) in self.own.items() if not size.fixed(self.scene)]
         for rooms in (self.rooms, self.written):
+            if rooms is self.written:
+                # or less: of many positions they stand far out
+                least = self._with_letters(least)
             least, saved = self._saving(least, free, rooms)
             if saved:
                 return least
@@ -94,7 +97,7 @@ class Search:
         And whether they stay so: what would stand on a sheet that is saved has just room on others.
         """
         count, ordered = rooms.count(sizes), len(self.scene.sheets)
-        if count <= ordered:
+        if count <= ordered or math.isinf(count):
             return sizes, False
         tried = [sizes]
         for less in self._giving_way(sizes, free):
@@ -128,10 +131,10 @@ class Search:
 
     def _less(self, name: str, wanted: float, sizes: Sizes) -> Sizes:
         """Return sizes of which one has given way, if it can and what comes of it can still be measured."""
-        board, size = self.own[name]
+        size = self.own[name][1]
         least = size.least if size.in_mm else max(size.least, size.small)
         less = {**sizes, name: min(sizes[name], max(wanted, least))}
-        return less if board.mm(name, less) >= SAVING * MEASURABLE else sizes
+        return sizes if self._tiny(name, less) else less
 
     def with_board(self, board: Board) -> Search:
         """Return a search with another board of the same name, for its scene."""
@@ -203,6 +206,29 @@ class Search:
                 break
             sizes = less
         return sizes
+
+    def _with_letters(self, sizes: Sizes) -> Sizes:
+        """Return sizes at which a sheet holds every view with its letters; as they were if these are too small.
+
+        Letters of many points stand the farther out the smaller their plan is.
+        """
+        tried = sizes
+        while over := self.written.too_large(tried):
+            less = _smaller(over, tried, self.scene)
+            tiny = (n for n in less if n in self.own and less[n] < tried[n] and self._tiny(n, less))
+            if less == tried or any(tiny):
+                return sizes
+            tried = less
+        return tried
+
+    def _tiny(self, name: str, sizes: Sizes) -> bool:
+        """Whether a size leaves of a plan less than can be measured."""
+        return self.own[name][0].mm(name, sizes) < SAVING * MEASURABLE
+
+    def over(self, sizes: Sizes) -> list[int]:
+        """Return the orders (indices) of which a view fits no sheet."""
+        there = range(len(self.scene.sheets))
+        return [k for k in there if not all(self.written.holding(k, sizes))]
 
     def by_hand(self, own: Mechanism, sizes: Sizes, wanted: Set[str] | None) -> tuple[Sizes, Drawn]:
         """Return the sizes, and what is drawn with them by the scene's own hand.

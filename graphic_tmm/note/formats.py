@@ -29,6 +29,10 @@ PPI = 200.0
 Tree = dict[str, Any]
 
 
+TALL = 80.0
+"""A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
+
+
 class Drawn(NamedTuple):
     """A figure ready to be shown: its file's name, its paper, how wide it stands on the page, mm."""
 
@@ -36,6 +40,11 @@ class Drawn(NamedTuple):
     sheet: Sheet
     width: float
     alt: str
+
+    @property
+    def height(self) -> float:
+        """How high it stands on the page, mm."""
+        return self.width * self.sheet.height / self.sheet.width
 
 
 def drawn_figures(document: Document) -> dict[str, Drawn]:
@@ -175,20 +184,24 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
     typst = _typst("pdf")
 
-    def picture(block: Picture) -> Tree:
+    def figure(block: Picture, caption: Tree) -> list[Tree]:
         one = shown[block.id]
-        told = f'#image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
-        return raw("typst", told)
+        image = f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
+        where = "bottom" if one.height > TALL else "none"
+        opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
+        closing = raw("typst", f"]) <{block.id}>", block=True)
+        return [raw("typst", opening, block=True), caption, closing]
 
     contents = f"#contents({quoted(speaking(document.language)(CONTENTS))})"
     target = Target(
         "typst",
-        picture,
+        lambda block: raw("typst", ""),
         lambda outline: [raw("typst", contents, block=True)],
         lambda: [raw("typst", "#pagebreak(weak: true)", block=True)],
         ("--wrap=none",),
         _set,
         _bare,
+        figure=figure,
     )
     body = pandoc.written(document, target).decode("utf-8")
     head = (

@@ -63,7 +63,7 @@ class Target(NamedTuple):
 
     ``picture``: the inline that shows a figure, ``contents`` and ``break_page``: blocks; ``styled``: a
     paragraph of the title page, ``unruled``: a table without lines. ``captioned``: a figure and its caption
-    are one.
+    are one; ``figure``: what they are instead.
     """
 
     name: str
@@ -74,6 +74,7 @@ class Target(NamedTuple):
     styled: Callable[[Tree, str], list[Tree]] = lambda block, style: [classed(block, style)]
     unruled: Callable[[Tree], list[Tree]] = lambda table: [table]
     captioned: bool = True
+    figure: Callable[[Picture, Tree], list[Tree]] | None = None
 
 
 class Numbered(NamedTuple):
@@ -205,6 +206,8 @@ class _Writer:
         shown = self.target.picture(block)
         if not self.target.captioned:
             return [_of("Para", [shown]), _of("Para", caption)]
+        if self.target.figure is not None:
+            return self.target.figure(block, _of("Plain", caption))
         whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", [shown])]]
         return [_of("Figure", whole)]
 

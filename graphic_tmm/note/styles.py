@@ -52,7 +52,6 @@ TYPST = """\
 #show figure.where(kind: table): set figure.caption(position: top)
 #show figure.where(kind: table): set align(left)
 #show figure.where(kind: image): set block(breakable: false)
-#show figure.where(kind: image): set figure(placement: bottom)
 #show figure.caption: it => {
   set par(first-line-indent: 0mm, justify: false)
   block(sticky: true, width: 100%, it.body)

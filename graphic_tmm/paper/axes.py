@@ -31,8 +31,10 @@ _HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 1.0, 0.1
 """What it costs to stand on a main line, on a thin one, on the number before, past another position; a mm away
 from its own."""
 _OTHER_SIDE, _LOWER = 10.0, 12.0
-"""What it costs that the numbers stand above the axis, or one of them on the other side of it than the rest;
-that all stand on the next level below."""
+"""What it costs that the numbers stand above the axis, or one of them on the other side of it than those
+before; that all stand on the next level below."""
+_LEVEL, _STAYS = 15.0, 2.0
+"""What it costs to stand on a level line, read as a minus between numbers; to stay on the other side."""
 DEEPER = (4.5, 9.0)
 """How far below the first level there are others, mm."""
 
@@ -97,9 +99,12 @@ class _Inked:
 
     def __init__(self, strokes: Iterable[Ink], band: tuple[float, float]) -> None:
         """``band``: how low and how high letters are tried at all, mm; what is drawn beyond it is in no way."""
-        near = [stroke for stroke in strokes if _meets(stroke, band)]
-        self.heavy = shapely.STRtree(shapes([one for one in near if one.pen in HEAVY]))
-        self.light = shapely.STRtree(shapes([one for one in near if one.pen not in HEAVY]))
+        kinds: dict[str, list[Ink]] = {"heavy": [], "level": [], "light": []}
+        for one in strokes:
+            if _meets(one, band):
+                kind = "heavy" if one.pen in HEAVY else "level" if _is_level(one) else "light"
+                kinds[kind].append(one)
+        self.heavy, self.level, self.light = (shapely.STRtree(shapes(k)) for k in kinds.values())
 
     def costs(self, left: Reals, low: Reals, right: Reals, high: Reals) -> Reals:
         """Return what it costs to stand in frames; arrays of one shape."""
@@ -109,9 +114,16 @@ class _Inked:
             hits = tree.query(frames, predicate="intersects")[0]
             return np.bincount(hits, minlength=frames.size).reshape(left.shape).astype(float)
 
-        return _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF) + _LIGHT * met(
-            self.light, CLEAR / 2
-        )
+        heavy = _HEAVY * met(self.heavy, CLEAR / 2 + HEAVY_HALF)
+        level = _LEVEL * (met(self.level, CLEAR / 2) > 0.0)
+        return np.asarray(heavy + level + _LIGHT * met(self.light, CLEAR / 2))
+
+
+def _is_level(stroke: Ink) -> bool:
+    """Whether a stroke is a straight line along the axis."""
+    if isinstance(stroke, Bezier) or stroke.closed:
+        return False
+    return all(bulge == 0.0 and y == stroke.path[0][1] for _, y, bulge in stroke.path)
 
 
 def _meets(stroke: Ink, band: tuple[float, float]) -> bool:
@@ -149,18 +161,21 @@ def _level(
     passed = (feet > starts[..., None]) & (feet < ends[..., None])
     own = _FOOT * passed.sum(axis=2) + _FAR * np.tile(far, 2)
     whole = [
-        own + aside + ink.costs(starts, base - down + 0 * starts, ends, base + up + 0 * starts)
-        for base, aside in zip(bases, (0.0, _OTHER_SIDE), strict=True)
+        own + ink.costs(starts, base - down + 0 * starts, ends, base + up + 0 * starts)
+        for base in bases
     ]
     tried = np.round(np.concatenate(whole, axis=1), 6)
+    sides = np.repeat([0, 1], starts.shape[1])
     labels: list[Label] = []
-    end = -math.inf
+    taken, side = np.full(2, -math.inf), 0
     for k, one in enumerate(ordered):
-        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < end + BETWEEN)
+        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < taken[sides] + BETWEEN)
+        costs = costs + sides * (_STAYS if side else _OTHER_SIDE)
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:
             continue
+        side = int(sides[best])
         at = complex(starts[k, best % starts.shape[1]], bases[best // starts.shape[1]])
         labels.append(Label(one.text, at, size, of=one.of, position=one.position))
-        end, cost = at.real + float(wide[k]), cost + float(costs[best])
+        taken[side], cost = at.real + float(wide[k]), cost + float(costs[best])
     return _Row(tuple(labels), cost)

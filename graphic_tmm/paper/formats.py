@@ -55,6 +55,12 @@ def size_of(name: str) -> tuple[float, float]:
     return FORMATS[name].width, FORMATS[name].height
 
 
+def turned(name: str) -> str:
+    """Return the format of the same paper that stands where another one lies, and lies where it stands."""
+    one = FORMATS[name]
+    return next(n for n, f in FORMATS.items() if (f.width, f.height) == (one.height, one.width))
+
+
 def narrowest(names: Iterable[str]) -> Format:
     """Return the format with the least room of some; the usual one of none."""
     there = (FORMATS[SENSIBLE if name == AUTO else name] for name in names)

@@ -58,7 +58,8 @@ class Names(NamedTuple):
     ``curves``: the label of a curve by its mark or that of the readings of its points, where there are several.
     ``points``: what points on the axis of the ordinates are called otherwise than in the log.
     ``lengths``: the figures of what is dimensioned, by their marks: along the axis of the ordinates what was
-    measured there, below the graph the distance of a pole. ``levels``: limits; ``spans``: of the base.
+    measured there, below the graph the distance of a pole. ``levels``: limits; ``spans``: of the base, ``at``:
+    its places that bear names besides the positions.
     """
 
     positions: Sequence[str]
@@ -69,6 +70,7 @@ class Names(NamedTuple):
     lengths: Mapping[Mark, str] = MappingProxyType({})
     levels: Sequence[Level] = ()
     spans: Sequence[Span] = ()
+    at: Sequence[tuple[float, str]] = ()
 
 
 def draw_graph(
@@ -188,6 +190,8 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
     yield Wanted(names.along, complex(graph.length + OVER, 0), point, 1.5, -1j)
     for height, text in names.levels:
         yield Wanted(text, complex(graph.length, height), small, 0.5, 1 + 0j)
+    for place, text in names.at:
+        yield Wanted(text, complex(place, 0), small, TICK, -1j)
     yield from curve_names(graph, names.curves, small)
     for step in graph.steps:
         for one in _point_name(graph, names, step, heights):

@@ -25,7 +25,7 @@ APART = 0.9
 """Clear space between two labels beyond that, mm."""
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""
-RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0))
+RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0, 36.0))
 """How much farther than next to its point a label is tried, mm; and where all that is dear. Chosen by eye."""
 DIRECTIONS = 24
 """Directions in which a label is tried, every 15°; chosen by eye."""

@@ -108,10 +108,8 @@ def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
     left, low, right, top = bounds(view)
     tabular, middle = view.name.startswith("table"), (left + right) / 2
     anchor = "start" if tabular else "middle"
-    labels, widest = (
-        list(view.labels),
-        0.0,
-    )  # leaning tops reach out at the right, tails at the left
+    # leaning tops reach out at the right, tails at the left
+    labels, widest = list(view.labels), 0.0
     for text, size in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size

@@ -8,37 +8,57 @@ the line itself. A side that begins at the pole has no vector but that of the li
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel
 from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 
 QUANTITIES = {"p": "v", "π": "a"}
 """What a segment stands for whose name begins with the letter of a pole."""
 VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
 """The vectors of a plan by the role of its pole."""
+_GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
+"""How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
 
 
 class Term(NamedTuple):
-    """A vector of an equation: its letter as mark-up, known wholly or in direction, and that direction."""
+    """A vector of an equation: its letter as mark-up, known wholly or in direction, and that direction.
+
+    ``marks``: where its segment begins and ends on the plan; ``line``: the line that it was drawn along, if it
+    was.
+    """
 
     symbol: str
     known: bool
     direction: str = ""
+    marks: tuple[Mark, ...] = ()
+    line: Mark | None = None
+
+    @property
+    def barred(self) -> str:
+        """The letter of the vector, without lines under it."""
+        return _bar(self.symbol)
 
     def __str__(self) -> str:
         under = "uu" if self.known else "u"
-        return f"\\{under}{{{_bar(self.symbol)}}}"
+        return f"\\{under}{{{self.barred}}}"
 
 
 class Equation(NamedTuple):
-    """The equation of a group: its heading in the log, the vector sought, the sides that it equals."""
+    """The equation of a group: its heading in the log, the vector sought, the sides that it equals.
+
+    ``marks``: where the vector sought begins and ends on the plan: the pole, and the point that was found.
+    """
 
     group: str
     sought: Term | str
     sides: tuple[tuple[Term, ...], ...]
+    marks: tuple[Mark, ...] = ()
 
     @property
     def markup(self) -> str:
@@ -62,6 +82,16 @@ class Equation(NamedTuple):
             f"{term.symbol}{': ' if '→' in term.direction else ' '}{term.direction}"
             for term in found
         )
+
+
+def heading(note: str, language: str) -> str:
+    """Return a remark of the log that heads a group in words; any other remark as it is.
+
+    >>> heading("II(2-3)", "en"), heading("v_A = ω_1·l_{OA}", "en")
+    ('group 2-3 of class II', 'v_A = ω_1·l_{OA}')
+    """
+    found = _GROUP.fullmatch(note)
+    return note if found is None else speaking(language)(_HEADING, name=found[1])
 
 
 def _bar(symbol: str) -> str:
@@ -134,17 +164,19 @@ def _equation(
         known = list[Term]()
         while start in fresh and fresh[start].op is lay_off:
             drawn, length = fresh[start].uses
-            known.insert(0, Term(quantity(length.name), True, _direction(fresh[drawn], turned)))
-            start = fresh[drawn].uses[0]
+            end, start = start, fresh[drawn].uses[0]
+            way = _direction(fresh[drawn], turned)
+            known.insert(0, Term(quantity(length.name), True, way, (start, end), drawn))
         if start != pole:
-            known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True))
+            known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True, marks=(pole, start)))
         direction = _direction(line, turned)
         if known:
             symbol = quantity(read[line.it]) if line.it in read else name
-            sides.append((*known, Term(symbol, False, direction)))
+            ends = line.uses[0], point
+            sides.append((*known, Term(symbol, False, direction, ends, line.it)))
         else:
-            sought = Term(name, False, direction)
-    return Equation(group, sought, tuple(sides))
+            sought = Term(name, False, direction, (pole, point), line.it)
+    return Equation(group, sought, tuple(sides), (pole, point))
 
 
 def _direction(line: Step, turned: bool) -> str:

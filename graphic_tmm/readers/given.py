@@ -15,6 +15,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights, heights
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.scene.quantities import turns_a_minute
 from graphic_tmm.scene.records import Scene
 
 NAME = "table-given"
@@ -22,10 +23,6 @@ TALL = 12
 """More rows than these stand side by side."""
 DIGITS = 6
 """Significant figures of what is given: more than tasks have; what follows from them has one less."""
-
-
-ROUND = 1e-9
-"""A share of a speed: nearer than this to a whole tenth of a turn a minute it was given so."""
 
 
 def given_rows(scene: Scene, board: str = MECHANISM) -> tuple[Given, ...]:
@@ -36,9 +33,9 @@ def given_rows(scene: Scene, board: str = MECHANISM) -> tuple[Given, ...]:
 
 def given_speed(index: str, speed: float) -> Given:
     """Return how fast something turns, in turns a minute where it was given so; ``speed``: 1/s."""
-    turns = abs(speed) * 30.0 / math.pi
-    if abs(turns * 10.0 - round(turns * 10.0)) <= ROUND * turns * 10.0:
-        return Given(f"n_{index}", round(turns, 1), "rpm")
+    turns = turns_a_minute(speed)
+    if turns is not None:
+        return Given(f"n_{index}", turns, "rpm")
     return Given(f"ω_{index}", abs(speed), "1/s")
 
 

@@ -9,25 +9,28 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.captions import captions
+from graphic_tmm.captions import captions, view_name
+from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.readers.equations import Equation, equations
-from graphic_tmm.readers.sentences import calculation, sentence
+from graphic_tmm.readers.equations import Equation, equations, heading
+from graphic_tmm.readers.sentences import calculation, reason, sentence
 
 
 class Line(NamedTuple):
     """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none).
 
-    ``first``: the number of the first of the steps that the line tells, where it tells several.
+    ``first``: the number of the first of the steps that the line tells, where it tells several. ``why``: the
+    reason of the step.
     """
 
     number: int
     text: str
     calculation: str = ""
     first: int = 0
+    why: str = ""
 
     @property
     def label(self) -> str:
@@ -57,7 +60,7 @@ def protocol(
     first = 0
     for counted, step in enumerate(steps, 1):
         for note in filter(None, step.note.split("\n")):
-            yield Line(0, remark(note, language))
+            yield Line(0, view_name(note, language) if plan == SCALES else remark(note, language))
             if note in solved:
                 yield Line(0, _told(solved[note], language))
         first = first or counted
@@ -69,7 +72,8 @@ def protocol(
             yield Line(0, f"{captions(language)['position']} {own[at]}")
             told = at
         note = calculation(step, reading, at, language, terms)
-        yield Line(counted, sentence(step, language, reading, at), note, first)
+        why = reason(step, language, reading, at)
+        yield Line(counted, sentence(step, language, reading, at), note, first, why)
         first = 0
 
 
@@ -122,5 +126,5 @@ def remark(note: str, language: str) -> str:
     return (
         speaking(language)(_EXTREMES[way], point=letter)
         if way in _EXTREMES
-        else plain(symbol(note, language))
+        else plain(symbol(heading(note, language), language))
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from graphic_tmm.captions import captions, view_name
 from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.readers.narration import Line
@@ -24,19 +25,28 @@ MOST = 0.8
 """Positions with so large a share of the values that the best one has are as good. Chosen by eye."""
 SYNTHESIS = "synthesis"
 """The plan by which the lengths of a mechanism are found from a task."""
+BESIDE = (SYNTHESIS, SCALES)
+"""The plans that are calculated beside the drawing."""
 
 
 def plans() -> tuple[str, ...]:
     """Return the plans that a protocol may be asked for, in their order."""
     in_turn = sorted(chapters(), key=lambda one: one.plans_rank or 10 * one.number)
     found = dict.fromkeys(plan for one in in_turn for plan in one.plans)
-    return (SYNTHESIS, *found)
+    return (*BESIDE, *found)
 
 
 def steps_of(
-    made: DrawnScene, wanted: Sequence[str], position: str | None, language: str
+    made: DrawnScene,
+    wanted: Sequence[str],
+    position: str | None,
+    language: str,
+    *,
+    why: bool = False,
 ) -> list[str]:
     """Return the lines of the protocol of plans in one position, of the mechanism and of the parts.
+
+    ``why``: below each step why it is done.
 
     Raises
     ------
@@ -50,7 +60,7 @@ def steps_of(
             own = drawn.board == MECHANISM
             at = place if own or made.mechanism is None else None
             tell = protocol if own else part_protocol
-            found += tell(drawn, some, at, language)
+            found += tell(drawn, some, at, language, why=why)
         return found
 
     found = lines(wanted, position)
@@ -64,9 +74,14 @@ def steps_of(
 
 
 def protocol(
-    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
+    drawn: Drawn,
+    wanted: Sequence[str],
+    position: str | None,
+    language: str,
+    *,
+    why: bool = False,
 ) -> Iterator[str]:
-    """Yield the lines of the protocol of plans in one position.
+    """Yield the lines of the protocol of plans in one position; ``why``: with the reasons of its steps.
 
     Raises
     ------
@@ -76,24 +91,31 @@ def protocol(
     place = _position(drawn, position)
     for plan in wanted:
         for view in _views_of(drawn, plan):
-            yield from _plan_lines(drawn, view, place, language)
+            yield from _plan_lines(drawn, view, place, language, why)
         if len(wanted) == 1 and plan in drawn.project.rows and place not in drawn.row(plan):
             raise _refused(drawn, plan, drawn.names[place])
 
 
 def part_protocol(
-    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
+    drawn: Drawn,
+    wanted: Sequence[str],
+    position: str | None,
+    language: str,
+    *,
+    why: bool = False,
 ) -> Iterator[str]:
     """Yield the lines of the protocol of a part, view by view, in one position.
 
     The rise of a cam has no value where it returns: what is not there in that position is told in another.
-    Where none is asked for, it is that in which most of the steps have a value.
+    Where none is asked for, it is that in which most of the steps have a value. ``why``: see `protocol`.
 
     Raises
     ------
     SceneError
         If the part has no such position.
     """
+    if SCALES in wanted:
+        yield from _beside(drawn, SCALES, language, why)
     if not set(wanted) & {plan for one in drawn.project.chapters for plan in one.plans}:
         return
     log, names = drawn.construction, drawn.names
@@ -105,8 +127,8 @@ def part_protocol(
     at = f", {captions(language)['position']} {names[places[0]]}" if len(names) > 1 else ""
     for view in dict.fromkeys(step.it.view for step in log.steps):
         yield f"{view_name(view, language)}{at}"
-        for line in narrate(log, view, drawn.reading, places[0], language, elsewhere=others):
-            yield from _printed(line)
+        told = narrate(log, view, drawn.reading, places[0], language, elsewhere=others)
+        yield from _printed(told, language if why else "")
         yield ""
 
 
@@ -136,15 +158,21 @@ def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
     return SceneError(scene.source, (Fault("--position", 0, told),))
 
 
-def _printed(line: Line) -> Iterator[str]:
-    yield f"{line.label:>4}. {line.text}" if line.number else f"      [{line.text}]"
-    if line.calculation:
-        yield f"      {line.calculation}"
+def _printed(lines: Iterable[Line], reasons: str) -> Iterator[str]:
+    """Yield lines as text; ``reasons``: the language of the reasons, each told where it is a new one."""
+    before = ""
+    for line in lines:
+        yield f"{line.label:>4}. {line.text}" if line.number else f"      [{line.text}]"
+        if reasons and line.why and line.why != before:
+            yield f"      {captions(reasons)['why']}: {line.why}"
+        before = line.why or before
+        if line.calculation:
+            yield f"      {line.calculation}"
 
 
 def _views_of(drawn: Drawn, plan: str) -> list[str]:
     """Return the views of the board that a plan is drawn in, in the order of the log."""
-    if plan == SYNTHESIS:
+    if plan in BESIDE:
         return [plan]
     project = drawn.project
     found = {v for one in project.chapters for v in one.views(project).get(plan, ())}
@@ -152,29 +180,37 @@ def _views_of(drawn: Drawn, plan: str) -> list[str]:
     return [view for view in views if view in found]
 
 
-def _plan_lines(drawn: Drawn, view: str, place: int, language: str) -> Iterator[str]:
-    if view == SYNTHESIS:
-        found = synthesis(drawn.scene)
-        if found is None:
-            return
-        reading = execute(found.construction, found.given)
-        lines = list(narrate(found.construction, view, reading, 0, language))
-        yield view_name(view, language)
-    else:
-        at, row = drawn.of(view), drawn.row(view)
-        if at is None or place not in row:
-            return
-        index = row.index(place) if view in drawn.project.rows else place
-        turned = drawn.scene.turned
-        lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
-        if not lines:
-            return
-        title = title_of(drawn.project, view, language)
-        yield f"{title}, {captions(language)['position']} {drawn.names[place]}"
-        for one in drawn.project.chapters:
-            yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
-    for line in lines:
-        yield from _printed(line)
+def _plan_lines(drawn: Drawn, view: str, place: int, language: str, why: bool) -> Iterator[str]:
+    if view in BESIDE:
+        yield from _beside(drawn, view, language, why)
+        return
+    at, row = drawn.of(view), drawn.row(view)
+    if at is None or place not in row:
+        return
+    index = row.index(place) if view in drawn.project.rows else place
+    turned = drawn.scene.turned
+    lines = list(narrate(drawn.construction, view, at, index, language, turned=turned))
+    if not lines:
+        return
+    title = title_of(drawn.project, view, language)
+    yield f"{title}, {captions(language)['position']} {drawn.names[place]}"
+    for one in drawn.project.chapters:
+        yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
+    yield from _printed(lines, language if why else "")
+    yield ""
+
+
+def _beside(drawn: Drawn, plan: str, language: str, why: bool) -> Iterator[str]:
+    """Yield the lines of a plan that is calculated beside the drawing, if there is anything in it."""
+    found: Found | Choices | None
+    found = synthesis(drawn.scene) if plan == SYNTHESIS else choices(drawn)
+    if found is None or not found.construction.steps:
+        return
+    reading = execute(found.construction, found.given)
+    yield view_name(plan, language)
+    yield from _printed(
+        narrate(found.construction, plan, reading, 0, language), language if why else ""
+    )
     yield ""
 
 

@@ -1,6 +1,7 @@
-"""A step in words: what is done, as a sentence, and its calculation with the numbers put in.
+"""A step in words: what is done, as a sentence, and why; its calculation with the numbers put in.
 
-The sentences live on the operations and in the catalogues; here letters and numbers are put into them.
+The sentences live on the operations and in the catalogues, reasons there or on the steps; here letters and
+numbers are put into them.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Length, Side
+from graphic_tmm.board.values import Angle, Length, Number, Side
 from graphic_tmm.captions import captions, view_name
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
@@ -53,8 +54,47 @@ def _value(reading: Reading, mark: Mark, place: int) -> float:
     return float(row[place if row.size > 1 else 0])
 
 
-def phrase(step: Step, language: str, reading: Reading, place: int) -> tuple[str, dict[str, str]]:
-    """Return the sentence of a step as a template, and what stands for its names, see `sentence`."""
+def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
+    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+    words = _words(step, language, reading, place)
+    if step.op.formula:
+        return f"{captions(language)['calculate']} {words['it']}."
+    return _put(step.op.sentence, words, language)
+
+
+def reason(step: Step, language: str, reading: Reading, place: int) -> str:
+    """Return why a step is done, as a sentence; "" if nobody gave a reason."""
+    if not step.reason:
+        return ""
+    return _put(step.reason, _words(step, language, reading, place), language)
+
+
+Phrase = tuple[str, Mapping[str, str]]
+"""A sentence as a template, and what stands for its names."""
+
+
+def phrase(step: Step, language: str, reading: Reading, place: int) -> Phrase:
+    """Return what is done in a step as a template with its words; see `sentence`."""
+    words = _words(step, language, reading, place)
+    if step.op.formula:
+        return f"{captions(language)['calculate']} {{it}}.", words
+    return _segments(speaking(language)(step.op.sentence), words), words
+
+
+def grounds(step: Step, language: str, reading: Reading, place: int) -> Phrase | None:
+    """Return why a step is done as a template with its words; None if nobody gave a reason."""
+    if not step.reason:
+        return None
+    words = _words(step, language, reading, place)
+    return _segments(speaking(language)(step.reason), words), words
+
+
+def _put(text: str, words: Mapping[str, str], language: str) -> str:
+    return _segments(speaking(language)(text), words).format(**words)
+
+
+def _words(step: Step, language: str, reading: Reading, place: int) -> dict[str, str]:
+    """Return what stands for the arguments of a step, for its choices and for the mark that it leaves."""
     _ = speaking(language)
     sides = _(step.op.sides[0]), _(step.op.sides[1])
 
@@ -69,17 +109,8 @@ def phrase(step: Step, language: str, reading: Reading, place: int) -> tuple[str
 
     here = [mark for mark in (step.it, *step.uses) if mark.view == step.it.view]
     elsewhere = {mark.name for mark in here if mark.kind is not Side}
-    words = letters_of(step, name)
-    words |= {key: sides[0 if choice > 0 else 1] for key, choice in step.choice.items()}
-    if step.op.formula:
-        return f"{captions(language)['calculate']} {{it}}.", words
-    return _segments(_(step.op.sentence), words), words
-
-
-def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
-    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
-    template, words = phrase(step, language, reading, place)
-    return template.format(**words)
+    chosen = {key: sides[0 if choice > 0 else 1] for key, choice in step.choice.items()}
+    return letters_of(step, name) | chosen
 
 
 def calculation(
@@ -87,15 +118,18 @@ def calculation(
 ) -> str:
     """Return a formula with its numbers put in, v_A = ω_1·l_OA = 39,79·0,1366 = 5,434 м/с, or a reading.
 
-    ``summed``: all terms of a sum that was added up in several steps.
+    Of a figure drawn similar to another it is the proportion of its segments. ``summed``: all terms of a sum
+    that was added up in several steps.
     """
-    if not (step.op.reads or step.op.formula):
+    if step.op.proportion:
+        return _proportion(step, reading, place, language)
+    if not (step.op.reads or step.op.formula or step.op.leaves is Number):
         return ""
     it = spoken(step.it, language)
     if not np.isfinite(_value(reading, step.it, place)):
         return f"{it}: {captions(language)['undrawn']}"
     result = _with_unit(step.it, reading, place, language)
-    if step.op.reads:
+    if not step.op.formula:
         return f"{it} = {result}"
 
     def put(mark: Mark) -> str:
@@ -112,6 +146,33 @@ def calculation(
     else:
         formulas = [formula.format(**letters), formula.format(**numbers)]
     return " = ".join(dict.fromkeys([it, *formulas, result]))
+
+
+NOTHING = 1e-9
+"""A segment that is shorter, mm, is none: nothing is in a proportion to it."""
+_SEGMENT = re.compile(r"\{(\w+)\}\{(\w+)\}")
+
+
+def _proportion(step: Step, reading: Reading, place: int, language: str) -> str:
+    """Return the proportion of a step, and the segment sought by it: pc/pb = AC/AB; pc = pb·AC/AB = …, mm."""
+    marks = dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
+    names = {key: spoken(mark, language) for key, mark in marks.items()}
+    told = _segments(step.op.proportion, names).format(**names)
+    left, _, right = told.partition(" = ")
+    segment, _, known = left.partition("/")
+    lengths = []
+    for one, other in _SEGMENT.findall(step.op.proportion):
+        ends = (reading[marks[end]][0] for end in (one, other))
+        start, end = (row[place if row.size > 1 else 0] for row in ends)
+        lengths.append(float(abs(end - start)))
+    sought, base, part, whole = lengths
+    if not (np.isfinite(sought) and base > NOTHING and whole > NOTHING):
+        return ""
+    upper, _, lower = right.partition("/")
+    put = "·".join((number(base, language), number(part, language)))
+    put += f"/{number(whole, language)}"
+    result = f"{number(sought, language)} {unit('mm', language)}"
+    return f"{told};  {segment} = {known}·{upper}/{lower} = {put} = {result}"
 
 
 def _with_unit(mark: Mark, reading: Reading, place: int, language: str) -> str:

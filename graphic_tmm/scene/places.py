@@ -43,17 +43,46 @@ def attended(
 
     The smallest sheets hold nothing but what they are asked for.
     """
-    found = list(orders)
     large = [not format.startswith(SMALLEST) for format in formats]
+    found = _told(orders, large)
     for name, (one, place) in places().items():
         if not _called(one, asked, mechanism=True):
             continue
         there = (k for k, order in enumerate(found) if large[k] and place.attends in order)
         first = next(there, None)
         if first is not None and not any(name in order for order in found):
-            at = found[first].index(place.attends) + 1
-            found[first] = (*found[first][:at], name, *found[first][at:])
+            found[first] = _behind(found[first], place.attends, name)
     return tuple(found)
+
+
+def _told(orders: Sequence[tuple[str, ...]], large: Sequence[bool]) -> list[tuple[str, ...]]:
+    """Return what stands on sheets with parts of places moved to where what they tell of is shown.
+
+    Nothing is moved onto the smallest sheets.
+    """
+    found, there = list(orders), places()
+    for name, (_, place) in there.items():
+        home = next((k for k, order in enumerate(found) if name in order), None)
+        if home is None:
+            continue
+        left = []
+        for part in place.together:
+            plan = there[part][1].tells
+            shown = [k for k, order in enumerate(found) if plan in order]
+            if home in shown or not shown or not large[shown[0]]:
+                left.append(part)
+            elif not any(part in order for order in found):
+                found[shown[0]] = _behind(found[shown[0]], plan, part)
+        if len(left) < len(place.together):
+            at = found[home].index(name)
+            found[home] = (*found[home][:at], *left, *found[home][at + 1 :])
+    return found
+
+
+def _behind(order: tuple[str, ...], place: str, more: str) -> tuple[str, ...]:
+    """Return what stands on a sheet with one place more, behind another."""
+    at = order.index(place) + 1
+    return (*order[:at], more, *order[at:])
 
 
 def asking(one: Chapter) -> Section | None:

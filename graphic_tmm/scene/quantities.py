@@ -342,3 +342,18 @@ def in_kgf(value: object) -> bool:
         return any(in_kgf(item) for item in value)
     found = _QUANTITY.match(value.strip()) if isinstance(value, str) else None
     return found is not None and any(unit in found.group(2) for unit in ("kgf", "кгс"))
+
+
+ROUND = 1e-9
+"""A share of a speed: nearer than this to a whole tenth of a turn a minute it was given so."""
+
+
+def turns_a_minute(speed: float) -> float | None:
+    """Return an angular velocity (1/s) in turns a minute if it was given so; else None.
+
+    >>> turns_a_minute(39.79350694547071), turns_a_minute(50.0)
+    (380.0, None)
+    """
+    turns = abs(speed) * 30.0 / math.pi
+    given = abs(turns * 10.0 - round(turns * 10.0)) <= ROUND * turns * 10.0
+    return round(turns, 1) if given else None

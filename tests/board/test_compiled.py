@@ -120,6 +120,7 @@ def test_what_fails_is_undefined_there_only() -> None:
     np.testing.assert_array_equal(bad, np.flatnonzero(ANGLES[0] > 350.0))
 
 
+@pytest.mark.slow
 def test_trials_run_in_the_loop_too() -> None:
     bar = Fourbar()
     bar.given[bar.marks["OA"]] = np.array([[28.0], [30.0], [32.0]])

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.curve import bezier, french_curve
@@ -54,7 +55,7 @@ def _seconds(controls: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=most(150), deadline=None)
 @given(POINTS)
 def test_a_closed_row_is_the_periodic_spline(points: list[complex]) -> None:
     knots = np.array(points)
@@ -97,7 +98,7 @@ def test_one_or_two_points_make_no_curve(count: int) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=most(150), deadline=None)
 @given(POINTS, st.data())
 def test_what_cannot_be_drawn_splits_the_row_into_natural_runs(
     points: list[complex], data: st.DataObject

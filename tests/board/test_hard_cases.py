@@ -11,6 +11,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from support.each import each
+from support.examples import most
 
 from graphic_tmm.board.geometry import EPS, cis, degrees, root
 from graphic_tmm.board.operations.instruments import (
@@ -59,7 +60,7 @@ def _mp(z: complex) -> Any:
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=most(300), deadline=None)
 @given(r=UNIT, s=UNIT, off=TINY, scale=POWER, turn=TURN, away=AWAY, side=SIDE, inner=st.booleans())
 def test_arcs_tangent_to_the_last_bit(
     r: float,
@@ -93,7 +94,7 @@ def test_arcs_tangent_to_the_last_bit(
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=most(300), deadline=None)
 @given(r=UNIT, off=TINY, scale=POWER, turn=TURN, far=st.integers(-300, 300), away=AWAY, side=SIDE)
 @example(r=1.0, off=0.0, scale=1.0, turn=cmath.rect(1, 0.3), far=-300, away=0j, side=1.0)
 def test_a_line_that_touches_an_arc(
@@ -116,7 +117,7 @@ def test_a_line_that_touches_an_arc(
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=most(200), deadline=None)
 @given(r=UNIT, off=TINY, scale=POWER, turn=TURN, away=AWAY, side=SIDE)
 def test_a_point_that_lies_on_the_circle_has_a_tangent(
     r: float, off: float, scale: float, turn: complex, away: complex, side: float
@@ -138,7 +139,7 @@ def test_a_point_that_lies_on_the_circle_has_a_tangent(
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=most(300), deadline=None)
 @given(x=UNIT, y=UNIT, off=TINY, scale=POWER, turn=TURN, back=SIDE)
 def test_lines_parallel_to_the_last_bit(
     x: float, y: float, off: float, scale: float, turn: complex, back: float

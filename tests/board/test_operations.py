@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.each import each
+from support.examples import most
 
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.grammar import OPERATIONS, Operation
@@ -261,7 +262,7 @@ def _check(op: Operation, args: list[Any], choice: dict[str, int]) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("op", BASIC_OPERATIONS, ids=repr)
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=most(100), deadline=None)
 @given(data=st.data())
 def test_as_exact_as_its_condition_allows(op: Operation, data: st.DataObject) -> None:
     args = data.draw(values(op))

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT, Hand
@@ -44,7 +45,7 @@ def test_below_half_a_division_nothing_is_read() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=most(200), deadline=None)
 @given(st.floats(-1e4, 1e4), st.sampled_from([0.1, 0.25, 0.5, 1.0, 0.01]))
 def test_a_reading_is_the_nearest_division(length: float, ruler: float) -> None:
     hand = Hand(ruler)
@@ -93,7 +94,7 @@ def test_a_standard_scale_of_lengths(largest: float, room: float, due: float) ->
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=most(200), deadline=None)
 @given(st.floats(1e-9, 1e9), st.floats(10.0, 500.0))
 def test_a_standard_scale_fits_and_the_next_finer_does_not(largest: float, room: float) -> None:
     mu = standard(largest, room)
@@ -117,7 +118,7 @@ def test_nothing_to_scale_takes_one(largest: float) -> None:
     assert standard_length(largest, 100.0) == 1.0
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=most(100), deadline=None)
 @given(st.floats(-1e6, 1e6), st.sampled_from(LENGTHS))
 def test_there_and_back_through_the_door(quantity: float, mu: float) -> None:
     scale = Scale("μ_l", mu, "m/mm")
@@ -132,7 +133,7 @@ def _span(low: Any, high: Any) -> tuple[Any, Any]:
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=most(200), deadline=None)
 @given(st.floats(-360, 360), st.floats(1e-3, 90), st.floats(1e-3, 90), st.sampled_from([1, -1]))
 def test_a_root_is_found_to_its_last_bit(root: float, left: float, right: float, sign: int) -> None:
     low, high = _span(root - left, root + right)

@@ -119,13 +119,19 @@ def _unit(row: object, place: int, value: float, size: float) -> float:
 # the cases found from outside
 
 
-def _table(name: str, *options: str, of: str = "value") -> dict[tuple[str, str, str], str]:
+def _tables(name: str, *options: str, of: tuple[str, ...]) -> list[dict[tuple[str, str, str], str]]:
     result = invoke("table", CASES / "tables" / name, "-f", "csv", *options)
     assert result.exit_code == 0, result.stderr
-    lines = csv.DictReader(io.StringIO(result.stdout))
-    return {(row["plan"], row["position"], row["segment"]): row[of] for row in lines}
+    lines = list(csv.DictReader(io.StringIO(result.stdout)))
+    keys = [(row["plan"], row["position"], row["segment"]) for row in lines]
+    return [{key: row[one] for key, row in zip(keys, lines, strict=True)} for one in of]
 
 
+def _table(name: str, *options: str) -> dict[tuple[str, str, str], str]:
+    return _tables(name, *options, of=("value",))[0]
+
+
+@pytest.mark.slow
 def test_a_position_that_locks_takes_nothing_from_the_others() -> None:
     """Rod half as long as the crank: the forces in line are found by hand, R12 with its weight's half.
 
@@ -133,8 +139,8 @@ def test_a_position_that_locks_takes_nothing_from_the_others() -> None:
     drawn by hand each of its six sides is laid off, or read, to half a division of the ruler.
     """
     due = {"G2": 9.81, "G3": 19.62, "F3": 50.0, "R12": math.hypot(30.0, 4.905), "R03": 24.525}
-    exact, found = _table("row12-lock.toml", "--exact"), _table("row12-lock.toml")
-    lengths = _table("row12-lock.toml", of="mm")
+    exact = _table("row12-lock.toml", "--exact")
+    found, lengths = _tables("row12-lock.toml", of=("value", "mm"))
     for position in ("1", "7"):
         for segment, value in due.items():
             key = ("forces", position, segment)
@@ -163,6 +169,7 @@ def test_forces_of_no_sure_digit_are_left_out_and_named() -> None:
     assert float(found["forces", "1", "R03"]) == pytest.approx(0.475, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_check_calls_right_readings_beside_a_lock_fine() -> None:
     paths = [str(CASES / "tables" / "row12-lock.toml"), str(CASES / "tables" / "row12-good.csv")]
     result = invoke("check", *paths, "--trials", "40")

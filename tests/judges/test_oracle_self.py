@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from support.each import each
+from support.examples import most
 from support.mechanisms import KINDS, Sampled, mechanisms, sample, sides, sides_kept
 from support.oracle import (
     OracleError,
@@ -272,7 +273,7 @@ def test_the_other_assembly_breaks_the_side(kind: str) -> None:
     assert found > 5
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(mechanisms())
 def test_the_strategy_draws_what_the_oracle_solves(drawn: Sampled) -> None:
     state = solve_from_points(drawn.mechanism, drawn.phi, drawn.points, tolerance=1e-9)

@@ -12,7 +12,7 @@ import pytest
 from babel import Locale
 from babel.messages.pofile import read_po
 from babel.plural import PluralRule
-from support.messages import PACKAGE, calls, messages, places, sources
+from support.messages import PACKAGE, calls, messages, nodes, places, sources
 
 from graphic_tmm.language import catalogue
 from graphic_tmm.language.catalogue import Speech, languages, speaking
@@ -87,14 +87,14 @@ def test_the_words_of_a_text_are_written_out() -> None:
 
 def code_of(file: Path) -> str:
     """Return the text constants of a file but its docstrings, and the names of its keyword arguments."""
-    tree = ast.parse(file.read_text(encoding="utf-8"))
-    bare = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    there = nodes(file)
+    bare = {id(node.value) for node in there if isinstance(node, ast.Expr)}
     texts = [
         str(node.value)
-        for node in ast.walk(tree)
+        for node in there
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in bare
     ]
-    names = [node.arg for node in ast.walk(tree) if isinstance(node, ast.keyword) and node.arg]
+    names = [node.arg for node in there if isinstance(node, ast.keyword) and node.arg]
     return " ".join([*texts, *names])
 
 

@@ -59,6 +59,7 @@ def run(folder: Path, *arguments: object) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.slow
 def test_a_scene_is_drawn_in_it(folder: Path, tmp_path: Path) -> None:
     text = (SHEETS / "accelerating-crank" / "scene.toml").read_text(encoding="utf-8")
     mine = tmp_path / "scene.toml"

@@ -9,6 +9,7 @@ import re
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 from support.gallery import SHEETS
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
 
@@ -87,7 +88,7 @@ def test_the_kind_of_a_group_is_told_by_its_pairs(kind: str) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=most(100), deadline=None)
 @given(drawn=mechanisms(), seed=st.integers(0, 1000))
 def test_the_order_of_links_is_irrelevant(drawn: Sampled, seed: int) -> None:
     given_order = drawn.mechanism
@@ -268,7 +269,7 @@ def test_side_does_not_enter_the_structure() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=most(150), deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), data=st.data())
 def test_a_pair_taken_away_is_always_refused(drawn: Sampled, data: st.DataObject) -> None:
     """Whatever letter or slide is taken off a link, the answer is a structure or a StructureError."""

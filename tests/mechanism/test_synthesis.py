@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.boards import recorded
+from support.examples import most
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.chapters.kinematics.row import OTHER
@@ -83,7 +84,7 @@ def test_the_steps_of_the_synthesis_are_recorded() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(
     K_v=st.floats(1.02, 3.0),
     stroke=st.floats(0.01, 0.3),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import re
 from collections.abc import Callable
-from itertools import combinations
+from itertools import combinations, product
 from pathlib import Path
 
 import numpy as np
@@ -17,17 +17,21 @@ from support.mechanisms import sample
 from support.scenes import written
 
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapter import places
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import SheetError
+from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.search import MEASURABLE, SAVING
+from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import GAP, bounds
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.studio import make, sheets
+from graphic_tmm.studio import composed_sheets, make, sheets
 
 FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)
@@ -88,7 +92,7 @@ def longest(work: Drawn, plan: str) -> float:
 def measurable(made: DrawnScene, format: str) -> None:
     """Plans of velocities and accelerations of 40 mm at least, the plan of positions of 60 or 100 mm.
 
-    Where that saves a sheet a plan of vectors gives way to 36 mm.
+    Where that saves a sheet a plan of vectors gives way, to what can still be measured.
     """
     work = made.mechanism
     if work is None:
@@ -96,7 +100,7 @@ def measurable(made: DrawnScene, format: str) -> None:
     placed = made.scene.shown
     for plan in {"velocities", "accelerations"} & placed:
         # a plan that a sheet does not hold at 40 mm is as large as it does
-        assert longest(work, plan) >= 36.0 - 0.1
+        assert longest(work, plan) >= SAVING * MEASURABLE - 0.1
     if "positions" in placed:
         log = work.project.construction
         marks = [s.it for s in log.steps if s.it.view == "positions" and s.it.kind is Point]
@@ -131,11 +135,10 @@ MATRIX = [
     for count in ROWS
     if asked.can(kind, place, count)
 ]
-# some of them every day, all of them where time is given
-DAILY = random.Random(12).sample([one for one in MATRIX if one[3] <= 12], 14)
+# a few of them every day, all of them where time is given
+DAILY = random.Random(12).sample([one for one in MATRIX if one[3] <= 6], 3)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "place", "format", "count"), DAILY)
 def test_what_is_asked_for_is_drawn(
     kind: str, place: str, format: str, count: int, tmp_path: Path
@@ -144,15 +147,17 @@ def test_what_is_asked_for_is_drawn(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("extra", [False, True])
 @pytest.mark.parametrize("kind", asked.MECHANISMS)
-@pytest.mark.parametrize("format", FORMATS)
 @pytest.mark.parametrize("count", ROWS)
 def test_everything_that_can_be_asked_for_is_drawn(
-    kind: str, format: str, count: int, extra: bool, tmp_path: Path
+    kind: str, count: int, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
-    for place in asked.PLACES:
-        if asked.can(kind, place, count):
+    """Each place of each mechanism by every row; of the four ways to ask for it one, by turns."""
+    ways = list(product(FORMATS, (False, True)))
+    for k, place in enumerate(asked.PLACES):
+        first = k + ROWS.index(count)
+        for turn in range(many(len(ways), 1)) if asked.can(kind, place, count) else ():
+            format, extra = ways[(first + turn) % len(ways)]
             text = asked.mechanism(
                 kind, count, orders(kind, place, format), extra=extra, language=("ru", "en")[extra]
             )
@@ -160,7 +165,7 @@ def test_everything_that_can_be_asked_for_is_drawn(
 
 
 @pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.slow), "ru"])
-@pytest.mark.parametrize("format", FORMATS)
+@pytest.mark.parametrize("format", [pytest.param("A4", marks=pytest.mark.slow), "A1"])
 @pytest.mark.parametrize("kind", asked.PARTS)
 def test_parts_are_drawn_on_any_format(
     kind: str, format: str, language: str, tmp_path: Path
@@ -198,7 +203,7 @@ MOST = {
     "bug-bell-crank-rocker": 1,
     "fails-a4-diagram": 11,
     "fails-a4-diagram-12": 6,
-    "fails-a4-forces": 17,
+    "fails-a4-forces": 18,
     "fails-a4-table": 11,
     "fails-a4-table-12": 5,
     "fails-mixed-a4-a1": 2,
@@ -208,11 +213,11 @@ MOST = {
 
 
 ALL = sorted(path.stem for path in (CASES / "sheets").glob("*.toml"))
-LONG = ("fails-a4-forces", "fails-a4-table", "hydraulic")
+SHORT = ("bug-bell-crank-rocker", "fails-a4-table-12")
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in ALL]
+    "name", [n if n in SHORT else pytest.param(n, marks=pytest.mark.slow) for n in ALL]
 )
 def test_scenes_that_were_refused_are_drawn(name: str) -> None:
     made, paper = sheets(read(CASES / "sheets" / f"{name}.toml"))
@@ -234,17 +239,11 @@ def randomly(count: int, seed: int, format: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("format", "count"), [("A1", 5), ("A4", 2)])
-def test_random_mechanisms_are_not_refused_for_size(format: str, count: int) -> None:
-    randomly(count, 3, format)
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize(("format", "seed"), [("A1", 7), ("A1", 8), ("A1", 9), ("A4", 7)])
-def test_many_random_mechanisms_are_not_refused_for_size(
+def test_random_mechanisms_are_not_refused_for_size(
     format: str, seed: int, many: Callable[[int, int], int]
 ) -> None:
-    randomly(many(100 if format == "A1" else 60, 20), seed, format)
+    randomly(many(100 if format == "A1" else 60, 8), seed, format)
 
 
 def test_one_position_of_a_slider_crank_stands_on_a4(tmp_path: Path) -> None:
@@ -307,7 +306,41 @@ def test_lengths_that_a_scene_writes_are_kept(tmp_path: Path) -> None:
     told = text.replace('D_e = "0.5 m"', 'D_e = "0.5 m"\nbase = "110 mm"\nH = "25 mm"')
     assert base(read_of(told, tmp_path)) == 110.0
     with pytest.raises(SheetError, match=r"flywheel.base"):
-        drawn(told.replace('"110 mm"', '"160 mm"'), tmp_path)
+        drawn(told.replace('"110 mm"', '"300 mm"'), tmp_path)
+
+
+@pytest.mark.slow
+def test_a_sheet_is_turned_that_holds_a_view_only_so(tmp_path: Path) -> None:
+    """Graphs on a base of 160 mm, which the file writes, are wider than an A4 that stands."""
+    text = asked.mechanism("six", 6, [("A4", ("flywheel",)), ("A4", ("positions",))])
+    wide = text.replace('D_e = "0.5 m"', 'D_e = "0.5 m"\nbase = "160 mm"')
+    made, paper = drawn(wide, tmp_path)
+    in_frames(made, paper)
+    assert [order.format for order in made.scene.sheets] == ["A4 landscape", "A4"]
+    assert made.mechanism is not None
+    assert base(made.mechanism) == 160.0
+    assert any("A4 landscape" in remark for remark in made.scene.remarks)
+    # every reader takes the scale factors of the sheet that is drawn, and so does its composition
+    assert made.mechanism.scales.items() <= read_of(wide, tmp_path).scales.items()
+    composition = composed_sheets(read(written(tmp_path, wide)))[1].composition
+    again = composed_sheets(read(written(tmp_path, wide)), composition)[1]
+    assert again.composition == composition
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", asked.MECHANISMS)
+@pytest.mark.parametrize("place", ["flywheel", "forces", "engine", "diagrams"])
+def test_a_board_knows_every_size_that_its_views_depend_on(
+    kind: str, place: str, tmp_path: Path
+) -> None:
+    """Else they are measured once and never again, however large they are drawn."""
+    if not asked.can(kind, place, 6):
+        return
+    scene = read(written(tmp_path, asked.mechanism(kind, 6, [("A4", (place,))])))
+    board = Mechanism(scene)
+    shown = places()[place][1]
+    views = shown.draw(board.draw(usual(scene)), False)
+    assert {n for view in views for n in shown.sizes(scene, view.name)} <= set(board.sizes)
 
 
 def read_of(text: str, folder: Path) -> Drawn:
@@ -325,10 +358,10 @@ def base(work: Drawn) -> float:
 
 @pytest.mark.slow
 def test_a_plan_that_the_ruler_makes_larger_is_held_too() -> None:
-    """Near a singular position readings of 0.1 mm make this plan of accelerations twice as large as it is."""
+    """Near a singular position readings of 0.1 mm make a plan of accelerations three times as large."""
     one = sample(19, 9)[18]
     row = Row(12, zero=one.phi, accelerations=("0", "2"))
-    order = SheetOrder("A4", ("positions", "velocities", "accelerations"))
+    order = SheetOrder("A4 landscape", ("positions", "velocities", "accelerations"))
     made, paper = sheets(Scene("", "T", "ru", one.mechanism, row, sheets=(order,)))
     in_frames(made, paper)
     exact = make(made.scene, exact=True).mechanism

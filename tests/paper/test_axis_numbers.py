@@ -107,3 +107,26 @@ def test_an_angle_is_dimensioned_from_side_to_side(sweep: float) -> None:
     first, last = (complex(x, y) - (2 + 3j) for x, y, _ in (arc.path[0], arc.path[-1]))
     drawn = abs(math.degrees(math.atan2((last / first).imag, (last / first).real)))
     assert drawn >= abs(sweep) - 1e-6  # where the arrows stand outside the arc goes on behind them
+
+
+@pytest.mark.parametrize("height", [-4.0, -3.0, 3.0, 4.5])
+def test_no_number_stands_on_a_level_line(height: float) -> None:
+    """Between two numbers a line along the axis is read as a minus."""
+    feet, others = row(12, 120.0)
+    level = line("thin", complex(-10.0, height), complex(60.0, height))
+    labels = position_numbers(feet, others, [level], SIZE)
+    assert len(labels) == 13
+    assert all(box(label).disjoint(shape(level)) for label in labels)
+
+
+def test_a_run_of_numbers_changes_sides_together() -> None:
+    """The first half has a level line below the axis, the second a curve above it."""
+    feet, others = row(12, 120.0)
+    level = line("thin", -10.0 - 3.5j, 55.0 - 3.5j)
+    deeper = [line("thin", complex(-10.0, y), complex(55.0, y)) for y in (-8.0, -12.0)]
+    curve = line("main", 62 + 3j, 90 + 4j, 120 + 3j)
+    labels = position_numbers(feet, others, [level, *deeper, curve], SIZE)
+    sides = [label.at.imag > 0.0 for label in labels]
+    assert sides == sorted(sides, reverse=True)
+    assert sides[0]
+    assert not sides[-1]

@@ -47,6 +47,13 @@ def test_its_figure_reads_from_below_or_from_the_right_and_touches_no_line(
     assert all(frame.distance(shape(stroke)) > 0.3 for stroke in made.strokes)
 
 
+@each("length", [11.0, 13.0, 14.5, 16.0, 20.0])
+def test_a_figure_keeps_off_the_extension_lines(length: float) -> None:
+    made = dimension(0j, complex(length), 10.0, "H_{a} = 15")
+    frame = box(made.label)
+    assert all(frame.distance(shape(stroke)) > 0.9 for stroke in made.strokes[:2])
+
+
 def test_arrows_stand_outside_where_they_have_no_room() -> None:
     wide, narrow = dimension(0j, 40 + 0j, 10, "40"), dimension(0j, 4 + 0j, 10, "4")
     first = [next(s for s in d.strokes if s.filled) for d in (wide, narrow)]

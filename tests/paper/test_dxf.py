@@ -38,6 +38,7 @@ def test_no_faults_and_millimetres(document, sheet) -> None:
     assert document.header["$LIMMAX"] == (sheet.width, sheet.height)
 
 
+@pytest.mark.slow
 def test_the_extents_are_those_of_the_ink(sheet) -> None:
     """By ezdxf's own boxes, of strokes alone: the letters of a font are not known here."""
     document = opened(sheet, stroked=True)
@@ -137,6 +138,7 @@ print(hashlib.sha256(text.encode()).hexdigest())
 """
 
 
+@pytest.mark.slow
 def test_the_same_bytes_whatever_the_hash_seed_and_the_clock() -> None:
     runs = [
         subprocess.Popen(

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon, box
 from support.each import each
+from support.examples import most
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import labels
@@ -303,7 +304,7 @@ def test_a_date_is_never_cut(date: str) -> None:
 
 
 @pytest.mark.slow
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=most(40))
 @given(
     st.dictionaries(
         st.sampled_from(FIELDS),

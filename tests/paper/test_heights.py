@@ -49,6 +49,17 @@ def test_a_format_that_is_not_yet_chosen_is_lettered_as_the_usual_one() -> None:
     assert heights_on(["auto"]) == heights_on([]) == HEIGHTS["A1"]
 
 
+@pytest.mark.parametrize("name", ["engine", "tangent-mechanism", "crank-rocker", "cam"])
+def test_all_tables_have_one_height_of_title_and_one_of_head(name: str) -> None:
+    for sheet in sheets(read(SHEETS / name))[1]:
+        due = heights_on([sheet.format])
+        for view in sheet.drawings:
+            if view.stand.kind == "table":
+                sizes = [label.size for label in view.labels if label.text == view.title]
+                assert sizes == [due.title], view.name
+                assert {k.size for k in view.labels if k.text != view.title} == {due.number}
+
+
 @pytest.mark.parametrize("format", ["A1", "A4"])
 def test_titles_of_tables_and_what_stands_in_them(format: str) -> None:
     scene = replace(read(SHEETS / "engine"), sheets=(SheetOrder(format, ("structure",)),))

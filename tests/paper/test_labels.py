@@ -11,6 +11,7 @@ import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke, Wanted, arc, circle, line
 from graphic_tmm.paper.labels import interrupt, leaders, place
@@ -20,7 +21,7 @@ spots = st.builds(complex, st.integers(0, 60), st.integers(0, 60))
 clouds = st.lists(spots, min_size=1, max_size=8, unique=True)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=most(60), deadline=None)
 @given(clouds)
 def test_no_label_stands_on_a_label(points: list[complex]) -> None:
     wanted = [Wanted(f"a_{k}", z, 3.5) for k, z in enumerate(points)]

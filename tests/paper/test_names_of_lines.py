@@ -94,6 +94,7 @@ def test_curves_of_the_scenes_are_named_beside_themselves(name: str) -> None:
     assert_named_beside_their_own(drawn(name, exact=True), {"A", "ΔT", "T"})
 
 
+@pytest.mark.slow
 @each("seed", range(8))
 def test_curves_of_flywheels_drawn_at_random_are_too(seed: int, tmp_path: Path) -> None:
     path = tmp_path / "machine.toml"

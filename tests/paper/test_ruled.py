@@ -7,6 +7,7 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
@@ -126,7 +127,7 @@ CELL = st.one_of(
 )
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=most(60))
 @given(
     st.integers(1, 5).flatmap(
         lambda n: st.tuples(

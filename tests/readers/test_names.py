@@ -14,6 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support.each import each
+from support.examples import most
 from support.gallery import SHEETS, made
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
@@ -51,7 +52,7 @@ LATIN = re.compile(
     r"[0-9*]+′?|[A-Z][A-Z0-9′]*|[A-Z]?max|[A-Z]?min[0-9]?|"  # numbers, points, max and min
     r"[0-9][A-Za-zϑ]′?|[0-9]min|I+′?|S[0-9]?|"
     r"[GRFNPQTKMHSVJLA][0-9]*′?|ϑ|"  # the force or the graph that an ordinate or an arm belongs to
-    r"[0-9]x|[a-e]|"
+    r"[0-9]x|[a-e]|l[0-9]+|"  # the last: lengths of a group
     r"[wabflpFs][0-9]?|[xyntlvakdeoirgm][0-9]?|k0|v0|SE|S2B"  # circles of wheels, axes, the n-th, t, l, v, a
     r")$"
 )
@@ -211,7 +212,7 @@ def _lines(log: Construction, reading: Reading, language: str) -> Iterator[Line]
 
 @pytest.mark.slow
 @given(st.integers(0, 10**6), st.integers(1, 3), st.booleans(), st.booleans())
-@settings(deadline=None, max_examples=10, suppress_health_check=list(HealthCheck))
+@settings(deadline=None, max_examples=most(10), suppress_health_check=list(HealthCheck))
 def test_random_mechanisms_under_loads_are_told_in_names_of_the_field(
     seed: int, dyads: int, turned: bool, pairs: bool
 ) -> None:

@@ -19,6 +19,7 @@ from rich.console import Console
 from rich.table import Table
 from support.columns import along
 from support.command import invoke, printed
+from support.examples import most
 from support.scenes import calling, source, written
 
 from graphic_tmm.checking.readings.decoding import text_of
@@ -90,7 +91,7 @@ def test_a_single_column_that_is_wider_than_the_terminal_is_printed_whole() -> N
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(st.integers(1, 40), st.integers(30, 200), st.integers(0, 6))
 def test_blocks_hold_as_many_positions_as_fit(count: int, width: int, digits: int) -> None:
     value = float(10**digits)

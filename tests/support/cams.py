@@ -183,13 +183,14 @@ def roller_places(
     ``place``: the roller's centre in the cam's own axes for a displacement of each position; ``most``: the
     largest displacements tried; the least is minus a tenth of it.
     """
-    edge = profile.exterior
+    corners = shapely.get_coordinates(profile.exterior)
+    sides = shapely.STRtree(shapely.linestrings(np.stack([corners[:-1], corners[1:]], axis=1)))
     shapely.prepare(profile)
 
     def gap(s: np.ndarray) -> np.ndarray:
         z = place(s)
         spots = shapely.points(z.real, z.imag)
-        away = shapely.distance(edge, spots)
+        away = sides.query_nearest(spots, return_distance=True, all_matches=False)[1]
         return np.asarray(np.where(shapely.contains(profile, spots), -away, away) - radius)
 
     return touching(gap, -0.1 * most, most)

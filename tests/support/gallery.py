@@ -22,7 +22,19 @@ CASES = ROOT / "tests" / "cases"
 """Scenes, tables and readings that were found from outside."""
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
-
+EVERYDAY = (
+    "cam",
+    "crank-press",
+    "crank-rocker",
+    "engine",
+    "gear-pair",
+    "lettering",
+    "locomobile",
+    "oscillating-cylinder",
+    "planetary",
+    "slider-diagrams",
+)
+"""Scenes enough that every chapter has one: of these a test of one scene is an everyday one."""
 
 COMPOUND = ("project",)
 """Scenes of a mechanism and parts that are scenes of the package by themselves too."""
@@ -50,6 +62,11 @@ PLANS = [(name, "velocities") for name in NAMES] + [(name, "accelerations") for 
 def scene(name: str) -> Scene:
     """Return a scene of the package as it is read; it is shared: what is found of it is kept beside it."""
     return read_once(SHEETS / name)
+
+
+def asking(*sections: str) -> list[str]:
+    """Return the mechanisms of the package whose files have one of these sections; none is drawn."""
+    return [name for name in NAMES if not scene(name).told.keys().isdisjoint(sections)]
 
 
 @cache

@@ -44,9 +44,15 @@ def _constant(node: ast.expr) -> str | None:
     return node.value if plain else None  # type: ignore[attr-defined, no-any-return]
 
 
+@cache
+def nodes(file: Path) -> tuple[ast.AST, ...]:
+    """Return all nodes of a file of the package, read once."""
+    return tuple(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+
+
 def calls(file: Path) -> Iterator[ast.Call]:
     """Yield the calls by which a file marks its texts."""
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    for node in nodes(file):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in MARKS:
             yield node
 
@@ -63,7 +69,7 @@ def _of_file(file: Path) -> Iterator[Message]:
 
 def _helps(file: Path) -> Iterator[Message]:
     """Yield what the help of commands says: the docstring of each."""
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    for node in nodes(file):
         if isinstance(node, ast.FunctionDef) and any(map(_commands, node.decorator_list)):
             text = (ast.get_docstring(node) or "").partition("\f")[0]
             yield Message("", text, "", str(file.relative_to(PACKAGE.parent)))

@@ -5,13 +5,16 @@ from __future__ import annotations
 import io
 import re
 import zipfile
+from collections.abc import Mapping
 from functools import cache
 from xml.etree import ElementTree
 
 import numpy as np
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.note import note
@@ -49,12 +52,18 @@ def looked_up(made: DrawnScene, one: Number) -> float:
     """The value that stands where a number says that it was read."""
     source = one.source
     if source.board == SYNTHESIS:
-        return _of_synthesis(made, source)
+        found = synthesis(made.scene)
+        assert found is not None
+        return _aside(found.construction, found.given, source)
+    if source.board.startswith(f"{SCALES} "):
+        board = source.board.removeprefix(f"{SCALES} ")
+        chosen = choices(next(one for one in made.boards if one.board == board))
+        return _aside(chosen.construction, chosen.given, source)
     drawn = next(board for board in made.boards if board.board == source.board)
     ways = {
         "mark": _of_mark,
         "size": lambda drawn, source: abs(_of_mark(drawn, source)),
-        "structure": _of_structure,
+        "segment": _of_segment,
         "column": _of_column,
         "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
         "given": _of_given,
@@ -63,43 +72,29 @@ def looked_up(made: DrawnScene, one: Number) -> float:
     return ways[source.kind](drawn, source)
 
 
-def _of_synthesis(made: DrawnScene, source: Source) -> float:
-    found = synthesis(made.scene)
-    assert found is not None
-    reading = execute(found.construction, found.given)
-    marks = {*found.given, *(step.it for step in found.construction.steps)}
-    mark = next(one for one in marks if str(one.slot) == source.name)
-    return float(reading.figure(mark)[0, 0])
+def _aside(log: Construction, given: Mapping[Mark, object], source: Source) -> float:
+    return float(execute(log, given).figure(_mark(log, source.name))[0, 0])
 
 
 def _of_mark(drawn: Drawn, source: Source) -> float:
-    log = drawn.construction
-    mark = next(
-        one
-        for one in (*log.given, *(step.it for step in log.steps))
-        if str(one.slot) == source.name
-    )
+    mark = _mark(drawn.construction, source.name)
     reading = drawn.of(source.view)
     assert reading is not None
     row = reading.figure(mark)[0]
     return float(row[source.place if row.size > 1 else 0])
 
 
-def _of_structure(drawn: Drawn, source: Source) -> float:
-    """Count links and pairs anew, off the scene."""
-    mechanism = drawn.scene.mechanism
-    assert mechanism is not None
-    what, _, group = source.name.partition(" ")
-    if group:
-        return {"links": 2.0, "pairs": 3.0, "W": 0.0}[what]
-    if what == "link":
-        return float(mechanism.drive.link)
-    sliding = sum(len(link.slides) for link in mechanism.links)
-    letters = [letter for link in (*mechanism.links, mechanism.frame) for letter in link.points]
-    turning = sum(letters.count(letter) - 1 for letter in set(letters))
-    counts = {"n": len(mechanism.links), "p": sliding + turning}
-    counts["W"] = 3 * counts["n"] - 2 * counts["p"]
-    return float(counts[what])
+def _of_segment(drawn: Drawn, source: Source) -> float:
+    ends = []
+    for slot in source.name.split():
+        row = drawn.of(source.view)[_mark(drawn.construction, slot)][0]  # type: ignore[index]
+        ends.append(row[source.place if row.size > 1 else 0])
+    return float(abs(ends[1] - ends[0]))
+
+
+def _mark(log: Construction, slot: str) -> Mark:
+    marks = (*log.given, *(step.it for step in log.steps))
+    return next(one for one in marks if str(one.slot) == slot)
 
 
 def _of_column(drawn: Drawn, source: Source) -> float:

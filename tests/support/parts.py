@@ -42,9 +42,14 @@ PARTS = {
 }
 
 
+KEPT: dict[str, Drawn] = {}
+"""What was drawn of them; it is shared: change nothing of it."""
+
+
 def part_of(folder: Path, what: str) -> Drawn:
-    """Return a part of PARTS, drawn."""
+    """Write the scene of a part of PARTS into a folder; return the part, drawn once."""
     kind, text = PARTS[what]
     path = written(folder, HEAD.format(kind=kind) + text)
-    (part,) = parts(make(read(path)))
-    return part
+    if what not in KEPT:
+        (KEPT[what],) = parts(make(read(path)))
+    return KEPT[what]

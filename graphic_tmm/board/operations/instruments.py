@@ -23,6 +23,7 @@ from graphic_tmm.board.geometry import (
 )
 from graphic_tmm.board.grammar import Gap, operation
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Reals, Side
+from graphic_tmm.language.said import said
 
 _NO_LINE = "the two points coincide"
 
@@ -283,19 +284,38 @@ def touch(start: Point, arc: Arc, side: Side) -> Point:
     return Point(arc.centre + arc.radius * touching * (base * (1.0 / d)))
 
 
-@operation()
+@operation(
+    why=said(
+        "The vectors between the points of one rigid link are all turned by one angle and scaled by one "
+        "factor, so the images of its points form a figure similar to the link; hence the image of any further "
+        "point."
+    ),
+    proportion="{base_a}{it}/{base_a}{base_b} = {A}{S}/{A}{B}",
+)
 def similar(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Point:
     """On {base_a}{base_b} build the figure similar to {A}{B}{S}, lettered in the same sense; mark {it}."""
     return Point(base_a + (base_b - base_a) * ((S - A) / (B - A)))
 
 
-@operation()
+@operation(
+    why=said(
+        "The vectors between the points of one rigid link are all turned by one angle and scaled by one "
+        "factor, and links that turn together share both: a segment of the plan is to its segment of the link "
+        "as {a}{b} is to {A}{B}."
+    ),
+    proportion="{start}{it}/{a}{b} = {Q}{E}/{A}{B}",
+)
 def homologous(start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E: Point) -> Point:
     """From {start} draw the segment that is to {Q}{E} as {a}{b} is to {A}{B}, turned alike; mark {it}."""
     return Point(start + (b - a) * ((E - Q) / (B - A)))
 
 
-@operation()
+@operation(
+    why=said(
+        "A link that does not turn carries all its points with one velocity and one acceleration: their images "
+        "are one point."
+    )
+)
 def coincide(image: Point) -> Point:
     """The image {it} falls on {image}: the link does not turn."""
     return Point(image)

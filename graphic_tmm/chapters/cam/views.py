@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import captions
@@ -26,7 +28,7 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.paper.views import captioned, pole_figures, stacked
+from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
 from graphic_tmm.readers.result_table import (
     result_table,
 )
@@ -74,11 +76,12 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
             lengths=pole_figures(log, reading, view, language),
             levels=_limits(drawn, made) if view in LIMITED else (),
             spans=_phases(drawn, made) if view == "cam S" else (),
+            at=() if view == "cam S" else _bounds(drawn, made),
         )
         graph = draw_graph(
             log, reading, view, reading.positions, told, title, heights=high, rules=RULES
         )
-        shown = captioned(finished(graph, lettered), title, _scale(drawn, view), heights=high)
+        shown = captioned(finished(graph, lettered), title, _scale(drawn, made, view), heights=high)
         (first if view in ("cam S", "cam dS", "cam ddS") else second).append(shown)
     return [stacked("cam-diagrams", first)] + ([stacked("cam-limits", second)] if second else [])
 
@@ -107,17 +110,25 @@ def _phases(drawn: Drawn, made: Cam) -> list[Span]:
     return found
 
 
+def _bounds(drawn: Drawn, made: Cam) -> list[tuple[float, str]]:
+    """Return where phases end on the base, mm, and the angles of the turn there."""
+    order, whole = made.order, _one(drawn, made.diagrams.base.length)
+    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    angles = dict.fromkeys(round(angle, 9) for angle in accumulate(phases))
+    return [(angle * whole / 360.0, f"{number(angle, drawn.scene.language)}°") for angle in angles]
+
+
 def _title(view: str, language: str) -> str:
     words = captions(language)
     return words.get(view, words["cam integration"])
 
 
-def _scale(drawn: Drawn, view: str) -> str:
-    language = drawn.scene.language
-    scale = drawn.scales.get(view)
-    if scale is None:
-        return ""
-    return f"{scale.symbol} = {number(scale.value, language)} {unit(scale.unit, language)}".rstrip()
+def _scale(drawn: Drawn, made: Cam, view: str) -> str:
+    """Return the scale of a diagram and that of its base, along which the turn is told in degrees."""
+    language, scale = drawn.scene.language, drawn.scales.get(view)
+    along = math.degrees(_one(drawn, made.diagrams.base.mu))
+    base = f"μ_φ = {number(along, language)} {unit('°/mm', language)}"
+    return base if scale is None else f"{mu_text(scale, language)}, {base}"
 
 
 def _mm(drawn: Drawn, mark: Mark) -> str:

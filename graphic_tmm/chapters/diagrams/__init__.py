@@ -38,7 +38,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import Chapter, Holder, Place, Size
+from graphic_tmm.chapter import Chapter, Holder, Place
 from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
 from graphic_tmm.chapters.diagrams.captions import CAPTIONS, called
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
@@ -46,6 +46,7 @@ from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.project import Project
 
@@ -75,17 +76,17 @@ CHAPTER = Chapter(
             diagram_views,
             beside=(ACCELERATIONS,),
             follows=(POSITIONS,),
-            sizes=lambda scene, view: ("graphs",),
+            sizes=lambda scene, view: (GRAPHS,),
         ),
     ),
-    sizes=(Size("graphs", least=0.2, small=0.7, cap=0.94, step=1.4),),
+    sizes=(GRAPH,),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=lambda scene: {VELOCITIES: True},
     sections=SECTIONS,
     record=record,
     charts=lambda made: made.charts.values(),
     scales=lambda fitting: fitting.shorter(
-        "graphs", [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
+        GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
     named=_named,
     scale_key=lambda view: f"mu_{view.replace(' ', '_')}" if view in VIEWS.values() else "",

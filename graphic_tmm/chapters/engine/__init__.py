@@ -45,6 +45,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     POSITIONS,
     VELOCITIES,
 )
+from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -57,7 +58,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 
 
 def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
-    return ("graphs",) if view.startswith("indicator") else ("engine", POSITIONS)
+    return (GRAPHS,) if view.startswith("indicator") else ("engine", POSITIONS)
 
 
 def _views(project: Project) -> dict[str, list[str]]:
@@ -77,10 +78,10 @@ CHAPTER = Chapter(
             71,
             engine_diagram_views,
             follows=(POSITIONS,),
-            sizes=lambda scene, view: ("graphs",),
+            sizes=lambda scene, view: (GRAPHS,),
         ),
     ),
-    sizes=(Size("engine", least=0.5, small=0.7, cap=0.4),),
+    sizes=(GRAPH, Size("engine", least=0.5, small=0.7, cap=0.4)),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     sections=SECTIONS,

@@ -13,7 +13,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW
-from graphic_tmm.fitting.scales import Fitting, unscaled
+from graphic_tmm.fitting.scales import GRAPHS, Fitting, unscaled
 from graphic_tmm.project import Project
 
 TRIANGLE, VECTOR = 60.0, 70.0
@@ -44,7 +44,7 @@ def engine_scales(fitting: Fitting) -> dict[Mark, object]:
         made.mu: standard(known[VIEW], TRIANGLE * share),
         made.harmonics.mu: standard(known[HARMONICS], VECTOR * share),
     }
-    return fitting.shorter("graphs", [("engine.base", VIEW, roles.BASE)]) | found
+    return fitting.shorter(GRAPHS, [("engine.base", VIEW, roles.BASE)]) | found
 
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:

@@ -52,6 +52,7 @@ from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.scene.records import Scene
@@ -96,10 +97,10 @@ CHAPTER = Chapter(
             50,
             flywheel_views,
             follows=(POSITIONS,),
-            sizes=lambda scene, view: ("sketch" if view == FLYWHEEL.chapter else "graphs",),
+            sizes=lambda scene, view: ("sketch" if view == FLYWHEEL.chapter else GRAPHS,),
         ),
     ),
-    sizes=(Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False),),
+    sizes=(GRAPH, Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
@@ -107,7 +108,7 @@ CHAPTER = Chapter(
     record=record,
     charts=lambda made: made.charts,
     scales=lambda fitting: fitting.shorter(
-        "graphs",
+        GRAPHS,
         [
             ("flywheel.base", VIEWS["moment"], roles.BASE),
             ("flywheel.H", VIEWS["work"], roles.POLE_DISTANCE),

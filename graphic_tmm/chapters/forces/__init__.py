@@ -59,6 +59,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -75,7 +76,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 
 def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
     if view.startswith("indicator"):
-        return ("graphs",)
+        return (GRAPHS,)
     return ("groups",) if view.startswith("group") else ("forces",)
 
 
@@ -109,7 +110,7 @@ CHAPTER = Chapter(
         Place("force table", 62, views.force_table, follows=(POSITIONS,)),
         Place(PLACE, 0, load_views, follows=(POSITIONS,), attends=POSITIONS),
     ),
-    sizes=SIZES,
+    sizes=(GRAPH, *SIZES),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,

@@ -14,6 +14,15 @@ from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.polygons import bare
 
 
+def own_scale(view: str) -> str:
+    """Return the letter of the scale factor of what is detached, for it is not that of the plan of positions.
+
+    >>> own_scale("group 2-3"), own_scale("group 1")
+    ('μ_{l23}', 'μ_{l1}')
+    """
+    return f"μ_{{l{view.removeprefix('group ').replace('-', '')}}}"
+
+
 class Detached:
     """A group or a link drawn by itself while it is solved, in a ``view`` of its own; ``mu``: its μ_l.
 
@@ -24,7 +33,7 @@ class Detached:
     def __init__(self, draft: Draft, view: str, note: str, points: Iterable[Mark]) -> None:
         self.draft, self.view = draft, view
         draft.open(view)
-        self.mu = draft.scale("μ_l", "m/mm")
+        self.mu = draft.scale(own_scale(view), "m/mm")
         draft.lay_out(role=roles.DETACHED)
         draft.say(note)
         self.points: dict[Mark, Mark] = {}

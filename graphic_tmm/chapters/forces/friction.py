@@ -127,9 +127,9 @@ class Rub:
             self.fastest,
             unit="N·m",
         )
-        made.couples.append(Couple(letter, link, value))
+        made.couples.append(Couple(letter, link, value, (name, body)))
         back = draft.draw(reversed_, f"M_{{f{name}{body}}}", value, unit="N·m")
-        made.couples.append(Couple(f"M_{{f{name}{body}}}", body, back))
+        made.couples.append(Couple(f"M_{{f{name}{body}}}", body, back, (name, link)))
 
     def _guide(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
         assert reaction.normal is not None

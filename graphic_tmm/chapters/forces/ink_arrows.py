@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
@@ -123,12 +124,20 @@ class Arrows:
         pitch = max(far / (len(there) + 1), 2.4 * radius)
         for k, (called, one) in enumerate(there):
             at = (start + end) / 2 + (k - (len(there) - 1) / 2) * pitch * way
-            bow, *head = round_arrow(
-                at, radius, 120.0 if one.value > 0 else 60.0, math.copysign(210.0, one.value)
-            )
-            self._add([bow._replace(title=one.title, data=one.data), *head], one.of)
-            top = at + radius * 1j
-            self.wanted.append(Wanted(called, top, self.size, 2.0, 1j, one.of, self.index))
+            self.couple(at, radius, called, one)
+
+    def couple(
+        self, at: complex, radius: float, called: str, told: Told, way: complex = 1j
+    ) -> None:
+        """Draw a couple as a round arrow in its sense about a place, its letter on the side of ``way``."""
+        if not (finite(at, told.value) and told.value and way):
+            return
+        sense, out = math.copysign(1.0, told.value), way / abs(way)
+        start = math.degrees(cmath.phase(out)) + sense * 30.0
+        bow, *head = round_arrow(at, radius, start, sense * 210.0)
+        self._add([bow._replace(title=told.title, data=told.data), *head], told.of)
+        top = at + radius * out
+        self.wanted.append(Wanted(called, top, self.size, 2.0, out, told.of, self.index))
 
     def _add(self, strokes: Iterable[Stroke], of: tuple[int, ...]) -> None:
         self.strokes += [s._replace(of=of, position=self.index) for s in strokes]

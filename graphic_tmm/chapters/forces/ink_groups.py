@@ -6,11 +6,10 @@ they show points, directions and which of two is larger.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import NamedTuple
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, parallel
@@ -20,6 +19,7 @@ from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.ink_arrows import (
     LEAST,
+    ROUNDS,
     Arrows,
     Told,
     arm_shows,
@@ -29,24 +29,25 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     pricks,
     turning,
 )
+from graphic_tmm.chapters.forces.ink_bodies import Bodies
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.kinematics.ink_links import LinksInk
-from graphic_tmm.chapters.kinematics.ink_positions import HEAVY
-from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
 )
 from graphic_tmm.paper.seen import Seen, finite
 
+SEEN = 2.0
+"""A smaller circle of friction, mm, lies under the sign of its pin: no line touches it."""
+TOUCH, STEP = 14.0, 3.5
+"""Half of what is drawn of a line that touches a circle of friction, mm; between two couples about a pin."""
 SHOWN = 18.0
 """Length of the arrow of a reaction that is not known yet, mm."""
 
@@ -67,10 +68,23 @@ class Reactive(NamedTuple):
     link: int = 0
 
 
+class Rubbed(NamedTuple):
+    """Friction in a pin of a link: the pin, the radius of its circle (m), its couple, the pin's reaction.
+
+    ``tail``, ``head``: the vector of the reaction, as it acts on the link of the couple.
+    """
+
+    pin: Mark
+    radius: Mark
+    couple: Couple
+    tail: Mark
+    head: Mark
+
+
 class Shown(NamedTuple):
     """What a figure shows: its links, forces and couples on them, reactions.
 
-    ``circles``: friction circles, their pins and radii (m). ``balance``: of the driving link, the line and
+    ``rubbed``: friction in its pins. ``balance``: of the driving link, the line and
     the arm of the force that balances it.
     """
 
@@ -79,7 +93,7 @@ class Shown(NamedTuple):
     forces: Sequence[Force]
     couples: Sequence[Couple]
     reactions: Sequence[Reactive]
-    circles: Sequence[tuple[Mark, Mark]] = ()
+    rubbed: Sequence[Rubbed] = ()
     balance: tuple[Mark, Mark] | None = None
 
 
@@ -118,7 +132,7 @@ def draw_group(
 
     traces = figure(seen, Manner(rules, stays))
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
-    bodies = _Bodies(construction, reading, reaches, shown, index, times)
+    bodies = Bodies(seen, reaches, shown.links, shown.figure.points, times)
     loads = _Loads(seen, shown, index, high, language)
     for force in shown.forces:
         loads.force(force)
@@ -126,13 +140,7 @@ def draw_group(
         loads.reaction(reaction)
     for link in shown.links:
         loads.couples(link, *bodies.ends(str(link)))
-    circles = [
-        circle("thin", seen.point(shown.figure.point(pin), index), rho)._replace(
-            of=(shown.figure.points[pin].slot, radius.slot), position=index
-        )
-        for pin, radius in shown.circles
-        for rho in [seen.number(radius, index) / seen.number(shown.figure.mu, index)]
-    ]
+    circles = [*loads.friction(bodies.middle)]
     above = _Above(construction, reading, shown, index)
     displaced = loads.displaced(above, times, decimals)
     strokes = (*bodies.strokes(), *circles, *loads.arrows.strokes, *displaced, *traces.staying)
@@ -175,65 +183,6 @@ class _Above(Seen):
                 found.add(mark)
                 wanted += there[mark].uses
         return tuple(step for mark, step in there.items() if mark in found)
-
-
-class _Bodies:
-    """The links of a figure: those of the plan of positions, drawn to another scale."""
-
-    def __init__(
-        self,
-        construction: Construction,
-        reading: Reading,
-        reaches: Mapping[Figure, Reach],
-        shown: Shown,
-        index: int,
-        times: float,
-    ) -> None:
-        figures = [one for one in construction.figures if one.view == POSITIONS]
-        marks = dict.fromkeys(mark for one in figures for mark in one.marks)
-        values = {mark.slot: _larger(reading[mark], times) for mark in marks}
-        larger = {one: reach.times(times) for one, reach in reaches.items()}
-        self.ink = LinksInk(construction, Reading(values, reading.positions), larger)
-        self.names = [str(number) for number in shown.links]
-        self.points, self.index = shown.figure.points, index
-
-    def strokes(self) -> Iterator[Ink]:
-        """The links, and what slides on them; they stand on the points of the figure."""
-        found = [s for name in self.names for s in self.ink.lines(name, self.index, HEAVY)]
-        found += self.ink.symbols(self.names, self.index)
-        own = {of.slot: mark.slot for of, mark in self.points.items()}
-        for stroke in found:
-            of = tuple(own[slot] for slot in stroke.of if slot in own)
-            yield stroke._replace(of=of or tuple(own.values()))
-
-    def letters(self, high: Heights) -> list[Wanted]:
-        """The letters of the points of the links."""
-        marks = dict.fromkeys(
-            mark
-            for name in self.names
-            for told in self.ink.of(name, "link", "centre")
-            for mark in told.marks
-        )
-        named = [
-            Named(self.ink.at(m, self.index), markup(m.name), (self.points[m].slot,), self.index)
-            for m in marks
-            if m in self.points
-        ]
-        return lettered(shared(named), high.point, 2.2)
-
-    def ends(self, name: str) -> tuple[complex, complex]:
-        """Between which of its points couples on a link are drawn: those farthest apart."""
-        pins = [*self.ink.spots(name, self.index)]
-        pins += [one.foot for one in self.ink.bars(name, self.index)]
-        if len(pins) < 2:
-            return (pins[0], pins[0]) if pins else (0j, 0j)
-        return max(((a, b) for a in pins for b in pins), key=lambda ends: abs(ends[1] - ends[0]))
-
-
-def _larger(value: Any, times: float) -> Any:
-    if isinstance(value, Line):
-        return value._replace(at=value.at * times)
-    return value * times if np.iscomplexobj(value) else value
 
 
 class _Loads:
@@ -303,17 +252,49 @@ class _Loads:
         self.arrows.put(self.seen.point(point, k), way, SHOWN, called, told, "thin")
 
     def couples(self, link: int, start: complex, end: complex) -> None:
-        """The couples on a link."""
-        own = [couple for couple in self.shown.couples if couple.link == link]
-        values = [self.seen.number(couple.value, self.index) for couple in own]
-        told = [
-            (
-                markup(self.called(one.letter)),
-                Told(one.letter, value, "N·m", (one.value.slot,), (("link", str(link)),)),
-            )
-            for one, value in zip(own, values, strict=True)
-        ]
+        """The couples on a link, but for those of friction."""
+        pinned = [one.couple for one in self.shown.rubbed]
+        own = [one for one in self.shown.couples if one.link == link and one not in pinned]
+        told = [self._couple(one, self.seen.number(one.value, self.index)) for one in own]
         self.arrows.couples(start, end, told)
+
+    def friction(self, middle: complex) -> Iterator[Ink]:
+        """The circles of friction, couples about them; the line of a force with its couple touches its circle.
+
+        ``middle``: of the figure, off which the letters of couples stand.
+        """
+        k, pins = self.index, list[Mark]()
+        for one in self.shown.rubbed:
+            point = self.at(one.pin)
+            at, rho = self.seen.point(point, k), self.seen.number(one.radius, k)
+            rho /= self.seen.number(self.shown.figure.mu, k)
+            turns = self.seen.number(one.couple.value, k)
+            if one.pin not in pins:
+                of = (point.slot, one.radius.slot)
+                yield circle("thin", at, rho)._replace(of=of, position=k)
+                more = (one.couple.value.slot, one.tail.slot, one.head.slot)
+                for touching in self._touching(one, at, math.copysign(rho, turns)):
+                    yield touching._replace(of=(*of, *more), position=k)
+            radius = max(ROUNDS, rho + 2.0) + STEP * pins.count(one.pin)
+            called, told = self._couple(one.couple, turns)
+            self.arrows.couple(at, radius, called, told, at - middle or 1j)
+            pins.append(one.pin)
+
+    def _touching(self, one: Rubbed, at: complex, rho: float) -> Iterator[Stroke]:
+        """The line of the force that stands for a reaction and its couple: ``rho`` mm off the pin.
+
+        ``rho`` has the sense of the couple.
+        """
+        force = self.seen.point(one.head, self.index) - self.seen.point(one.tail, self.index)
+        if finite(at, force, rho) and abs(force) >= LEAST and abs(rho) >= SEEN:
+            way = force / abs(force)
+            touched = at - 1j * way * rho
+            yield line("thin", touched - TOUCH * way, touched + TOUCH * way)
+
+    def _couple(self, couple: Couple, value: float) -> tuple[str, Told]:
+        link = (("link", str(couple.link)),)
+        told = Told(couple.letter, value, "N·m", (couple.value.slot,), link)
+        return markup(self.called(couple.letter)), told
 
     def arms(self, drawn: Sequence[Ink], decimals: int) -> Iterator[Wanted]:
         """The letters of the arms that were drawn, and their mm."""

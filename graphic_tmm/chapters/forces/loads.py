@@ -56,11 +56,15 @@ class Force(NamedTuple):
 
 
 class Couple(NamedTuple):
-    """A couple on a link: its letter, its moment (N·m, counter-clockwise positive)."""
+    """A couple on a link: its letter, its moment (N·m, counter-clockwise positive).
+
+    ``rubs``: of friction, the letter of its pair and the link on the other side of it.
+    """
 
     letter: str
     link: int
     value: Mark
+    rubs: tuple[str, int] | None = None
 
 
 @dataclass

@@ -134,7 +134,9 @@ def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[st
             found[polygon.view] = Scale("μ_F", float(reading[polygon.mu][0, 0]), "N/mm")
     for figure in made.figures:
         if figure.mu in given:
-            found[figure.view] = Scale("μ_l", float(reading[figure.mu][0, 0]), figure.mu.unit)
+            found[figure.view] = Scale(
+                figure.mu.name, float(reading[figure.mu][0, 0]), figure.mu.unit
+            )
     return found
 
 

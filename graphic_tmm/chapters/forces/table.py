@@ -22,8 +22,9 @@ from graphic_tmm.readers.columns import (
 
 PLAN = FORCES.chapter
 
+BALANCES = ("_bal_forces", "_bal_lever")
 DIFFERENCE = "bal_difference"
-"""What tables call the difference of both methods, %."""
+"""How the segments end of what balances the crank by each method, and what tables call their difference, %."""
 
 
 class _Row(NamedTuple):
@@ -92,8 +93,10 @@ def _place(reaction: Reaction) -> list[_Row]:
 def _balance(made: Forces) -> list[_Row]:
     sign, unit = ("P", "N") if made.order.balance == "force" else ("M", "N·m")
     rows = [
-        _Row(f"{sign}_bal_forces", f"{sign}_bal_forces", unit, made.balance),
-        _Row(f"{sign}_bal_lever", f"{sign}_bal_lever", unit, made.lever.balance),
+        *(
+            _Row(f"{sign}{end}", f"{sign}{end}", unit, mark)
+            for end, mark in zip(BALANCES, (made.balance, made.lever.balance), strict=True)
+        ),
         _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
     ]
     if made.open is not None and made.efficiency is not None:

@@ -20,14 +20,14 @@ from graphic_tmm.chapters.forces.ink_balances import (
     group_rows,
     lever_rows,
 )
-from graphic_tmm.chapters.forces.ink_groups import Reactive, Shown, draw_group
+from graphic_tmm.chapters.forces.ink_groups import Reactive, Rubbed, Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
-from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
+from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
@@ -69,7 +69,13 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         for solved in made.groups:
             rows = group_rows(writer, made, solved)
             views += _three(
-                drawn, _group(made, solved), solved.polygon, solved.reactions, rows, place, lettered
+                drawn,
+                _group(drawn, made, solved),
+                solved.polygon,
+                solved.reactions,
+                rows,
+                place,
+                lettered,
             )
         pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
         rows, reactions = driver_rows(writer, made, pivot, crank), (made.driven.reaction,)
@@ -171,7 +177,7 @@ def vectors_of(polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(made: Forces, solved: Solved) -> Shown:
+def _group(drawn: Drawn, made: Forces, solved: Solved) -> Shown:
     closing, unknown = solved.closing, list[Reactive]()
     links = closing.group.links
     # the sides of unknown size end a polygon, that of the first leg last
@@ -185,21 +191,30 @@ def _group(made: Forces, solved: Solved) -> Shown:
         found = Reactive(tangent.letter, at, *tangent.side, tangent.value, tangent.arm, leg.link)
         letter, tail, head = along
         unknown += [found, Reactive(letter, at, tail, head)]
-    pins = [leg.pivot for leg in closing.legs if isinstance(leg, PinLeg)] + [closing.point]
     return Shown(
         solved.figure,
         links,
         [f for k in links for f in made.acting.forces.get(k, [])],
         [c for k in links for c in made.acting.couples.get(k, [])],
         unknown,
-        _circles(made, pins),
+        _rubbed(drawn, made, links),
     )
 
 
-def _circles(made: Forces, pins: list[Mark]) -> list[tuple[Mark, Mark]]:
-    """Return the friction circles of pins: their points and radii (m)."""
-    circles = made.circles or {}
-    return [(pin, circles[pin]) for pin in pins if pin in circles]
+def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
+    """Return the friction in the pins of some links."""
+    place, found = KINEMATICS.on(drawn).positions.point, list[Rubbed]()
+    between = {frozenset(one.links): one for one in made.reactions}
+    for couple in (one for link in links for one in made.acting.couples.get(link, [])):
+        if couple.rubs is None:
+            continue
+        pin, other = place(couple.rubs[0]), couple.rubs[1]
+        reaction = between[frozenset((couple.link, other))]
+        ends = reaction.tail, reaction.head
+        if reaction.links[1] != couple.link:  # what the other link bears is turned round
+            ends = ends[::-1]
+        found.append(Rubbed(pin, (made.circles or {})[pin], couple, *ends))
+    return found
 
 
 def _driver(drawn: Drawn, made: Forces) -> Shown:
@@ -212,9 +227,10 @@ def _driver(drawn: Drawn, made: Forces) -> Shown:
     couples = list(made.acting.couples.get(crank, []))
     if driven.force is None:
         couples.append(Couple("M_b", crank, driven.balance))
-    circles = _circles(made, [pivot, body.marks[plans.structure.pin]])
     balance = (driven.force.line, driven.arm) if driven.force else None
-    return Shown(driven.figure, (crank,), forces, couples, [found], circles, balance)
+    return Shown(
+        driven.figure, (crank,), forces, couples, [found], _rubbed(drawn, made, (crank,)), balance
+    )
 
 
 def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -303,17 +319,24 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 
 def _as_printed(drawn: Drawn, column: Column) -> Column:
-    """Return a column; the difference of both methods is that of the two sizes as they are printed."""
-    if not column.segment.endswith(DIFFERENCE):
-        return column
+    """Return a column as people read it: couples, and what balances, by their sizes, for senses are drawn.
+
+    Where both methods found opposite senses, their signs stay. Their difference is that of the two sizes as
+    they are printed.
+    """
     made = FORCES.on(drawn)
     apart, *sizes = (
         np.broadcast_to(drawn.reading[mark][:1], (1, len(drawn.names)))[0]
         for mark in (made.difference, made.balance, made.lever.balance)
     )
     value = column.value.copy()
-    for k in np.flatnonzero(np.isfinite(value[0])):
-        value[0, k] = round(float(apart[k]), percent_decimals(float(row[k]) for row in sizes))
+    if column.letter in {one.letter for one in made.loads.couples_on_lever}:
+        value = np.abs(value)
+    elif column.segment.endswith(BALANCES):
+        value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
+    elif column.segment.endswith(DIFFERENCE):
+        for k in np.flatnonzero(np.isfinite(value[0])):
+            value[0, k] = round(float(apart[k]), percent_decimals(float(row[k]) for row in sizes))
     return replace(column, value=value)
 
 

@@ -29,8 +29,9 @@ elsewhere by refining (`extremes`). Whether the mechanism assembles over the tur
 steps with two roots (`assembly`).
 
 Draws: places ``given`` (the table of what the scene gives, of all chapters), ``positions``, ``velocities``,
-``accelerations``, ``equations``, ``velocity table``, ``acceleration table``, ``results`` (both tables). Builds
-on no chapter; the dissection is the kernel's (`graphic_tmm.mechanism.structure`).
+``accelerations``, ``equations`` (``velocity equations`` and ``acceleration equations``, each with its plans),
+``velocity table``, ``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is
+the kernel's (`graphic_tmm.mechanism.structure`).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кинематический анализ: планы положений, скоростей,
 ускорений); Попов С. А., Тимофеев Г. А., Курсовое проектирование по теории механизмов и механике машин.
@@ -46,6 +47,7 @@ from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
 from graphic_tmm.chapters.kinematics.captions import CAPTIONS
+from graphic_tmm.chapters.kinematics.choice import choose
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.given import given
 from graphic_tmm.chapters.kinematics.note import note
@@ -108,7 +110,30 @@ CHAPTER = Chapter(
             follows=(POSITIONS, ACCELERATIONS),
             sizes=sizes_of,
         ),
-        Place("equations", 23, views.equation_views, shows=_BOTH, follows=(POSITIONS,)),
+        Place(
+            "equations",
+            23,
+            views.equation_views,
+            shows=_BOTH,
+            follows=(POSITIONS,),
+            together=("velocity equations", "acceleration equations"),
+        ),
+        Place(
+            "velocity equations",
+            0,
+            views.velocity_equations,
+            shows=(VELOCITIES,),
+            follows=(POSITIONS,),
+            tells=VELOCITIES,
+        ),
+        Place(
+            "acceleration equations",
+            0,
+            views.acceleration_equations,
+            shows=(ACCELERATIONS,),
+            follows=(POSITIONS,),
+            tells=ACCELERATIONS,
+        ),
         Place(
             "velocity table",
             0,
@@ -138,6 +163,7 @@ CHAPTER = Chapter(
     record=record,
     reach=extents,
     plan_scales=plan_scales,
+    choice=choose,
     warnings=outlying,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     undrawn=_undrawn,

@@ -65,8 +65,8 @@ def _crank(
     epsilon = mechanism.drive.acceleration
     arm = crank_arm(draft, positions, structure)
     name = f"{pivot}{pin}".lower()
-    draft.say(f"a_{pin} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
     normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
+    draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
     omega = velocities.speed
     assert omega is not None
     value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²")

@@ -11,7 +11,7 @@ from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
-from graphic_tmm.readers.equations import Equation
+from graphic_tmm.readers.equations import Equation, Term, heading
 
 LEAD = 0.45
 """Clear height between two lines of lettering, of the height of their capitals."""
@@ -32,7 +32,8 @@ def draw_equations(
     large, small = heights.point, heights.number
     told = [(text, large) for text in _crank(construction, plan)]
     for equation in found:
-        told.append((f"{equation.group}:  {equation.markup}", large))
+        told.append((f"{heading(equation.group, language)}:", small))
+        told.append((equation.markup, large))
         told.append((f"({equation.directions})", small))
     rows = [(title, heights.title), *((symbol(text, language), size) for text, size in told)]
     labels, base = list[Label](), 0.0
@@ -45,6 +46,11 @@ def draw_equations(
 
 
 def _crank(construction: Construction, plan: str) -> list[str]:
-    """Return what was said before the crank's vector was laid off."""
+    """Return what was said before the crank's vector was laid off; of two, that it is their sum."""
     notes = [step.note for step in construction.steps if step.it.view == plan and step.note]
-    return [note for note in notes if "=" in note]
+    told = [note for note in notes if "=" in note]
+    parts = [Term(note.partition(" = ")[0], known=True) for note in told]
+    if len(parts) > 1:
+        whole = Term(parts[0].symbol.partition("^")[0], known=True)
+        told.append(" = ".join([whole.barred, " + ".join(map(str, parts))]))
+    return told

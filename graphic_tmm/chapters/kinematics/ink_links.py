@@ -37,6 +37,8 @@ THROUGH = 9.0
 """How far a guide of a moving link does behind its stone, mm."""
 CENTRE_RADIUS = 0.9
 """A mass centre is a small circle, mm."""
+HELD = 8.0
+"""A guide that its link holds no farther off, mm, has no filled corner: it would hide the pair there."""
 POINT_RADIUS = 1.1
 """A point of a link that is neither a pair nor a mass centre is a dot, mm."""
 
@@ -146,6 +148,7 @@ class LinksInk:
         """Return the sliders, stones, rigid corners, pairs, points and mass centres of links."""
         made = list[Ink]()
         for name in names:
+            made += self.ties(name, index)
             made += body(self.corners(name, index), "link", self.marks(name), index)
             for figure in self.of(name, "stone", "slider"):
                 angle = float(np.degrees(np.angle(self.along(figure, index))))
@@ -166,18 +169,29 @@ class LinksInk:
         return [*body([circle("main", at, POINT_RADIUS, filled=True)], "point", [mark], index)]
 
     def corners(self, name: str, index: int) -> list[Stroke]:
-        """Return the filled corners where a guide and the rest of its link are one."""
+        """Return the filled corners where a guide and the rest of its link are one, if there is room."""
         made = list[Stroke]()
         spots = self.spots(name, index)
         for bar in self.bars(name, index):
-            off = [z for z in (bar.holder, *spots) if not _on(z, bar)]
+            off = [z for z in (bar.holder, *spots) if abs(z - bar.foot) >= HELD and not _on(z, bar)]
             along = max((end - bar.foot for end in bar.ends), key=abs)
             for other in off[:1]:
                 made += rigid_joint(bar.foot, along, other - bar.foot)
         return made
 
     def centre(self, name: str, index: int) -> list[Ink]:
-        """Return the mass centre of a link, tied to it by thin lines where it lies off its ink."""
+        """Return the mass centre of a link."""
+        made = list[Ink]()
+        for figure in self.of(name, "centre"):
+            spot = self.at(figure.marks[0], index)
+            made += body([circle("joint", spot, CENTRE_RADIUS)], "centre", figure.marks, index)
+        return made
+
+    def ties(self, name: str, index: int) -> list[Ink]:
+        """Return what joins a mass centre to its link where it lies off its ink.
+
+        Thin lines from two of its points; of a link that has no line of its own, a rod.
+        """
         made = list[Ink]()
         for figure in self.of(name, "centre"):
             spot = self.at(figure.marks[0], index)
@@ -187,9 +201,9 @@ class LinksInk:
                 [shapely.MultiPoint([(z.real, z.imag) for z in part]).convex_hull for part in inked]
             )
             if ink.distance(shapely.Point(spot.real, spot.imag)) > 2 * CENTRE_RADIUS:
-                ties = [line("thin", end, spot) for end in spots[:2]]
+                pen = "main" if len(inked) == len(spots) == 1 else "thin"
+                ties = [line(pen, end, spot) for end in spots[:2]]
                 made += body(ties, "centre", [*self.marks(name), *figure.marks], index)
-            made += body([circle("joint", spot, CENTRE_RADIUS)], "centre", figure.marks, index)
         return made
 
     def guides(self) -> list[Ink]:

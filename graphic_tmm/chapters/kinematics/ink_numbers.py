@@ -38,6 +38,8 @@ PIN = 1.2
 """How far a pin of a thin position reaches, with some room, mm."""
 CLOSE = 2.4
 """Positions nearer than this to a numbered one share its label, mm."""
+MOST, RANGE = 2, "…"
+"""Of more positions than this that follow each other a label gives first and last, and this between them."""
 ROUND = 0.85
 """Radius of the circle about the number of a link, of the height of its figure."""
 LEAST = 6.0
@@ -92,9 +94,29 @@ def path_numbers(
             else:
                 near[2].append(k)
         for spot, away, found in groups:
-            told = ", ".join(names[k] for k in sorted(found))
+            told = _listed(names, found)
             at = found[0] if len(found) == 1 else None
             yield Wanted(told, spot, size, path.reach, away, (path.mark.slot,), at)
+
+
+def _listed(names: Sequence[str], found: Sequence[int]) -> str:
+    """Return the numbers of positions that share a label; of many that follow each other, first and last."""
+    runs: list[list[int]] = []
+    for k in sorted(found):
+        if runs and _follows(names[runs[-1][-1]], names[k]):
+            runs[-1].append(k)
+        else:
+            runs.append([k])
+    told = [
+        [names[run[0]] + RANGE + names[run[-1]]] if len(run) > MOST else [names[k] for k in run]
+        for run in runs
+    ]
+    return ", ".join(name for run in told for name in run)
+
+
+def _follows(one: str, other: str) -> bool:
+    """Whether a position is the next one of the row."""
+    return one.isdecimal() and other.isdecimal() and int(other) == int(one) + 1
 
 
 class Path(NamedTuple):
@@ -159,14 +181,22 @@ def guide_names(ink: LinksInk, main: int, size: float) -> Iterator[Wanted]:
 
 
 def link_numbers(
-    ink: LinksInk, main: int, strokes: Sequence[Ink], letters: Sequence[Wanted], size: float
+    ink: LinksInk,
+    main: int,
+    strokes: Sequence[Ink],
+    letters: Sequence[Wanted],
+    size: float,
+    names: Sequence[str] = (),
 ) -> list[Numbered]:
-    """Return the numbers of all links in circles, clear of what is drawn and of where letters will stand."""
+    """Return the numbers of links in circles, clear of what is drawn and of where letters will stand.
+
+    ``names``: of these links; left out, of all of them and of the frame.
+    """
     heavy = [shape(one) for one in strokes if one.pen not in LIGHTER]
     light = [shape(one) for one in strokes if one.pen in LIGHTER]
     spots = shapely.MultiPoint([(one.at.real, one.at.imag) for one in letters])
     made = []
-    for name in (*ink.names, ink.frame.name):
+    for name in names or (*ink.names, ink.frame.name):
         tried = [*_tried(ink, name, main)]
         if not tried:
             continue

@@ -27,7 +27,7 @@ from graphic_tmm.chapters.kinematics.accelerations import VIEW as ACCELERATIONS
 from graphic_tmm.chapters.kinematics.segments import Vector, vectors
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.finish import TOGETHER, Named, lettered, shared
+from graphic_tmm.paper.finish import Named, lettered, shared
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.indices import (
     markup,
@@ -38,6 +38,8 @@ from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 
+CLOSE = 2.0
+"""Images nearer than this, mm, share one label: arrows end in one place there."""
 SHORTEST = 0.01
 """A vector below this share of the longest of its plan is a point, and so is one below half a millimetre."""
 
@@ -136,9 +138,12 @@ def _vector(
 def _letters(
     seen: Seen, places: Sequence[Place], pole_mark: Mark, heights: Heights
 ) -> list[Wanted]:
-    """The letters of a plan; from a common pole images without velocity lie in it, and are not lettered."""
+    """The letters of a plan: the pole's, those of images by the alphabet, those of ends of components."""
     at_pole = seen.point(pole_mark, places[0].at)
-    marks = [step.it for step in seen.steps if step.it.kind is Point]
+    marks = sorted(
+        (step.it for step in seen.steps if step.it.kind is Point),
+        key=lambda mark: (seen.by_mark[mark].op is lay_off and mark.name[0] in "nk", mark.name),
+    )
     named = [
         Named(seen.point(m, stood.at), markup(m.name, stood.number), (m.slot,), stood.at)
         for stood in places
@@ -146,8 +151,8 @@ def _letters(
     ]
     named = [one for one in named if finite(one.at)]
     common = len(places) > 1
-    if common:
-        named = [one for one in named if abs(one.at - at_pole) >= TOGETHER]
-    named = [Named(at_pole, markup(pole_mark.name), (pole_mark.slot,)), *named]
-    middle = at_pole if common else complex(np.mean([one.at for one in named]))
-    return lettered(shared(named), heights.number if common else heights.point, away_from=middle)
+    pole = Named(at_pole, markup(pole_mark.name), (pole_mark.slot,))
+    # about a common pole there is little room: images without velocity have a label beside its own
+    letters = [pole, *shared(named, CLOSE)] if common else shared([pole, *named], CLOSE)
+    middle = at_pole if common else complex(np.mean([one.at for one in (pole, *named)]))
+    return lettered(letters, heights.number if common else heights.point, away_from=middle)

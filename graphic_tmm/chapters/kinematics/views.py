@@ -138,37 +138,51 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
 
 def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the vector equations of the plans of velocities and accelerations."""
-    log, found = drawn.construction, []
-    for plan in (VELOCITIES, ACCELERATIONS):
-        title = speaking(drawn.scene.language)(EQUATIONS[plan])
-        told = list(equations(log, plan, turned=drawn.scene.turned))
-        if told:
-            size = heights(drawn.scene, "equations")
-            view = draw_equations(log, plan, title, told, size, drawn.scene.language)
-            found += noted([view], plan)
-    return found
+    return [*velocity_equations(drawn, lettered), *acceleration_equations(drawn, lettered)]
+
+
+def velocity_equations(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the vector equations of the plan of velocities."""
+    return _equations(VELOCITIES, drawn, "velocity equations")
+
+
+def acceleration_equations(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the vector equations of the plan of accelerations."""
+    return _equations(ACCELERATIONS, drawn, "acceleration equations")
+
+
+def _equations(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
+    """Return the equations of a plan, lettered as on the sheets of their ``place`` or of both."""
+    language, log = drawn.scene.language, drawn.construction
+    told = list(equations(log, plan, turned=drawn.scene.turned))
+    if not told:
+        return []
+    title, high = speaking(language)(EQUATIONS[plan]), heights(drawn.scene, place, "equations")
+    return noted([draw_equations(log, plan, title, told, high, language)], plan)
 
 
 def velocity_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of velocities."""
-    return _table(VELOCITIES, drawn)
+    return _table(VELOCITIES, drawn, "velocity table")
 
 
 def acceleration_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of accelerations."""
-    return _table(ACCELERATIONS, drawn)
+    return _table(ACCELERATIONS, drawn, "acceleration table")
 
 
 def both_tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return both tables."""
-    return [*_table(VELOCITIES, drawn), *_table(ACCELERATIONS, drawn)]
+    return [*velocity_table(drawn, lettered), *acceleration_table(drawn, lettered)]
 
 
-def _table(plan: str, drawn: Drawn) -> list[Drawing]:
+def _table(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
+    """Return the table of a plan, lettered as on the sheets of its ``place`` or of both."""
     rows = plan_columns(drawn, plan)
     if KINEMATICS.on(drawn).motion(plan) is None or drawn.of(plan) is None:
         return []
-    return [result_table(plan, rows, drawn.names, drawn.scene.language)]
+    high = heights(drawn.scene, place, "results")
+    return [result_table(plan, rows, drawn.names, drawn.scene.language, heights=high)]
 
 
 def plan_at(

@@ -30,6 +30,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.planetary.beside import record_beside
 from graphic_tmm.chapters.planetary.captions import CAPTIONS
 from graphic_tmm.chapters.planetary.given import given
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
@@ -67,6 +68,7 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(_NAME,),

@@ -9,6 +9,8 @@ CAPTIONS: dict[str, str] = {
     "planetary": said("Planetary train"),
     "planetary-velocities": said("Picture of linear velocities"),
     "planetary-rates": said("Plan of angular velocities"),
+    "planetary-calculation": said("Calculation of the train"),
+    "planetary-behind": said("Speed behind the train"),
     "planetary_satellites": said("number of satellites k"),
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),

@@ -11,6 +11,7 @@ from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
 
 _NO_TEETH = "a wheel has no teeth"
 _STANDS = "the driven shaft stands"
+_NO_ROOM = "satellites have no room beside each other"
 _NO_SATELLITES = "there are no satellites"
 
 
@@ -73,6 +74,46 @@ def inverse_ratio(ratio: Number) -> Number:
 @formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
 def overall_ratio(ratio: Number, driven: Number, driving: Number) -> Number:
     """|{ratio}|·{driven}/{driving}"""
+
+
+@formula
+def teeth_of_ring(z1: Number, ratio: Number) -> Number:
+    """{z1}·({ratio} − 1)"""
+
+
+@formula(holds="{ratio} ≠ 0", fails=_STANDS)
+def teeth_of_driven_ring(z1: Number, ratio: Number) -> Number:
+    """{z1}·(1/{ratio} − 1)"""
+
+
+@formula
+def teeth_between(z3: Number, z1: Number) -> Number:
+    """({z3} − {z1})/2"""
+
+
+@formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
+def mesh_outside(driven: Number, driving: Number) -> Number:
+    """−{driven}/{driving}"""
+
+
+@formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
+def mesh_inside(driven: Number, driving: Number) -> Number:
+    """{driven}/{driving}"""
+
+
+@formula(holds="0 < {tip}, {tip} < 2·{axes}", fails=_NO_ROOM)
+def most_satellites(tip: Number, axes: Number) -> Number:
+    """⌈180°/arcsin({tip}/(2·{axes}))⌉ − 1"""
+
+
+@formula
+def fewer(first: Number, second: Number) -> Number:
+    """min({first}, {second})"""
+
+
+@formula(holds="{ratio} ≠ 0", fails=_STANDS)
+def speed_behind(speed: Number, ratio: Number) -> Number:
+    """{speed}/{ratio}"""
 
 
 @formula

@@ -79,16 +79,13 @@ def draw_circle_bodies(ink: TrainInk) -> Iterator[Ink]:
 def circle_letters(ink: TrainInk) -> list[Wanted]:
     """The numbers of the wheels, the letters of the centre, of B and of the points of contact.
 
-    C stands on the fixed wheel: where that is a ring, outside its ground.
+    C stands on the fixed wheel: where that is a ring, below it, off its ground.
     """
     end, small = ink.made.end, ink.heights.point
     wanted = [Wanted("O", ink.centre, small, 1.5, -1 + 1j, (end.origin.slot,))]
     for name, at, mark in zip("ABC", ink.points, end.points, strict=True):
-        outside = name == "C" and ink.ring(ink.fixed)
-        radius = RIM + HATCH_DEPTH if outside else 1.5
-        wanted.append(
-            Wanted(name, at, small, radius, 0.4 + 1j if outside else 1 + 1j, (mark.slot,))
-        )
+        below = name == "C" and ink.ring(ink.fixed)
+        wanted.append(Wanted(name, at, small, 1.5, 1 - 1j if below else 1 + 1j, (mark.slot,)))
     between = min(180.0 / len(ink.axes), 70.0)
     turns = (90.0 + between, 90.0 - between)
     wanted += _numbers(ink, ink.centre, ("1", ink.fixed), turns)

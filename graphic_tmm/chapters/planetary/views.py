@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.planetary.beside import BESIDE
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.tables import (
@@ -55,8 +56,11 @@ def _overall(drawn: Drawn) -> list[str]:
     _ = speaking(language)
     ratio = float(drawn.reading[made.pair.ratio].ravel()[0])
     first, last = made.order.behind
-    rpm = abs(made.order.speed) * 30.0 / math.pi
-    speeds = [number(rpm, language), number(ratio, language), number(rpm / ratio, language)]
+    last_speed = BESIDE.on(drawn).speed
+    assert last_speed is not None
+    behind = float(drawn.reading[last_speed].ravel()[0])
+    turns = [abs(speed) * 30.0 / math.pi for speed in (made.order.speed, behind)]
+    speeds = [number(turns[0], language), number(ratio, language), number(turns[1], language)]
     ratios = single(results_of(drawn, made.results))
     own = ratios["planetary_ratio"][0]
     text = f"{number(own, language)}·{last}/{first}"

@@ -16,8 +16,10 @@ the last group is loaded by nothing that comes after. The order of links in the 
 the groups that could come next, the one with the smallest numbers comes first.
 
 Draws: the tables of links and of pairs, with W, the formula and the kind of each group below (place
-``structure``). It leaves no step in the log; the dissection itself is `graphic_tmm.mechanism.structure`,
-for every plan needs it. Builds on no chapter.
+``structure``); the driving link and each group by itself, as it stands in the main position (place ``groups of
+structure``). Its steps are calculations beside the plans: W of the mechanism and, as a check, of each part. The
+dissection itself is `graphic_tmm.mechanism.structure`, for every plan needs it. Builds on kinematics, whose
+links it shows.
 
 Sources: Ассур Л. В., Исследование плоских стержневых механизмов; Артоболевский И. И., Теория механизмов и
 машин (структура и классификация механизмов); as worked in the course project of the windrower (scene
@@ -27,8 +29,9 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Made, Place
+from graphic_tmm.chapters.structure.mobility import VIEW, record_mobility
 from graphic_tmm.chapters.structure.note import note
-from graphic_tmm.chapters.structure.tables import structure_views
+from graphic_tmm.chapters.structure.views import part_views, structure_views
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
@@ -45,11 +48,21 @@ def _record(bench: Bench) -> Structure:
 CHAPTER = Chapter(
     name=STRUCTURE.chapter,
     number=1,
-    captions={"chapter structure": said("Structure of the mechanism")},
-    places=(Place("structure", 90, structure_views, shows=()),),
+    builds_on=("kinematics",),
+    places=(
+        Place("structure", 90, structure_views, shows=()),
+        Place("groups of structure", 0, part_views, shows=(), follows=("positions",)),
+    ),
     asked=lambda scene: scene.mechanism is not None,
     always=True,
     record=_record,
+    aside=record_mobility,
+    plans=(VIEW,),
+    views=lambda project: {VIEW: (VIEW,)},
+    captions={
+        "structure": said("Structure"),
+        "chapter structure": said("Structure of the mechanism"),
+    },
     facts=lambda drawn: {
         "W": STRUCTURE.on(drawn).mobility,
         "formula": STRUCTURE.on(drawn).formula,

@@ -1,21 +1,19 @@
-"""The tables of structure: links, pairs, the formula."""
+"""The tables of structure: links, pairs; the lines below them: mobility, formula, groups, class."""
 
 from __future__ import annotations
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
-from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import Heights, heights
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned
 
 WORDS = Tongues(
     {
@@ -31,11 +29,19 @@ WORDS = Tongues(
         "kind": said("Kind"),
         "kind R": said("turning"),
         "kind P": said("sliding"),
+        "contact": said("Contact"),
+        "lower": said("lower", context="pair"),
+        "freedoms": said("Class, freedoms"),
+        "one freedom": said("5, one"),
         "index": said("Index"),
         "R index": said("R"),
         "P index": said("P", context="pair"),
         "formula": said("Formula of structure"),
         "group": said("Group {name}: class II, order 2, kind {kind}"),
+        "class of group": said("Group {name}, class II"),
+        "class of link": said("Driving link {name}, class I"),
+        "class II": said("The mechanism is of class II: that of its highest group"),
+        "class I": said("The mechanism is of class I: it has no groups"),
     }
 )
 
@@ -75,8 +81,9 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: 
         name = pair_name(pair, mechanism)
         joined = ",".join(str(k) for k in sorted(pair.links))
         index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
-        rows.append([escape(name), joined, words[f"kind {pair.kind}"], index])
-    heads = [words["letter"], words["joined"], words["kind"], words["index"]]
+        kind = words[f"kind {pair.kind}"]
+        rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
+    heads = [words[head] for head in ("letter", "joined", "kind", "contact", "freedoms", "index")]
     again = captions(language)["continued"]
     return breakable(
         "table-pairs",
@@ -95,17 +102,5 @@ def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
     groups = [words["group"].format(name=g.name, kind=g.kind) for g in structure.groups]
     n, p = structure.moving, len(structure.pairs)
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
-    return (mobility, f"{words['formula']}: {structure.formula}", *groups)
-
-
-def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return the table of links, and that of pairs with the formula of structure below it."""
-    mechanism, language = drawn.scene.mechanism, drawn.scene.language
-    assert mechanism is not None
-    structure = dissect(mechanism)
-    high = heights(drawn.scene, "structure")
-    pairs = pair_table(mechanism, structure, language, high)
-    return [
-        link_table(mechanism, structure, language, high),
-        captioned(pairs, *structure_lines(structure, language), heights=high),
-    ]
+    highest = words["class II" if structure.groups else "class I"]
+    return (mobility, f"{words['formula']}: {structure.formula}", *groups, highest)

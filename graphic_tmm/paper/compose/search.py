@@ -140,7 +140,10 @@ def _tables(order: Order) -> Iterator[Order]:
 
 
 def _broken(order: Order) -> Iterator[Order]:
-    """Yield orders with a block of rows in one part or in two, the second below the first."""
+    """Yield orders with a block of rows in one part or in two, the second below the first.
+
+    The last view is a part where something can stand beside it.
+    """
     for k, unit in enumerate(order):
         if unit.stand.kind != "row" or len(unit.members) < 3:
             continue
@@ -148,7 +151,9 @@ def _broken(order: Order) -> Iterator[Order]:
         if rest and rest[0].stand == unit.stand:
             unit, rest = _joined(unit, rest[0]), rest[1:]
             yield (*order[:k], unit, *rest)
-        for at in range(2, len(unit.members) - 1):
+        last = len(unit.members) - 1
+        beside = any(other.stand.kind in LOOSE for other in rest)
+        for at in range(2, last + beside):
             yield (*order[:k], _part(unit, 0, at), _part(unit, at, None), *rest)
 
 

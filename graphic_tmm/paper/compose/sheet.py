@@ -87,10 +87,30 @@ def placed(
         least.height + (least.down - 1) * (high - gap),
     )
     middle = cut.corner + complex(width - size[0], size[1] - height) / 2
-    return {
+    places = {
         k: middle + complex(at, -down - outlines[k].height)
         for k, at, down in spread(least, 0.0, 0.0, *size, gap, whole=True)
     }
+    return _balanced(places, outlines, room)
+
+
+def _balanced(places: Places, outlines: Sequence[Outline], room: Room) -> Places:
+    """Return places moved together up or down, so that as much is left above all of them as below.
+
+    A corner that is kept free for the title block has a gap of its own, which is not seen as one.
+    """
+    boxes = [(z.real, z.real + outlines[k].width) for k, z in places.items()]
+    feet = [z.imag for z in places.values()]
+    tops = [z.imag + outlines[k].height for k, z in places.items()]
+    _, bottom, _, top = room.inner
+    above = min(top - high for high in tops)
+    below = min(low - bottom for low in feet)
+    for left, base, right, head in room.occupied:
+        for (first, last), low, high in zip(boxes, feet, tops, strict=True):
+            if first < right + GAP and last > left - GAP:
+                above = min(above, base - high if base >= high else math.inf)
+                below = min(below, low - head if low >= head else math.inf)
+    return {k: z + 0.5j * (above - below) for k, z in places.items()}
 
 
 def _under(unit: Unit, other: Unit) -> bool:

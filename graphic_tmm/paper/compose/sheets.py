@@ -13,6 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import search
+from graphic_tmm.paper.compose.homes import SMALL, homed, spared
 from graphic_tmm.paper.compose.search import FEW, QUICK, TRIES, fits
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
@@ -21,18 +22,22 @@ from graphic_tmm.paper.packing import GAP, Room, free
 
 Rooms = tuple[Room, Room]
 """The room of a first sheet, and of the sheets that follow it."""
-SMALL = 0.3
-"""What fills less of a sheet than this is no sheet of its own if it can stand elsewhere."""
+FULL = 0.8
+"""What fills more of the sheets than this will not stand on fewer."""
 UNEVEN = 1.1
 """Of several sheets none should be filled by so much more than their mean."""
 
 
 class Order(NamedTuple):
-    """What a sheet, and those that follow it, shall show: boxes, the rooms, the format."""
+    """What a sheet, and those that follow it, shall show: boxes, the rooms, the format.
+
+    ``spared``: whether there may be no such sheet where one small table is all that is left to show.
+    """
 
     outlines: tuple[Outline, ...]
     rooms: Rooms
     format: str
+    spared: bool = False
 
 
 class Shared(NamedTuple):
@@ -60,7 +65,12 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
     """
     boxes = [outline for order in orders for outline in order.outlines]
     found = []
-    for sheet in shared(orders, TRIES if polished else QUICK):
+    there = shared(orders, TRIES if polished else QUICK)
+    homes = homed(boxes, ((sheet.room, sheet.boxes) for sheet in there))
+    homes = spared(boxes, homes, [orders[sheet.order].spared for sheet in there])
+    for sheet in (one._replace(boxes=own) for one, (_, own) in zip(there, homes, strict=True)):
+        if not sheet.boxes:
+            continue
         some = [boxes[k] for k in sheet.boxes]
         places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
         if sheet.alone or places is None:
@@ -75,13 +85,27 @@ def _told(at: complex) -> complex:
 
 
 def shared(orders: Sequence[Order], tries: int = QUICK) -> list[Shared]:
-    """Return what stands on which sheet: how many sheets there are tells whether sizes fit; see `composed`."""
+    """Return what stands on which sheet: how many sheets there are tells whether sizes fit; see `composed`.
+
+    What a sheet leaves to the next may save one: where sheets are not `FULL`, that is tried too.
+    """
+    found = _shared(orders, tries)
+    full = sum(_area(order.outlines, range(len(order.outlines))) for order in orders)
+    room = sum(sheet.room.area for sheet in found) - max((s.room.area for s in found), default=0.0)
+    if len(found) > len(orders) and full < FULL * room:
+        other = _shared(orders, tries, shy=True)
+        found = other if len(other) < len(found) else found
+    return found
+
+
+def _shared(orders: Sequence[Order], tries: int, shy: bool = False) -> list[Shared]:
+    """Return what stands on which sheet; ``shy``: on the first of an order one part less than it holds."""
     boxes = [outline for order in orders for outline in order.outlines]
     sheets: list[Shared] = []
     first = 0
     for index, order in enumerate(orders):
         own = range(first, first + len(order.outlines))
-        sheets += _filled(boxes, own, index, order, tries)
+        sheets += _filled(boxes, own, index, order, tries, shy=shy)
         first += len(order.outlines)
     sheets = _gathered(boxes, sheets, tries)
     return [
@@ -109,6 +133,7 @@ def _filled(
     order: Order,
     tries: int,
     most: float | None = None,
+    shy: bool = False,
 ) -> list[Shared]:
     """Return the sheets of an order, each as full as it can be, or as full as ``most`` (mm²)."""
     waiting = [k for unit in units_of(boxes, own) for k in unit.members]
@@ -116,6 +141,8 @@ def _filled(
     while waiting:
         room = order.rooms[1 if found else 0]
         taken = _taken(boxes, waiting, room, tries, most)
+        if shy and not found and len(taken) < len(waiting):
+            taken = _less(boxes, taken)
         if not taken:
             _alone(boxes[waiting[0]], room, order.format)
         found.append(Shared(index, room, tuple(taken or waiting[:1]), not taken))
@@ -152,6 +179,12 @@ def _taken(
         if taken and boxes[k].stand.kind == "table" and held([*taken, k]):
             taken.append(k)
     return taken
+
+
+def _less(boxes: Sequence[Outline], taken: list[int]) -> list[int]:
+    """Return what a sheet takes without the last that can be parted from it, if that is not all of it."""
+    ends = _ends([boxes[k] for k in taken])
+    return taken[: ends[-2]] if len(ends) > 1 else taken
 
 
 def _ends(waiting: Sequence[Outline]) -> list[int]:

@@ -38,10 +38,10 @@ def heights_on(formats: Iterable[str]) -> Heights:
     return next((found for name, found in HEIGHTS.items() if name in there), HEIGHTS[USUAL])
 
 
-def heights(scene: Scene, place: str = "") -> Heights:
+def heights(scene: Scene, *places: str) -> Heights:
     """Return how high the letters of a place of a scene's sheets are, the same on all that show it.
 
-    A place that no sheet shows, and "", is lettered as the narrowest of all sheets.
+    ``places``: it and those that it is a part of. One that no sheet shows is lettered as the narrowest of all.
     """
-    shown = [sheet.format for sheet in scene.sheets if place in sheet.place]
+    shown = [sheet.format for sheet in scene.sheets if not {*places}.isdisjoint(sheet.place)]
     return heights_on(shown or (sheet.format for sheet in scene.sheets))

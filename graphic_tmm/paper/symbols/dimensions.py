@@ -18,6 +18,8 @@ BEYOND = 2.0
 """How far an extension line goes on behind the arrows, mm."""
 ABOVE = 0.9
 """Clear height between the dimension line and its figure, mm."""
+BESIDE = 1.6
+"""Clear width between an extension line and the figure, mm."""
 SIZE = 3.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""
 
@@ -50,7 +52,7 @@ def dimension(start: complex, end: complex, offset: float, text: str) -> Dimensi
     if abs(read.real) < 1e-9:
         read = 1j
     middle = (a + b) / 2
-    if made.width > abs(end - start):
+    if made.width + 2 * BESIDE > abs(end - start):
         middle = b + (reach + 1.0 + made.width / 2) * way
         strokes.append(line("thin", b + reach * way, middle + made.width / 2 * way))
     at = middle + (ABOVE + made.descent) * 1j * read

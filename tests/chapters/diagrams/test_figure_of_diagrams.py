@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from support.each import each
 from support.flywheels import crank, scene_of
-from support.gallery import NAMES, drawn
-from support.graphs import assert_read_off_the_log, axes_views, graphs
+from support.gallery import asking, drawn
+from support.graphs import assert_read_off_the_log, graphs
 
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
@@ -17,7 +17,7 @@ from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 
-GRAPHS = [n for n in NAMES if axes_views(drawn(n, exact=True).construction)]
+GRAPHS = asking("diagrams", "flywheel", "indicator", "engine")
 
 
 def assert_graphs(work: Drawn) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from support.each import each
 from support.engines import SCENE
-from support.gallery import NAMES, drawn
+from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.engine.ink import TRACELESS, draw_rotating, draw_triangles
@@ -19,7 +19,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
 
-ENGINES = [n for n in NAMES if ENGINE.of(drawn(n, exact=True)) is not None]
+ENGINES = asking("engine")
 
 
 def triangles(work: Drawn) -> list[Drawing]:

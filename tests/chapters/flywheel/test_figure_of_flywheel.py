@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from support.each import each
 from support.flywheels import crank, scene_of
-from support.gallery import NAMES, drawn
+from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
@@ -19,7 +19,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
 
-WHEELS = [n for n in NAMES if FLYWHEEL.of(drawn(n, exact=True)) is not None]
+WHEELS = asking("flywheel")
 
 
 def energy_mass(work: Drawn) -> Drawing:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from support.command import printed
+from support.scenes import ONLY_POSITIONS
 
 import graphic_tmm
 
@@ -23,8 +24,8 @@ couples = "{couples}"
 def _segment(folder: Path, forces: str) -> float:
     """Return cd, mm, of the flywheel of the windrower with other loads."""
     file = folder / "scene.toml"
-    task = SCENE.read_text("utf-8").partition("[diagrams]")[0]  # and no sheet to fit it to
-    file.write_text(task.replace("[forces]\n", forces), encoding="utf-8")
+    task = SCENE.read_text("utf-8").partition("[diagrams]")[0]
+    file.write_text(task.replace("[forces]\n", forces) + ONLY_POSITIONS, encoding="utf-8")
     told = json.loads(printed("table", file, "-f", "json", "--exact"))
     return float(told["results"]["cd"]["value"])
 

@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support import dynamics
 from support.dynamics import Friction, Loaded, Statics, loads, put_loads, statics
+from support.examples import most
 from support.mechanisms import Sampled, mechanisms, sample
 from support.oracle import State, solve, solve_fast
 from support.wrenches import StaticsError
@@ -184,7 +185,7 @@ def test_digits_tell_how_good_float64_is() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=60, suppress_health_check=list(HealthCheck))
+@settings(max_examples=most(60), suppress_health_check=list(HealthCheck))
 @given(data=st.data(), drawn=mechanisms())
 def test_any_loads_on_any_mechanism(data: st.DataObject, drawn: Sampled) -> None:
     loaded = data.draw(loads(drawn.mechanism))

@@ -13,7 +13,10 @@ from support.mechanisms import sample
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.table import force_columns
+from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.paper.symbols.arrows import SHAFT
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH
 
@@ -83,3 +86,58 @@ def test_arrows_on_a_detached_group_are_of_conventional_length() -> None:
                 ]
                 assert max(lengths) <= 40.0
                 assert min(lengths) >= 12.0 - SHAFT * ARROW_LENGTH  # the shaft ends in the head
+
+
+def test_couples_stand_in_the_printed_table_by_their_sizes() -> None:
+    """Their senses are drawn; machines are told them by signs."""
+    work = drawn("lever")
+    couples = {one.letter for one in FORCES.on(work).loads.couples_on_lever}
+    told = [c.value for c in force_columns(work) if c.letter in couples]
+    assert any((row < 0.0).any() for row in told)
+    (table,) = force_table(work, True)
+    rows = {label.at.imag for label in table.labels if label.text.startswith("M_{и")}
+    assert len(rows) == len(couples)
+    figures = [label.text for label in table.labels if label.at.imag in rows]
+    assert not any(text.startswith("−") and len(text) > 1 for text in figures)
+
+
+def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles() -> None:
+    """The force that stands for a reaction and its couple lies off the pin by the radius of friction."""
+    work = drawn("crank-press", exact=True)
+    marks = {
+        mark.slot: mark
+        for mark in (*work.construction.given, *(s.it for s in work.construction.steps))
+    }
+    place, touching, rounds = FORCES.on(work).places[0], set(), set()
+
+    def value(slot: int) -> complex:
+        row = work.reading[marks[slot]]
+        return complex(row[0, place if row.shape[1] > 1 else 0])
+
+    for view in (one for one in views_of(work, place) if one.name.startswith("group")):
+        thin = [s for s in view.strokes if isinstance(s, Stroke) and s.pen == "thin"]
+        pins = [value(s.of[0]) for s in view.strokes if s.part == "pair"]
+        for one in thin:
+            if dict(one.data).get("segment", "").startswith("Mf"):
+                corners = [complex(x, y) for x, y, _ in one.path]
+                apart = [np.ptp([abs(z - middle) for z in corners]) for middle in pins]
+                assert min(apart) < 1e-6
+                rounds.add(dict(one.data)["segment"])
+            if len(one.of) == 5:
+                point, radius, couple, tail, head = one.of
+                a, b = (complex(x, y) for x, y, _ in one.path)
+                force = value(head) - value(tail)
+                foot = a + ((value(point) - a) / (b - a)).real * (b - a)
+                arm = foot - value(point)
+                assert (force / (b - a)).imag == pytest.approx(0.0, abs=1e-9)
+                turns = (arm.conjugate() * force).imag / abs(force)
+                mu = next(
+                    f.mu
+                    for f in FORCES.on(work).figures
+                    if f"{f.view} ".replace(" ", "-") in view.name
+                )
+                rho = value(radius).real / value(mu.slot).real
+                assert turns == pytest.approx(np.sign(value(couple).real) * rho)
+                touching.add(one.of)
+    assert len(rounds) == 5  # O, A of the crank; A, B of the rod, B of the ram
+    assert len(touching) == 2  # in the group the circles lie under the signs of the pins

@@ -47,7 +47,7 @@ def sheet(work: Drawn) -> dict[str, View]:
 
 
 def mu_of(view: View, letter: str) -> float:
-    text = next(w for w in view.words if w.startswith(f"μ_{letter} = "))
+    text = next(w for w in view.words if w.startswith(f"μ_{letter}") and " = " in w)
     return worked(text.partition(" = ")[2].split(" ")[0]).value
 
 
@@ -243,7 +243,7 @@ def check_printed(told: View, exact: list[float]) -> int:
         numbers = re.findall(r"\d[\d,.]*", figures)
         if len(names) == len(numbers):
             named = zip(names, numbers, strict=True)
-            exact = [*exact, *(worked(x).value for name, x in named if name in ("k", "μ_l"))]
+            exact = [*exact, *(worked(x).value for name, x in named if name == "k" or "μ" in name)]
         printed, worked_out = result(line), worked(figures, exact)
         half = printed.half + FIGURES * abs(printed.value)
         assert abs(printed.value - worked_out.value) <= half + worked_out.half, line
@@ -352,3 +352,20 @@ def test_the_difference_of_both_methods_is_that_of_the_printed_sizes() -> None:
                 percent = 100.0 * abs(first.value - second.value) / first.value
                 open_ = 100.0 * (first.half + second.half) / first.value
                 assert abs(percent - apart.value) <= apart.half + open_
+
+
+def test_each_scale_of_lengths_has_one_letter() -> None:
+    """What is detached is not to the scale of the plan of positions, so its factor has another letter."""
+    for name in ("lever", "crank-press"):
+        found = sheet(drawn(name))
+        told = {
+            (letter, value)
+            for view in found.values()
+            for word in view.words
+            for letter, value in re.findall(r"^(μ_l\S*) = ([\d,.]+)", word)
+        }
+        assert len({letter for letter, _ in told}) == len(told)
+        lever = next(v for k, v in found.items() if k.startswith("equations-lever"))
+        letters = set(re.findall(r"μ_l\w*", " ".join(lever.words)))
+        assert letters == {"μ_l"}
+        assert letters.isdisjoint({letter for letter, _ in told})

@@ -50,8 +50,8 @@ link = 3
 point = "B"
 force = "50 N"
 direction = "180 deg"
-[[sheet]]
-place = ["positions", "velocities", "forces", "lever", "force table"]
+[[sheet]]                         # of the numbers: no plan has to be fitted to it
+place = ["force table"]
 """
 EVEN = """
 title = "parallelogram: its rocker turns evenly"

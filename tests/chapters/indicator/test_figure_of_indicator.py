@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from support.each import each
 from support.flywheels import crank, scene_of
-from support.gallery import NAMES, drawn
+from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -17,7 +17,7 @@ from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
 
-CYLINDERS = [n for n in NAMES if INDICATOR.of(drawn(n, exact=True)) is not None]
+CYLINDERS = asking("indicator")
 
 
 def assert_indicator(work: Drawn) -> None:

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.assemblies import assembly, message, ranges
+from support.examples import most
 from support.linkages import coulisse, four_bar, slider_crank
 
 from graphic_tmm.errors import StructureError
@@ -83,7 +84,7 @@ def test_the_second_group_is_named_where_the_first_one_assembles() -> None:
     assert "BD (link 4)" in text
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(st.floats(0.05, 0.3), st.floats(0.05, 0.3), st.floats(0.05, 0.3), st.floats(0.31, 1.0))
 def test_what_is_short_equals_brute_force(r: float, rod: float, s: float, d: float) -> None:
     mechanism = four_bar(r, rod, s, d)

@@ -13,6 +13,7 @@ from graphic_tmm.board.naming import (
     segment_name,
 )
 from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
 
@@ -134,3 +135,31 @@ def test_the_ends_of_a_segment() -> None:
 )
 def test_a_rate_is_a_rate_by_its_index(letter: str, due: str) -> None:
     assert segment_name(letter) == due
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+@each("name, plan", PLANS)
+def test_no_heading_of_a_group_can_be_read_as_a_parallel(
+    name: str, plan: str, language: str
+) -> None:
+    view = lettered(name, plan, language)
+    assert not any(text.startswith("II") for text in view)
+    groups = [g.name for g in KINEMATICS.on(drawn(name, exact=True)).structure.groups]
+    heads = {"en": "group {} of class II:", "ru": "группа {} II класса:"}
+    assert [text for text in view if text.endswith(":")] == [
+        heads[language].format(g) for g in groups
+    ]
+
+
+def test_the_pin_of_a_crank_that_speeds_up_has_two_components() -> None:
+    told = lettered("accelerating-crank", "accelerations", "en")
+    assert told[1].startswith("a_{A}^{n} = ω_1²")
+    assert told[2].startswith("a_{A}^{t} = ε_1")
+    assert told[3] == r"\bar{a}_{A} = \uu{\bar{a}_{A}^{n}} + \uu{\bar{a}_{A}^{t}}"
+    assert lettered("engine", "accelerations", "en")[1].startswith("a_A = ω_1²")
+
+
+def lettered(name: str, plan: str, language: str) -> list[str]:
+    log = drawn(name, exact=True).project.construction
+    view = draw_equations(log, plan, "Equations", found(name, plan), language=language)
+    return [label.text for label in view.labels]

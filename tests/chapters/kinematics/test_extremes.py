@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.boards import recorded
 from support.each import each
+from support.examples import most
 from support.gallery import SHEETS
 from support.linkages import four_bar, slider_crank
 from support.mechanisms import Sampled, mechanisms
@@ -164,7 +165,7 @@ def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), at=st.sampled_from(sorted(OPPOSITE)))
 def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Sampled, at: str) -> None:
     letter = sorted(set(drawn.points) - set(drawn.mechanism.frame.points))[-1]

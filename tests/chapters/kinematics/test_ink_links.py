@@ -9,14 +9,16 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
+from support import gallery
 from support.gallery import CASES
 from support.mechanisms import Sampled, sample
 from support.oracle import OracleError
 from support.rewritten import relettered, text_of
 from support.seen import CLOSE, Seen, judge
 
-from graphic_tmm.chapters.kinematics.ink_links import THROUGH
+from graphic_tmm.chapters.kinematics.ink_links import HELD, THROUGH, LinksInk
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.readers.table import columns_of
@@ -196,3 +198,30 @@ positions = 6
 [[sheet]]
 place = ["positions"]
 """
+
+
+def test_a_small_offset_has_no_filled_corner_over_its_pivot() -> None:
+    """The cylinder's guide runs 3 mm off its pivot: a filled corner would hide the pair."""
+    work = gallery.drawn("oscillating-cylinder", exact=True)
+    ink = LinksInk(work.project.construction, work.reading, reaches(work))
+    assert not ink.corners("3", 0)
+    wide = gallery.drawn("shaper", exact=True)
+    ink = LinksInk(wide.project.construction, wide.reading, reaches(wide))
+    offs = [abs(bar.holder - bar.foot) for name in ink.names for bar in ink.bars(name, 0)]
+    corners = [one for name in ink.names for one in ink.corners(name, 0)]
+    assert len(corners) == sum(off >= HELD for off in offs)
+
+
+@pytest.mark.parametrize("index", [0, 3, 7])
+def test_the_mass_centre_of_a_rack_stands_on_its_rod(index: int) -> None:
+    """The rack has no line of its own but that between its slider and its mass centre."""
+    work = gallery.drawn("tangent-mechanism", exact=True)
+    ink = LinksInk(work.project.construction, work.reading, reaches(work))
+    (rod,) = (
+        s
+        for s in ink.symbols(["5"], index)
+        if isinstance(s, Stroke) and s.part == "centre" and not s.closed
+    )
+    spots = [*ink.spots("5", index), *(ink.at(f.marks[0], index) for f in ink.of("5", "centre"))]
+    assert rod.pen == "main"
+    assert [complex(x, y) for x, y, _ in rod.path] == pytest.approx(spots)

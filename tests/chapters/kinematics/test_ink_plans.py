@@ -215,12 +215,29 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
     assert len(single) - len(lengths) <= 1  # too short beside the longest of all positions
     texts = ", ".join(label.text for label in view.labels).split(", ")
     assert texts.count("p") == 1
-    assert "b_{0}" not in texts  # the rocker's extreme: an image without velocity lies in the pole
+    # the rocker's extreme: an image without velocity lies in the pole, and is named there
+    assert any(label.text.startswith("b_{0}, ") for label in view.labels)
     for name in work.project.names:
         assert f"a_{{{name}}}" in texts
         assert f"s_{{2,{name}}}" in texts
     pens = {s.pen for s in view.strokes if isinstance(s, Stroke) and s.data}
     assert pens <= {"medium", "thin"}
+
+
+@each("name, plan_", PLANS)
+def test_points_in_one_place_share_a_label_by_the_alphabet(name: str, plan_: str) -> None:
+    """The pole first, then images by the alphabet, then the ends of normal and Coriolis components."""
+    names = drawn(name, exact=True).row(plan_)
+    for k in range(len(names)):
+        for label in plan(name, plan_, k).labels:
+            told = label.text.split(", ")
+            assert told == sorted(told, key=lambda one: (one not in "pπ", one[0] in "nk", one))
+
+
+def test_no_two_labels_of_a_plan_name_points_in_one_place() -> None:
+    """Arrows that end within a millimetre end in one place: their letters are told apart by a comma."""
+    view = plan("tangent-mechanism", "velocities", 7)
+    assert "d_{3}, e" in {label.text for label in view.labels}
 
 
 def test_the_number_of_a_position_follows_in_the_index() -> None:

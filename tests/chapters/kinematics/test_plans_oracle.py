@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import HealthCheck, given, settings
 from support.compare import errors
+from support.examples import most
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
 
 RATIO = 1e-9
@@ -17,7 +18,7 @@ def _within(drawn: Sampled, turned: bool) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
-@settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=most(200), deadline=None, suppress_health_check=list(HealthCheck))
 @given(drawn=mechanisms())
 def test_all_plans_equal_the_vector_loops(turned: bool, drawn: Sampled) -> None:
     _within(drawn, turned)

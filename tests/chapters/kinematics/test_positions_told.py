@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 import shapely
+from support.boards import drawn_of
 from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.record import Mark
@@ -22,7 +23,6 @@ from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 SLIDER = """
 title = "Slider"
@@ -140,6 +140,16 @@ def test_extreme_positions_are_drawn_in_full_line_and_no_others(name: str) -> No
     assert full == due
 
 
+def told_by(text: str) -> list[str]:
+    """The numbers on a label: "3…5, 9" tells of 3, 4, 5 and 9."""
+    ends = (part.split("…") for part in text.split(", "))
+    return [
+        number
+        for first, *last in ends
+        for number in (map(str, range(int(first), int(last[0]) + 1)) if last else [first])
+    ]
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: str) -> None:
     work, view = drawn(name), plan(name)
@@ -147,7 +157,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
     for one in (f for f in work.construction.figures if f.kind == "slider"):
         mark = one.marks[0]
         told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
-        numbers = [part for label in told for part in label.text.split(", ")]
+        numbers = [part for label in told for part in told_by(label.text)]
         assert len(numbers) == len(set(numbers))
         pin = KINEMATICS.on(work).crank[1]
         for k, number in enumerate(work.names):
@@ -159,7 +169,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
             if lone and clear:
                 assert number in numbers
         for label in told:
-            for part in label.text.split(", "):
+            for part in told_by(label.text):
                 at = spot(work, mark, work.names.index(part))
                 assert box(label).distance(shapely.Point(at.real, at.imag)) < 22.0
 
@@ -167,9 +177,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
 def made(tmp_path: Path, **said: object) -> Drawn:
     path = tmp_path / "scene.toml"
     path.write_text(SLIDER.format(**{"rod": 0.35, "at": "[]", "more": "", **said}), "utf-8")
-    work = make(read(path)).mechanism
-    assert work is not None
-    return work
+    return drawn_of(read(path))
 
 
 @pytest.mark.parametrize("at", ["[]", "[0]", "[0, 4]", "[0, 1]", "[3, 4]"])

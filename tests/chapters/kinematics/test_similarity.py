@@ -5,11 +5,12 @@ from __future__ import annotations
 import pytest
 from hypothesis import HealthCheck, given, settings
 from support.drawn import board
+from support.examples import most
 from support.mechanisms import Sampled, mechanisms
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=most(150), deadline=None, suppress_health_check=list(HealthCheck))
 @given(drawn=mechanisms())
 def test_images_of_a_link_are_similar_to_it(drawn: Sampled) -> None:
     read = board(drawn.mechanism).read([[drawn.phi]])

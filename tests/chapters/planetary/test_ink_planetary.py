@@ -34,6 +34,7 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.gears import RIM
+from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH
 from graphic_tmm.paper.write.svg import svg
 
 C7 = PlanetaryTask("ring", 0.008, 302.4, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
@@ -163,13 +164,16 @@ def test_an_unlettered_train_takes_about_the_room_of_a_lettered_one(name: str) -
     assert all(room.buffer(15.0).covers(box(label)) for label in view.labels)
 
 
-def test_the_letter_of_the_contact_with_a_fixed_ring_stands_outside_its_ground() -> None:
-    """On the ring's circle a C is crossed by it, and reads G."""
+def test_the_letter_of_the_contact_with_a_fixed_ring_stands_off_its_rim_and_ground() -> None:
+    """On the ring's circle a C is crossed by it, and reads G; on the ground it is hatched."""
     made, _, reading, view = inked("C7")
     radius = float(reading[made.end.lengths["3"]][0, 0])
     spots = [label for label in view.labels if label.text == "C"]
     near = min(spots, key=lambda one: abs(one.at - 1j * radius))
-    assert box(near).distance(shapely.Point(0.0, 0.0)) > radius + RIM
+    ring = shapely.Point(0.0, 0.0)
+    ring = ring.buffer(radius + RIM + HATCH_DEPTH, 64).difference(ring.buffer(radius, 64))
+    assert box(near).distance(ring) > 0.3
+    assert abs(near.at - 1j * radius) < 10.0
     assert box(near).distance(shapely.Point(0.0, radius)) < 12.0
     assert all(box(near).disjoint(shape(s)) for s in view.strokes)
 

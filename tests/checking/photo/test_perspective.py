@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.each import each
+from support.examples import most
 
 from graphic_tmm.checking.photo.perspective import bilinear, homography, ordered, through, vertices
 from graphic_tmm.errors import SheetError
@@ -69,7 +70,7 @@ def direct(box: Box, seen: np.ndarray, point: complex) -> complex:
         return complex((h[0] * x + h[1] * y + h[2]) / w, (h[3] * x + h[4] * y + h[5]) / w)
 
 
-@settings(max_examples=40)
+@settings(max_examples=most(40))
 @given(
     st.lists(st.floats(-400, 400), min_size=8, max_size=8),
     st.floats(0.0, 1.0),

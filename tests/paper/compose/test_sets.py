@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 from support.gallery import SHEETS
 from support.order import gap
 from support.sheets_of_random import scenes
@@ -51,7 +52,7 @@ outlines = st.lists(
 )
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(outlines, st.sampled_from(["A1", "A1 portrait", "A2"]), st.booleans())
 def test_whatever_stands_on_sheets_stands_free(
     boxes: list[Outline], format: str, russian: bool
@@ -155,3 +156,13 @@ def _taken(text: str, folder: Path) -> list[float]:
 def test_random_mechanisms_choose_formats_that_they_fill(tmp_path: Path) -> None:
     shares = [share for text in scenes(5) for share in _taken(text, tmp_path)]
     assert sum(shares) / len(shares) >= 0.45
+
+
+def test_a_table_stands_beside_the_last_of_a_row() -> None:
+    plans = [Outline(f"a{k}", w, h, ROW) for k, (w, h) in enumerate([(55, 88), (67, 68), (55, 89)])]
+    boxes = [*plans, Outline("table", 87.0, 128.0, TABLE)]
+    found = search.composed(boxes, room_on("A4", "en", False))
+    assert found is not None
+    tops = [at.imag + boxes[k].height for k, at in sorted(found.items())]
+    assert max(tops[2:]) < min(found[0].imag, found[1].imag)
+    assert found[3].real > found[2].real + boxes[2].width

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 
 from graphic_tmm.paper.compose.slicing import GRID, NONE, Cut, Leaf, Tree, curve, curves, tree
 
@@ -36,7 +37,7 @@ def leaves(sizes: list[Size], width: int, height: int) -> list[np.ndarray]:
     return [curve([(w * GRID, h * GRID)], width, height) for w, h in sizes]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=most(60), deadline=None)
 @given(boxes, st.booleans())
 def test_the_curve_of_a_run_is_the_best_of_all_cuts(sizes: list[Size], kept: bool) -> None:
     width, height = 30, 25
@@ -61,7 +62,7 @@ def places(part: Tree) -> list[int]:
     return [part.place] if isinstance(part, Leaf) else [k for p in part.parts for k in places(p)]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=most(60), deadline=None)
 @given(boxes, st.integers(5, 30), st.integers(5, 25))
 def test_cuts_fit_the_sheet_and_keep_the_order(sizes: list[Size], width: int, height: int) -> None:
     found = tree(curves(leaves(sizes, width, height), height), width, height)

@@ -1,0 +1,73 @@
+"""The choice of a scale factor: what it has to be at least, the next standard value, or the author's own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.board.values import Length, Number, Reals
+from graphic_tmm.language.said import said
+
+_STANDARD = said(
+    "A standard value makes lengths on the drawing easy to recalculate; the next larger one is taken, so that "
+    "what is drawn takes no more room than is meant for it."
+)
+
+
+@formula(
+    why=said(
+        "A turn is 2π rad and a minute 60 s: {turns} turns a minute are π/30 times as many radians a "
+        "second."
+    )
+)
+def of_turns(turns: Number) -> Number:
+    """π·{turns}/30"""
+
+
+@formula(
+    why=said(
+        "A scale factor tells how much of a quantity a millimetre stands for: the quantity divided by the "
+        "length that is to show it."
+    )
+)
+def scale_of(quantity: Number, length: Length) -> Number:
+    """{quantity}/{length}"""
+
+
+@formula(
+    why=said(
+        "The velocity ω·l of the crank pin is drawn as long as the crank itself, so its scale factor is ω "
+        "times that of lengths."
+    )
+)
+def scale_by_turning(mu_l: Number, omega: Number) -> Number:
+    """{mu_l}·{omega}"""
+
+
+@operation(why=_STANDARD)
+def next_standard(exact: Number) -> Number:
+    """Take for {it} the next standard value that is no smaller than {exact}."""
+    return Number(_each(standard, exact))
+
+
+@operation(why=_STANDARD)
+def next_standard_length(exact: Number) -> Number:
+    """Take for {it} the next standard scale that is no smaller than {exact}."""
+    return Number(_each(standard_length, exact))
+
+
+@operation(
+    why=said("The task says how large it is drawn, and everything drawn to it follows from that.")
+)
+def accepted(told: Number) -> Number:
+    """Take {told} for {it}."""
+    return told
+
+
+def _each(rule: Callable[[float, float], float], exact: Reals) -> Reals:
+    found = np.vectorize(lambda least: rule(float(least), 1.0), otypes=[np.float64])(exact)
+    return np.asarray(found, dtype=np.float64)

@@ -1,0 +1,53 @@
+"""The mobility of a mechanism, of its groups and of its driving link: calculations beside the plans."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapter import Aside
+from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.project import Bench
+
+VIEW = "structure"
+
+
+@formula
+def mobility(n: Number, p5: Number, p4: Number) -> Number:
+    """3·{n} − 2·{p5} − {p4}"""
+
+
+class Mobility(NamedTuple):
+    """Mobility as calculated (Number): of the mechanism; of its parts by the numbers of their links: 1, 2-3."""
+
+    whole: Mark
+    parts: Mapping[str, Mark]
+
+
+MOBILITY: Aside[Mobility] = Aside("structure")
+
+
+def parts(structure: Structure) -> dict[str, tuple[int, int]]:
+    """Return how many links and pairs the driving link and each group has, by the numbers of its links."""
+    found = {str(structure.driver): (1, 1)}
+    return found | {group.name: (2, 3) for group in structure.groups}
+
+
+def record_mobility(bench: Bench) -> Mobility:
+    """Calculate W of the mechanism and, as a check of its dissection, of each part."""
+    assert bench.scene.mechanism is not None
+    structure, draft = dissect(bench.scene.mechanism), bench.draft
+    draft.open(VIEW)
+    higher = draft.take(Number, "p_4", 0.0)
+
+    def w(letter: str, index: str, links: int, pairs: int) -> Mark:
+        n = draft.take(Number, f"n{index}", float(links))
+        p5 = draft.take(Number, f"p_5{index}", float(pairs))
+        return draft.draw(mobility, letter, n, p5, higher)
+
+    whole = w("W", "", structure.moving, len(structure.pairs))
+    own = {name: w(f"W_{name}", "", *size) for name, size in parts(structure).items()}
+    return Mobility(whole, own)

@@ -1,0 +1,68 @@
+"""The driving link and the groups by themselves: nothing left out, nothing twice, mobility that adds up."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from support.gallery import NAMES, drawn
+from support.mechanisms import sample
+
+from graphic_tmm.chapters.structure.mobility import MOBILITY
+from graphic_tmm.chapters.structure.views import part_views
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.fit import fitted
+from graphic_tmm.mechanism.records import Row
+from graphic_tmm.scene.records import Scene, SheetOrder
+
+SOME = ("windrower", "lever", "oscillating-cylinder", "scotch-yoke")
+
+
+def scenes(count: int) -> list[Drawn]:
+    """Mechanisms drawn by chance."""
+    order = (SheetOrder("A1", ("positions",)),)
+    made = sample(count, 7)
+    return [
+        fitted(Scene("", "T", "ru", one.mechanism, Row(6, zero=one.phi), sheets=order))
+        for one in made
+    ]
+
+
+def assert_parts(work: Drawn) -> None:
+    mechanism = work.scene.mechanism
+    assert mechanism is not None
+    made = MOBILITY.on(work)
+    w = {name: work.reading[mark].item() for name, mark in made.parts.items()}
+    numbers = [int(k) for name in w for k in name.split("-")]
+    assert sorted(numbers) == sorted(link.number for link in mechanism.links)
+    # letters counted by hand: one on k links is k − 1 turning pairs; a slide is one pair
+    bodies = (*mechanism.links, mechanism.frame)
+    letters = [letter for body in bodies for letter in body.points]
+    pairs = len(letters) - len(set(letters)) + sum(len(body.slides) for body in bodies)
+    assert (
+        work.reading[made.whole].item() == 3 * len(mechanism.links) - 2 * pairs == sum(w.values())
+    )
+    views = part_views(work, True)
+    assert len(views) == len(w)
+    for view, name in zip(views, w, strict=True):
+        texts = [label.text for label in view.labels]
+        assert set(name.split("-")) <= set(texts), texts
+        for link in (mechanism.by_number[int(k)] for k in name.split("-")):
+            told = {letter for text in texts for letter in re.split(r"[ ,]+", text)}
+            shared = {letter for letter in link.points if letters.count(letter) > 1}
+            assert {re.sub(r"(\d+)$", r"_{\1}", letter) for letter in shared} <= told
+        assert all(stroke.of for stroke in view.strokes)
+
+
+@pytest.mark.parametrize(
+    "name", [n if n in SOME[:1] else pytest.param(n, marks=pytest.mark.slow) for n in SOME]
+)
+def test_parts_of_scenes(name: str) -> None:
+    assert name in NAMES
+    assert_parts(drawn(name))
+
+
+@pytest.mark.slow
+def test_parts_of_mechanisms_that_are_not_ours() -> None:
+    for work in scenes(12):
+        assert_parts(work)

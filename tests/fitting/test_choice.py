@@ -1,0 +1,92 @@
+"""The choice of scale factors, recorded: every μ that was chosen has its steps, and they come to its number."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.each import each
+from support.gallery import ALL, made
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.choice import next_standard, scale_of
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale, standard
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choices, choices
+
+PLANS = ("positions", "velocities", "accelerations")
+SAME = 1e-12
+"""A share of μ: the choice computes it in another order than the search."""
+
+
+def boards(name: str) -> list[Drawn]:
+    return list(made(name).boards)
+
+
+def value(found: Choices, mark: Mark) -> float:
+    return float(execute(found.construction, found.given, [mark])[mark][0, 0])
+
+
+def figure(drawn: Drawn, mark: Mark) -> float:
+    return float(np.ravel(np.asarray(drawn.given[mark]))[0])
+
+
+@pytest.mark.slow
+@each("name", ALL)
+def test_mu_of_every_plan_has_its_steps_and_its_number(name: str) -> None:
+    for drawn in boards(name):
+        found, log = choices(drawn), drawn.construction
+        for view in (v for v in log.views if v.name in PLANS and v.scale is not None):
+            assert view.scale is not None
+            assert math.isclose(
+                found.value(view.scale), drawn.scales[view.name].value, rel_tol=SAME
+            )
+
+
+@pytest.mark.slow
+@each("name", ALL)
+def test_a_standard_scale_is_the_next_one_and_what_it_was_chosen_by_is_round(name: str) -> None:
+    for drawn in boards(name):
+        found = choices(drawn)
+        steps = found.construction.steps
+        for step, before in zip(steps[1:], steps, strict=False):
+            if step.op is not next_standard:
+                continue
+            assert before.op is scale_of
+            exact, chosen = value(found, before.it), value(found, step.it)
+            assert exact <= chosen * (1 + SAME)
+            assert chosen == standard(exact, 1.0)
+            length = value(found, before.uses[1])
+            tenths = length * 10.0
+            assert math.isclose(tenths, round(tenths), rel_tol=1e-9)
+
+
+def test_the_choice_of_the_windrower_is_that_of_a_student() -> None:
+    drawn = boards("windrower")[0]
+    found = choices(drawn)
+    told = {step.it.name: value(found, step.it) for step in found.construction.steps}
+    assert math.isclose(told["ω_1"], 380.0 * math.pi / 30.0, rel_tol=SAME)
+    arm = next(figure for mark, figure in found.given.items() if mark.name == "l_{OA}")
+    assert isinstance(arm, float)
+    assert math.isclose(told["v_A"], told["ω_1"] * arm, rel_tol=SAME)
+    assert math.isclose(told["pa"], told["v_A"] / told["μ_v"], rel_tol=SAME)
+    assert math.isclose(told["πa"], told["ω_1"] ** 2 * arm / told["μ_a"], rel_tol=SAME)
+    assert told["μ_l"] == 0.004
+
+
+def test_a_length_that_the_scene_gives_makes_its_scale() -> None:
+    drawn = boards("engine")[0]
+    told = {step.it.name: step for step in choices(drawn).construction.steps}
+    assert told["μ_v"].op is scale_of
+    assert told["μ_v"].uses[1].name == "pa"
+
+
+@given(st.floats(1e-6, 1e9), st.floats(5.0, 400.0))
+def test_a_scale_is_the_least_standard_one(largest: float, room: float) -> None:
+    mu = standard(largest, room)
+    assert Scale("μ", mu, "").to_board(largest) <= room * (1 + 1e-9)
+    assert standard(largest, largest / mu * (1 + 1e-9)) == mu

@@ -1,0 +1,84 @@
+"""Why a step is done: told below it where it is asked for, in the language of the reader."""
+
+from __future__ import annotations
+
+import pytest
+from support.command import invoke
+from support.gallery import ALL, PLANS, drawn, made
+
+from graphic_tmm.board.operations.instruments import homologous, similar
+from graphic_tmm.board.record import Board, Mark
+from graphic_tmm.board.values import Length, Point
+from graphic_tmm.language.names import aloud
+from graphic_tmm.readers.equations import Term, equations
+from graphic_tmm.readers.sentences import calculation
+
+
+def test_reasons_are_told_only_where_they_are_asked_for() -> None:
+    plain = invoke("steps", "engine", "-p", "velocities").output
+    told = invoke("steps", "engine", "-p", "velocities", "--why").output
+    assert "Почему: " not in plain
+    assert "Почему: " in told
+    assert [line for line in told.splitlines() if "Почему: " not in line] == plain.splitlines()
+
+
+def test_a_step_has_its_own_reason_before_that_of_its_operation() -> None:
+    board = Board()
+    board.open("plan")
+    marks = [board.take(Point, letter) for letter in "abABS"]
+    general = board.draw(similar, "s", *marks)
+    own = board.draw(similar, "t", *marks, why="for {it} is wanted")
+    steps = {step.it: step for step in board.construction().steps}
+    assert steps[general].reason == similar.why != ""
+    assert steps[own].reason == "for {it} is wanted"
+
+
+def test_a_proportion_is_told_with_its_numbers() -> None:
+    log, told = drawn("windrower").construction, 0
+    reading = drawn("windrower").reading
+    for step in log.steps:
+        if step.op not in (similar, homologous) or step.it.view != "velocities":
+            continue
+        a, b, image = (complex(reading[m][0, -1]) for m in (*step.uses[:2], step.it))
+        if step.op is similar:
+            line = calculation(step, reading, reading.positions - 1, "en")
+            length = abs(image - a)
+            if abs(b - a) < 1e-9:
+                assert line == ""  # the link stands still there: nothing is similar to it
+                continue
+            assert line.endswith(f" = {length:.4g} mm")
+            assert f"{abs(b - a):.4g}·" in line
+            told += 1
+    assert told > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "plan"), PLANS)
+def test_terms_of_equations_know_the_ends_of_their_segments(name: str, plan: str) -> None:
+    """Along each side the segments follow one another, from the pole to the point that is sought."""
+    log = drawn(name).construction
+    for equation in equations(log, plan):
+        pole, point = equation.marks
+        for side in equation.sides:
+            assert [term.marks[0] for term in side[1:]] == [term.marks[1] for term in side[:-1]]
+            assert side[0].marks[0] == pole
+            assert side[-1].marks[1] == point
+        if isinstance(equation.sought, Term):
+            assert equation.sought.marks == (pole, point)
+
+
+def test_a_mark_has_a_name_that_can_be_spoken() -> None:
+    assert aloud(Mark(0, "O####", Point, "forces"), "en") == "O, the fifth"
+    assert aloud(Mark(0, "O#", Point, "forces"), "ru") == "O, второе"
+    assert aloud(Mark(0, "A′", Point, "plan"), "en") == "A prime"
+    assert aloud(Mark(0, "l_{OA}", Length, "plan"), "ru") == "l OA"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ALL)
+def test_no_spoken_name_has_a_sign_that_cannot_be_spoken(name: str) -> None:
+    for board in made(name).boards:
+        log = board.construction
+        for mark in (*log.given, *(step.it for step in log.steps)):
+            for language in ("en", "ru"):
+                assert not set("#′″{}_^") & set(aloud(mark, language))
