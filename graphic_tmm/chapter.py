@@ -210,7 +210,8 @@ class Chapter:
     called, English, by name; ``called``: a view whose name it makes up -> what that is called in a language;
     ``titles``: a view -> what it is called in the protocol of what was made, where that tells more.
     ``note``: a drawn board, a language -> its section of the explanatory note; None: what the log tells of it;
-    ``concludes``: what follows from its results, a sentence each. ``sources``: the books that it follows.
+    ``concludes``: what follows from its results, a sentence each; ``sources``: the books that it follows, as
+    the note calls them; ``symbols``: its letters, what they stand for, their units.
     ``accuracy``: what it tells of its accuracy.
 
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
@@ -266,6 +267,7 @@ class Chapter:
     note: Callable[[Drawn, str], Iterable[Block] | None] = lambda drawn, language: None
     concludes: Callable[[Drawn, str], Iterable[Runs]] = lambda drawn, language: ()
     sources: tuple[str, ...] = ()
+    symbols: tuple[tuple[str, str, str], ...] = ()
     accuracy: Accuracy = NOTHING
 
 

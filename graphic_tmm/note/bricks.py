@@ -325,6 +325,13 @@ def result_number(drawn: Drawn, results: Results, name: str, language: str) -> N
     return Number(number(value, language), of, Source("result", drawn.board, name), value)
 
 
+def asked(drawn: Drawn, section: str, key: str, of: str, language: str) -> Number:
+    """Return what a section of the scene asks for by a key, as a number with its unit."""
+    value = float(getattr(drawn.scene.tasks[section], key))
+    source = Source("asked", drawn.board, f"{section}.{key}")
+    return Number(number(value, language), of, source, value)
+
+
 def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:
     """Return the value of a column that is the greatest in size, and the position where it stands."""
     values = column.without(drawn.undrawn).told[1] if not column.at else column.told[1]

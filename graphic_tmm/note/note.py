@@ -9,7 +9,9 @@ from graphic_tmm.note.document import Block, Document
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.sections.chapter import chapter_section
 from graphic_tmm.note.sections.conclusions import conclusions
+from graphic_tmm.note.sections.literature import literature
 from graphic_tmm.note.sections.scales import scales
+from graphic_tmm.note.sections.symbols import symbol_list
 from graphic_tmm.note.sections.synthesis import synthesis
 from graphic_tmm.note.sections.task import task
 from graphic_tmm.note.sections.title import title_page
@@ -34,6 +36,8 @@ def note(made: DrawnScene) -> Document:
         if (_, board, chapter) not in first:
             blocks += chapter_section(board, chapter, language)
     blocks += conclusions(made, language)
+    blocks += symbol_list(made, blocks, language)
+    blocks += literature(made, language)
     return Document(made.scene.title, language, tuple(blocks))
 
 

@@ -77,8 +77,8 @@ _WORDS = frozenset(
     {"in", "dr", "ser", "mean", "red", "max", "min", "lim", "Zh", "bal", "fly", "bl"}
 )
 """Indices that are words: they stand upright."""
-_WORD = re.compile("[а-яА-Я–-]")
-"""An index with one of these is words, or a range: no product of letters."""
+_WORD = re.compile("[–\u0400-\u04ff-]")
+"""An index with one of these, a Cyrillic letter or a dash, is words, or a range: no product of letters."""
 _NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
 _RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
 

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices
@@ -67,6 +68,8 @@ def looked_up(made: DrawnScene, one: Number) -> float:
         "column": _of_column,
         "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
         "given": _of_given,
+        "asked": lambda drawn, source: _of_task(drawn, *source.name.split(".")),
+        "deviation": _of_deviation,
         "scale": lambda drawn, source: drawn.scales[source.name].value,
     }
     return ways[source.kind](drawn, source)
@@ -82,6 +85,27 @@ def _of_mark(drawn: Drawn, source: Source) -> float:
     assert reading is not None
     row = reading.figure(mark)[0]
     return float(row[source.place if row.size > 1 else 0])
+
+
+def _of_task(drawn: Drawn, section: str, key: str) -> float:
+    return float(getattr(drawn.scene.tasks[section], key))
+
+
+def _of_deviation(drawn: Drawn, source: Source) -> float:
+    """How far a figure is off the exact hand's, % of the largest of its plan and unit."""
+    plan, _, name = source.name.partition("/")
+    due = drawn.drawn_by(EXACT)
+    if not plan:
+        told, right = (float(results_of(one)[name][0][0]) for one in (drawn, due))
+        return 100.0 * abs(told - right) / abs(right)
+    told_, right_ = (
+        next(c for c in columns_of(one) if (c.plan, c.segment) == (plan, name))
+        for one in (drawn, due)
+    )
+    alike = [c.value for c in columns_of(due) if c.plan == plan and c.unit == right_.unit]
+    largest = max(float(np.nanmax(np.abs(row))) for row in alike if np.isfinite(row).any())
+    apart = told_.value[0][source.place] - right_.value[0][source.place]
+    return float(100.0 * abs(apart) / largest)
 
 
 def _of_segment(drawn: Drawn, source: Source) -> float:

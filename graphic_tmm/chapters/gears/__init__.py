@@ -29,8 +29,9 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
-from graphic_tmm.chapters.gears.captions import CAPTIONS
+from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.gears.given import given
+from graphic_tmm.chapters.gears.note import concludes, note
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
@@ -66,4 +67,8 @@ CHAPTER = Chapter(
     columns=measured_columns,
     results=gear_results,
     accuracy=ACCURACY,
+    concludes=concludes,
+    note=note,
+    sources=("artobolevsky", "popov", "contour", "geometry"),
+    symbols=SYMBOLS,
 )
