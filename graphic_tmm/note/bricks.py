@@ -35,7 +35,8 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.steps import Told, protocol_blocks
+from graphic_tmm.note.protocol import Known, protocol_blocks
+from graphic_tmm.note.steps import Told
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column, known_at
@@ -88,12 +89,12 @@ def plan(
     language: str,
     shown: Sequence[Picture] = (),
     level: int = 2,
-    known: set[Runs] | None = None,
+    known: Known | None = None,
     bare: bool = False,
 ) -> Iterator[Block]:
     """Yield the section of a view: heading, protocol in a position, the figures that show it.
 
-    ``known``: what was told already; ``bare``: only what is calculated or read; see `steps.protocol_blocks`.
+    ``known``: what was told already; ``bare``: only what is calculated or read; see `protocol.protocol_blocks`.
     """
     told = at_position(drawn, view, place, language)
     if told is None or not any(step.it.view == view for step in drawn.construction.steps):

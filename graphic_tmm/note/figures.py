@@ -13,9 +13,9 @@ from graphic_tmm.paper.write.svg import clean
 
 FORMAT = "A4"
 """The format whose pens and letters figures are drawn with: a note is held in the hand."""
-WIDTH, HEIGHT, WHOLE = 165.0, 130.0, 215.0
+WIDTH, HEIGHT, WHOLE = 165.0, 105.0, 215.0
 """Room for a figure on a page, mm: its width, its usual height, the height of a page."""
-SMALLEST = 0.75
+SMALLEST = 0.6
 """A figure takes more of a page than usual before it is made smaller than this. Chosen by eye."""
 LARGEST = 1.25
 """How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""

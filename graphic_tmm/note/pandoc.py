@@ -32,9 +32,11 @@ from graphic_tmm.note.document import (
     Run,
     Symbol,
     Table,
+    runs_of,
     walk,
 )
 from graphic_tmm.note.tex import spelt, tex, whole
+from graphic_tmm.note.widths import packed
 
 API = [1, 23, 1]
 """The version of pandoc's tree that is written."""
@@ -139,7 +141,7 @@ class _Writer:
             told = _of("Para", self.inlines(block.runs))
             return self.target.styled(told, block.style) if block.style else [told]
         if isinstance(block, Display):
-            return [_of("Para", [self.math(one, display=True)]) for one in block.formulas]
+            return [_of("Para", [self.row(one)]) for one in packed(block.formulas)]
         if isinstance(block, Listed):
             return list(self.listed(block))
         if isinstance(block, Table):
@@ -239,10 +241,25 @@ class _Writer:
             return self.speech(TABLE_AT, number=self.numbers.tables[run.to])
         return run.text if not isinstance(run, Formula | Symbol) else ""
 
-    def math(self, one: Formula | Symbol, *, display: bool = False) -> Tree:
-        kind = "DisplayMath" if display else "InlineMath"
-        told = tex(one, self.document.language, self.put)
-        return _of("Math", [{"t": kind}, told])
+    def row(self, beside: Sequence[Formula]) -> Tree:
+        """Return formulas beside one another on a line of their own."""
+        told = [tex(one, self.document.language, self.put) for one in beside]
+        return _of("Math", [{"t": "DisplayMath"}, r";\qquad ".join(told)])
+
+    def math(self, one: Formula | Symbol) -> Tree:
+        """Return a formula among words."""
+        return _of("Math", [{"t": "InlineMath"}, tex(one, self.document.language, self.put)])
+
+
+def formulas(document: Document) -> int:
+    """Return how many formulas a note has as it is written: beside one another they are one."""
+    found = 0
+    for block in walk(document.blocks):
+        if isinstance(block, Display):
+            found += len(packed(block.formulas))
+        else:
+            found += sum(isinstance(run, Formula | Symbol) for run in runs_of(block))
+    return found
 
 
 MARKDOWN = ("gfm+tex_math_dollars", "markdown")

@@ -16,18 +16,13 @@ from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.board.values import Number as BoardNumber
-from graphic_tmm.captions import view_name
-from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.document import (
-    Block,
-    Display,
     Formula,
     Leaf,
     Number,
-    Paragraph,
     Run,
     Runs,
     Source,
@@ -35,9 +30,6 @@ from graphic_tmm.note.document import (
     Text,
     Tree,
 )
-from graphic_tmm.note.widths import broken
-from graphic_tmm.readers.equations import Equation, equations, heading
-from graphic_tmm.readers.narration import defined, protocol, remark
 from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase
 
 PLAIN = (to_board, rescaled, in_si, on_lever, moment)
@@ -79,118 +71,6 @@ class Told(NamedTuple):
     def leaf(self, mark: Mark) -> Leaf:
         """Return the letter of a mark, or its value if it has none."""
         return self.symbol(mark) if mark.name else self.number(mark)
-
-
-def protocol_blocks(
-    told: Told,
-    *,
-    turned: bool = False,
-    elsewhere: Sequence[tuple[int, str]] = (),
-    known: set[Runs] | None = None,
-    bare: bool = False,
-) -> Iterator[Block]:
-    """Yield the protocol of a view as blocks: headings of groups, equations, sentences.
-
-    ``elsewhere``: other positions by index and name, see `readers.narration.protocol`. ``known``: sentences
-    that were told already and are not told again; those of this view are entered. ``bare``: only what is
-    calculated or read is told. What is not there in the position is left out.
-    """
-    known = set() if known is None else known
-    log, view = told.log, told.view
-    steps = [step for step in log.steps if step.it.view == view]
-    solved = {e.group: e for e in equations(log, view, turned=turned)}
-    own = [told.place, *(k for k, _ in elsewhere)]
-    words: list[Run] = []
-    after = 0
-    for line in protocol(
-        log,
-        view,
-        told.reading,
-        told.place,
-        told.language,
-        turned=turned,
-        elsewhere=elsewhere,
-    ):
-        if not line.number:
-            continue
-        notes = [note for step in steps[after : line.number] for note in _notes(step)]
-        if notes:
-            yield from _flushed(words)
-        for note in notes:
-            yield from _heading(note, solved.get(note), told)
-        step, first = steps[line.number - 1], steps[max(line.first, 1) - 1 : line.number]
-        at = next((k for k in own if defined(told.reading, step.it, k)), told.place)
-        here = told._replace(place=at)
-        after = line.number
-        if not defined(told.reading, step.it, at):
-            continue
-        formula = calculated(here, step, _terms(first) if len(first) > 1 else ())
-        alone = bool(step.op.formula) and step.op not in PLAIN
-        if alone and formula is not None and len(formula.sides) > LEAST:
-            words += _new(reason_runs(here, step), known, words)
-            yield from _flushed(words)
-            yield Display(broken(formula))
-            continue
-        if formula is None and bare:
-            continue
-        words += _new(sentence_runs(here, step), known, words, formula)
-        words += _new(reason_runs(here, step), known, words)
-    yield from _flushed(words)
-
-
-def _flushed(words: list[Run]) -> Iterator[Block]:
-    """Yield the paragraph of what was told so far, which begins anew."""
-    if words:
-        yield Paragraph(tuple(words))
-        words.clear()
-
-
-def _new(
-    runs: Runs, known: set[Runs], before: Sequence[Run], formula: Formula | None = None
-) -> list[Run]:
-    """Return a sentence with its formula, a space before it; nothing of one that is known already."""
-    if formula is None and (not runs or runs in known):
-        return []
-    known.add(runs)
-    space = [Text(" ")] if before else []
-    if formula is None:
-        return [*space, *runs]
-    flat = formula._replace(flat=True)
-    if isinstance(runs[-1], Text) and runs[-1].text == "." and len(formula.sides) > LEAST:
-        return [*space, flat, Text(".")]
-    last = runs[-1]
-    if isinstance(last, Text) and last.text.endswith("."):
-        runs = (*runs[:-1], Text(last.text[:-1] + ": "))
-    return [*space, *runs, flat, Text(".")]
-
-
-def _notes(step: Step) -> list[str]:
-    return [note for note in step.note.split("\n") if note]
-
-
-def _terms(steps: Sequence[Step]) -> tuple[Mark, ...]:
-    """Return the terms of a sum that was added up in several steps."""
-    return (*steps[0].uses, *(mark for step in steps[1:] for mark in step.uses[1:]))
-
-
-def _heading(note: str, equation: Equation | None, at: Told) -> Iterator[Block]:
-    language = at.language
-    if at.view == SCALES:
-        yield Paragraph((Text(f"{view_name(note, language)}:", "emphasis"),))
-        return
-    told = symbol(heading(note, language), language)
-    if "=" in told:
-        sides, _, behind = told.partition(",  ")
-        yield Display((Formula((Symbol(sides),), behind=(Symbol(behind),) if behind else ()),))
-        return
-    yield Paragraph((Text(remark(note, language) + ":", "emphasis"),))
-    if equation is not None:
-        yield Display(
-            (
-                Formula((Symbol(symbol(equation.markup, language)),)),
-                Formula((Symbol(symbol(equation.directions, language)),)),
-            )
-        )
 
 
 def sentence_runs(told: Told, step: Step) -> Runs:

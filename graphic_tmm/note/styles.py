@@ -67,6 +67,8 @@ TYPST = """\
 #show link: set text(fill: black)
 #let contents(title) = {
   align(center, text(size: 15pt, weight: "bold", title))
+  set text(size: 11pt)
+  set par(leading: 0.55em, spacing: 0.55em)
   outline(title: none, depth: 2, indent: 6mm)
   pagebreak(weak: true)
 }

@@ -44,7 +44,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.steps import protocol_blocks
+from graphic_tmm.note.protocol import protocol_blocks
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.readers.writing import decimals_of
 

@@ -11,8 +11,9 @@ from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, POSITIONS, VELOC
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, plan, worked
-from graphic_tmm.note.document import Block, Picture, Runs
+from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.protocol import Known
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text
@@ -22,7 +23,7 @@ from graphic_tmm.readers.titles import title_of
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of kinematics: each plan is drawn in one position, the tables hold all."""
     at = worked(drawn)
-    known: set[Runs] = set()
+    known: Known = set()
     yield from plan(drawn, EXTREMES, at, language, known=known)
     yield from plan(drawn, POSITIONS, at, language, _positions(drawn, language), known=known)
     for view in (VELOCITIES, ACCELERATIONS):

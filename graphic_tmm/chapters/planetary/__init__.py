@@ -33,7 +33,7 @@ from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.beside import record_beside
 from graphic_tmm.chapters.planetary.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.planetary.given import given
-from graphic_tmm.chapters.planetary.note import concludes
+from graphic_tmm.chapters.planetary.note import concludes, note
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
 from graphic_tmm.chapters.planetary.views import planetary_views
@@ -75,6 +75,7 @@ CHAPTER = Chapter(
     plans=(_NAME,),
     columns=measured_columns,
     results=lambda drawn: results_of(drawn, PLANETARY_TRAIN.on(drawn).results),
+    note=note,
     concludes=concludes,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

@@ -9,6 +9,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
+from graphic_tmm.note.bricks import folded
 from graphic_tmm.note.document import (
     Block,
     Heading,
@@ -57,7 +58,7 @@ def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
     if rows:
         heads = text(speaking(language)(PLAN)), text(speaking(language)(ERROR))
         title = text(speaking(language)(EXACTNESS))
-        yield Table("table-exactness", title, heads, tuple(rows), "lc")
+        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc"))
 
 
 def _sentence(told: str) -> str:

@@ -15,7 +15,8 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import Block, Number, Runs, Source, Symbol, Table, text
-from graphic_tmm.note.steps import Told, protocol_blocks
+from graphic_tmm.note.protocol import protocol_blocks
+from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.titles import title_of
 
 PLAN = said("Drawing")
