@@ -300,9 +300,8 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
         rows.append((_result(name, chapter.name, language), (told,), _unit(of, language)))
     if rows:
         heads = (text(words["value"]), text(words["figure"]), text(words["unit"]))
-        yield Table(
-            f"table-results-{chapter.name}", text(words["results"]), heads, tuple(rows), "lcc"
-        )
+        id, title = f"table-results-{chapter.name}", text(words["results"])
+        yield folded(Table(id, title, heads, tuple(rows), "lcc"))
 
 
 def _result(name: str, chapter: str, language: str) -> Runs:

@@ -13,7 +13,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc, word
-from graphic_tmm.note.document import Document, Picture, walk
+from graphic_tmm.note.document import Document, Picture, Table, walk
 from graphic_tmm.note.figures import scale, sheet_of
 from graphic_tmm.note.pandoc import Outline, Target, raw
 from graphic_tmm.note.styles import CSS, TYPST
@@ -31,6 +31,10 @@ Tree = dict[str, Any]
 
 TALL = 80.0
 """A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
+
+
+SHORT = 24
+"""A table of so many rows stands on one page."""
 
 
 class Drawn(NamedTuple):
@@ -126,8 +130,8 @@ def _inline(one: Drawn) -> str:
     return f'{head} role="img" aria-label="{label}" style="width:{one.width}mm">{rest}'
 
 
-def _listed_contents(language: str) -> Callable[[Outline], list[Tree]]:
-    """Return the contents as a list of links."""
+def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline], list[Tree]]:
+    """Return the contents as a list, of links if places have names."""
 
     def told(outline: Outline) -> list[Tree]:
         items: list[list[Tree]] = []
@@ -136,7 +140,7 @@ def _listed_contents(language: str) -> Callable[[Outline], list[Tree]]:
                 continue
             words = [{"t": "Str", "c": entry.text}]
             link = {"t": "Link", "c": [pandoc.NONE, words, [f"#{entry.id}", ""]]}
-            plain = {"t": "Plain", "c": [link]}
+            plain = {"t": "Plain", "c": [link] if linked else words}
             if entry.level == 1 or not items:
                 items.append([plain])
             elif len(items[-1]) == 1:
@@ -166,15 +170,25 @@ def markdown(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[
     target = Target(
         pandoc.MARKDOWN[0],
         picture,
-        _listed_contents(document.language),
+        _listed_contents(document.language, linked=False),
         lambda: [{"t": "HorizontalRule"}],
         ("--wrap=none",),
+        _emphasised,
         captioned=False,
+        linked=False,
     )
     found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
     for one in shown.values():
         found[f"{stem}-{one.name}.svg"] = svg(one.sheet)
     return found
+
+
+def _emphasised(block: Tree, style: str) -> list[Tree]:
+    """Return a paragraph of the title page as Markdown has it."""
+    if style == "space":
+        return []
+    strong = {"t": "Strong", "c": block["c"]}
+    return [{"t": "Para", "c": [strong]}] if style == "title" else [block]
 
 
 # ---------------------------------------------------------------- PDF
@@ -200,7 +214,8 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
         lambda: [raw("typst", "#pagebreak(weak: true)", block=True)],
         ("--wrap=none",),
         _set,
-        _bare,
+        _tabled,
+        _part,
         figure=figure,
     )
     body = pandoc.written(document, target).decode("utf-8")
@@ -227,10 +242,17 @@ def _set(block: Tree, style: str) -> list[Tree]:
     return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
 
 
-def _bare(table: Tree) -> list[Tree]:
-    """Return a table as typst sets it without lines."""
-    opening = raw("typst", "#bare[", block=True)
-    return [opening, table, raw("typst", "]", block=True)]
+def _part(heading: Tree) -> list[Tree]:
+    """Return a heading as typst sets it in the middle."""
+    return [raw("typst", "#part[", block=True), heading, raw("typst", "]", block=True)]
+
+
+def _tabled(made: Tree, table: Table) -> list[Tree]:
+    """Return a table as typst sets it: without lines if it has none, on one page if it is short."""
+    if table.ruled and len(table.rows) > SHORT:
+        return [made]
+    opening = raw("typst", "#whole[" if table.ruled else "#bare[", block=True)
+    return [opening, made, raw("typst", "]", block=True)]
 
 
 def quoted(text: str) -> str:
@@ -276,7 +298,7 @@ def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
             ("--reference-doc=reference.docx",),
         )
         pandoc.written(document, target, out="note.docx", folder=folder)
-        made = word.settled((home / "note.docx").read_bytes())
+        made = word.settled((home / "note.docx").read_bytes(), pandoc.parts(document))
     return {f"{stem}.docx": made}
 
 
