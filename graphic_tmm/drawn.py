@@ -186,14 +186,11 @@ def read(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Dou
     """
     log, rows = project.construction, project.rows
     exact = hand.ruler is None and not hand.slips and hand.digits is None
-    own = doubts
-    if not exact:
-        coarse: dict[int, Doubts] = {}
-        nothing: dict[int, Any] = {}
-        for chapter in project.chapters:
-            coarse |= chapter.coarse(project, given, hand)
-        own = Doubts(log.steps, given, doubts.lost, coarse=coarse)
-    nothing = {}
+    coarse: dict[int, Doubts] = {}
+    for chapter in () if exact else project.chapters:
+        coarse |= chapter.coarse(project, given, hand)
+    own = Doubts(log.steps, given, doubts.lost, coarse=coarse)
+    nothing: dict[int, Any] = {}
     for chapter in project.chapters:
         nothing |= chapter.nothing(project, doubts)
     idle = {view for view, places in rows.items() if not places}

@@ -38,15 +38,16 @@ def many(request):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Tests of one scene of the package run in one worker, which draws it once; every day of some scenes."""
-    from support.gallery import ALL, EVERYDAY
+    """Tests of one scene or part run in one worker, which draws it once; in the everyday run of some scenes."""
+    from support import gallery, parts
 
+    known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
     for item in items:
         values = item.callspec.params.values() if hasattr(item, "callspec") else ()
         for one in (getattr(value, "name", value) for value in values):
-            if isinstance(one, str) and one in ALL:
+            if isinstance(one, str) and one in known:
                 item.add_marker(pytest.mark.xdist_group(one))
-                if one not in EVERYDAY:
+                if one not in everyday:
                     item.add_marker(pytest.mark.slow)
                 break
 

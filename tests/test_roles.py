@@ -26,8 +26,6 @@ ALLOWED = {
     "chapters/kinematics/motion.py: known[closing.letter]",
     # readers are told of which view a mark is where two of a sentence are called alike
     "readers/sentences.py: mark.name in elsewhere",
-    # how many others of its letter a mark stands behind
-    "board/record.py: self.letter.count(TALLY)",
     # a column of a table is known by what it is called
     "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
     # words that stand for the name of a column
@@ -35,6 +33,8 @@ ALLOWED = {
     "readers/text.py: captions(language).get(column.letter)",
     # people name what they read by the names of the table
     "checking/judging/taken_marks.py: found.setdefault((mark.view, segment_name(mark.letter)), step)",
+    # how many marks of a name stand before one, of which people are told
+    "board/record.py: self.letter.count(TALLY)",
     # what strokes a text is lettered with
     "paper/write/svg.py: groups.setdefault(letters.letter(label.text, size=label.size).pen, [])",
 }

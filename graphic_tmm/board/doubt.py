@@ -7,7 +7,8 @@ velocity along it by κ², an acceleration by κ³, a force by more. No operatio
 
 A figure is judged by its own bound at its own position. If the bound leaves a digit of it, it is itself, to the
 digits that are sure. If it leaves none, and is small against what such a figure is computed from, the figure is
-nothing: the velocity at a dead centre. Else it is not known, and is not there.
+nothing: the velocity at a dead centre. Else it is not known, and is not there. What is so small against what it
+is computed from that nobody could read it is nothing too, whatever digits of it are sure.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ DOUBTFUL = 1e-6
 """What rounding moves by more than this share of its natural size is doubtful: no zero is told of it."""
 WRITTEN = 1e-12
 """A bound below this share of a figure shows in no digit that is written."""
+UNREAD = 1e-9
+"""What is a smaller share of its natural size is nothing: a nanometre on a plan of a metre."""
 
 Mask = NDArray[np.bool_]
 
@@ -98,11 +101,11 @@ class Doubts:
         with np.errstate(all="ignore"):
             bound = self._bound_of(told, mark, by, places)
             seen = bound > WRITTEN * np.abs(told)
-            if not seen.any():
-                return told
             unit = 10.0 ** np.floor(np.log10(np.where(seen & np.isfinite(bound), bound, 1.0)))
             short = np.where(np.abs(told) <= bound, 0.0 * told, np.round(told / unit) * unit)
             told = np.where(seen, short, told)
+            if mark.kind in FIGURES and self._to_scale:
+                told = np.where(self._unread(told, mark, by, places), 0.0 * told, told)
         gone = self.lost.get(mark.slot)
         return told if gone is None else np.where(at(gone, places), np.nan, told)
 
@@ -110,6 +113,14 @@ class Doubts:
         """Where a figure is nothing but rounding, drawn exactly, (1, position)."""
         value = self._found.values[mark.slot]
         return np.asarray(self.figure(mark, value) == 0.0)
+
+    def _unread(self, told: Any, mark: Mark, by: Any, places: Any) -> Mask:
+        """Return where a figure is too small for its plan, or for what it is computed from, to be read."""
+        size = at(np.fmax(self._sizes.of(mark), self._sizes.plan(mark)), places)
+        if told.shape[1] == 1:
+            size = np.fmax.reduce(size, axis=1, keepdims=True)
+        least = UNREAD * size * np.abs(by)
+        return np.asarray(np.isfinite(least) & (np.abs(told) < least))
 
     def _by_ruler(self, mark: Mark, value: Any, places: Any) -> Any:
         """Return a value to the digits that the ruler leaves of it, but whole at least."""

@@ -52,6 +52,11 @@ class Sizes:
                 left += [use for use in step.uses if use.kind in FIGURES] if step else []
         return [found[slot] for slot in sorted(found)]
 
+    def plan(self, mark: Mark) -> Reals:
+        """Return how far the plan reaches that a length is laid off in, (1, position); 0 of others."""
+        drawn = mark.kind is Length and mark.view in self._points
+        return self.extent(mark.view) if drawn else NOTHING
+
     def extent(self, view: str) -> Reals:
         """Return how far a plan reaches, (1, position): its known points, what is laid off for the others."""
         if view not in self._extents:

@@ -9,9 +9,12 @@ lengths that follow. A scale factor that the scene gives is taken as it is. Chap
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple
 
+import numpy as np
+
+from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import Operation
@@ -22,11 +25,12 @@ from graphic_tmm.board.operations.choice import (
     of_turns,
     scale_of,
 )
-from graphic_tmm.board.operations.formulas import to_board
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.operations.formulas import mm_of_time, mm_of_turn, pole_distance, to_board
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import GRAPHS
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import turns_a_minute
 
@@ -34,6 +38,9 @@ SCALES = "scales"
 """The view of the choice, and the plan by which protocols tell it."""
 GRAINS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.1)
 """What is meant for something is told in multiples of these, mm, the coarsest first."""
+FOLLOWING = (mm_of_time, mm_of_turn, pole_distance)
+"""What is calculated of scale factors that are known: bases and pole distances."""
+_NOTHING = said("There is nothing to be drawn to it, so any scale will do.")
 _OWN_LENGTH = said(
     "The task says how long {quantity} is drawn; a scale factor tells how much of a quantity a millimetre "
     "stands for."
@@ -64,10 +71,13 @@ class Ledger:
         self.draft.open(SCALES)
         self.chosen: dict[int, Mark] = {}
         self._known: dict[str, Mark] = {}
+        self._view = ""
 
     def of(self, view: str) -> None:
-        """Begin with the scale factor of a view of the board."""
-        self.draft.say(view)
+        """Begin with the scale factor of a view of the board, or go on with it."""
+        if view != self._view:
+            self.draft.say(view)
+        self._view = view
 
     def quantity(self, letter: str, value: float, unit: str) -> Mark:
         """Return a quantity (SI) that is known; taken once."""
@@ -86,24 +96,26 @@ class Ledger:
             self._known[letter] = self.draft.draw(op, letter, *uses, unit=unit)
         return self._known[letter]
 
-    def fitting(self, mu: Mark, largest: Mark, room: float, *, lengths: bool = False) -> Mark:
-        """Record that a standard scale factor was chosen at which ``largest`` takes ``room`` mm at most.
+    def fitting(self, mu: Mark, largest: Mark, due: float, *, lengths: bool = False) -> Mark:
+        """Record that ``due`` was chosen, the next standard value at which ``largest`` takes its room.
 
         ``lengths``: standard is what ГОСТ 2.302 has. What is told to be meant for it is a round number of mm
-        from which the same follows.
+        from which the same follows. Where there is nothing to draw any scale factor will do.
         """
         draft, letter = self.draft, mu.letter
-        least, rule, op = self._value(largest), standard, next_standard
+        most, rule, op = self._value(largest), standard, next_standard
         if lengths:
             rule, op = standard_length, next_standard_length
-        wanted = draft.take(Length, f"[{largest.name}]", _round(least, room, rule))
+        if not most > 0.0:
+            return self.told(mu, due, why=_NOTHING)
+        wanted = draft.take(Length, f"[{largest.name}]", _round(most, due, rule))
         exact = draft.draw(scale_of, f"{letter}′", largest, wanted, unit=mu.unit)
         return self.enter(mu, draft.draw(op, letter, exact, unit=mu.unit))
 
-    def told(self, mu: Mark, value: float) -> Mark:
+    def told(self, mu: Mark, value: float, *, why: str = "") -> Mark:
         """Record that a scale factor is what the scene gives."""
         told = self.draft.take(Number, "", value, mu.unit)
-        return self.enter(mu, self.draft.draw(accepted, mu.letter, told, unit=mu.unit))
+        return self.enter(mu, self.draft.draw(accepted, mu.letter, told, unit=mu.unit, why=why))
 
     def by_length(self, mu: Mark, quantity: Mark, letter: str, mm: float) -> Mark:
         """Record that the scene gives the length ``letter`` (mm) that is to show a quantity."""
@@ -122,6 +134,31 @@ class Ledger:
         """Record the length of a quantity that follows."""
         return self.draft.draw(to_board, letter, quantity, mu)
 
+    def value_of(self, drawn: Drawn, mark: Mark) -> float:
+        """Return the value of a mark of the board that is the same in all positions."""
+        given = drawn.given.get(mark)
+        value = drawn.reading[mark] if given is None else given
+        return float(np.ravel(np.asarray(value))[0])
+
+    def copied(self, drawn: Drawn, steps: Mapping[Mark, Step], mark: Mark) -> Mark:
+        """Return what stands for a mark of the board: chosen before, given, or calculated as there.
+
+        What was read off the drawing is taken as it was read.
+        """
+        if mark.slot in self.chosen:
+            return self.chosen[mark.slot]
+        if mark.name in self._known:
+            return self._known[mark.name]
+        value, step = self.value_of(drawn, mark), steps.get(mark)
+        if step is not None and step.op.formula:
+            uses = [self.copied(drawn, steps, one) for one in step.uses]
+            found = self.draft.draw(step.op, mark.name, *uses, unit=mark.unit, why=step.why)
+        elif mark.kind is Number and mark.unit.endswith("/mm"):
+            return self.told(mark, value)
+        else:
+            found = self.draft.take(mark.kind, mark.name, value, mark.unit)
+        return self.enter(mark, found)
+
     def choices(self) -> Choices:
         """Return what was recorded."""
         return Choices(self.draft.board.construction(), dict(self.draft.given), dict(self.chosen))
@@ -131,14 +168,53 @@ class Ledger:
         return float(found[mark][0, 0])
 
 
-def _round(largest: float, room: float, rule: Callable[[float, float], float]) -> float:
-    """Return a round length (mm) from which the same scale factor follows as from ``room``."""
-    due = rule(largest, room)
+def _round(largest: float, due: float, rule: Callable[[float, float], float]) -> float:
+    """Return a round length (mm) for ``largest``, from which the scale factor ``due`` follows."""
     for grain in GRAINS:
         wanted = grain * math.ceil(largest / due / grain)
         if wanted > 0.0 and rule(largest, wanted) == due:
             return wanted
-    return room
+    return largest / due
+
+
+def _graphs(drawn: Drawn, charts: Iterable[Chart], ledger: Ledger) -> None:
+    """Record the choice of the scale factors of graphs; of several that share one the largest rules."""
+    found: dict[Mark, Chart] = {}
+    reach: Mapping[str, float] = drawn.reach[GRAPHS]
+    for chart in charts:
+        known = found.get(chart.mu)
+        if not chart.chosen or chart.mu.slot in ledger.chosen:
+            continue
+        if known is None or reach[chart.view] > reach[known.view]:
+            found[chart.mu] = chart
+    for mu, chart in found.items():
+        ledger.of(chart.view)
+        value = ledger.value_of(drawn, mu)
+        if chart.wanted:
+            ledger.told(mu, value)
+            continue
+        letter = f"{chart.symbol}_{{max}}"
+        if chart.room is None and _crosses(drawn, chart):
+            letter += f"−{chart.symbol}_{{min}}"
+        ledger.fitting(mu, ledger.quantity(letter, reach[chart.view], chart.unit), value)
+
+
+def _crosses(drawn: Drawn, chart: Chart) -> bool:
+    """Whether a graph goes below its base."""
+    rows = [drawn.reading[m].imag for m in chart.figure]
+    rows = rows or [drawn.reading[m] for m in chart.ordinates]
+    return any(bool(np.nanmin(row, initial=0.0) < 0.0) for row in rows)
+
+
+def _calculated(drawn: Drawn, ledger: Ledger) -> None:
+    """Record scale factors that follow from others by formulas of the log, and the lengths that follow."""
+    log = drawn.construction
+    steps = {step.it: step for step in log.steps}
+    wanted = [view.scale for view in log.views if view.scale in steps]
+    wanted += [step.it for step in log.steps if step.op in FOLLOWING]
+    for mark in sorted({mark for mark in wanted if mark is not None}):
+        ledger.of(mark.view)
+        ledger.copied(drawn, steps, mark)
 
 
 def choices(drawn: Drawn) -> Choices:
@@ -147,6 +223,8 @@ def choices(drawn: Drawn) -> Choices:
         ledger = Ledger()
         for chapter in drawn.project.chapters:
             chapter.choice(drawn, ledger)
+            _graphs(drawn, chapter.charts(drawn.made[chapter.name]), ledger)
+        _calculated(drawn, ledger)
         drawn.cache[SCALES] = ledger.choices()
     found: Choices = drawn.cache[SCALES]
     return found

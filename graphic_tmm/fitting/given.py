@@ -17,6 +17,10 @@ from graphic_tmm.scene.records import Scene
 
 LEAST = 0.5
 """A composition that names less of the views than this share is of something else."""
+_MOVED = said(
+    "{file}: the view '{name}' does not fit there any more: it stands at {x:.1f}, {y:.1f}"
+)
+_ADDED = said("{file}: the view '{name}' is not in it: it stands at {x:.1f}, {y:.1f}")
 
 Laid = Sequence[tuple[Shared, Places]]
 
@@ -68,24 +72,7 @@ def restored_sheets(
         return None, (says,)
     told = [said("{file}: there is no view '{name}'", file=FILE, name=name) for name in gone]
     at = {k: z for _, places in found.sheets for k, z in places.items()}
-    for k in found.moved:
-        told.append(
-            said(
-                "{file}: the view '{name}' does not fit there any more: it stands at {x:.1f}, {y:.1f}",
-                file=FILE,
-                name=names[k],
-                x=at[k].real,
-                y=at[k].imag,
-            )
-        )
-    for k in found.added:
-        told.append(
-            said(
-                "{file}: the view '{name}' is not in it: it stands at {x:.1f}, {y:.1f}",
-                file=FILE,
-                name=names[k],
-                x=at[k].real,
-                y=at[k].imag,
-            )
-        )
+    for keys, says in ((found.moved, _MOVED), (found.added, _ADDED)):
+        for k in keys:
+            told.append(said(says, file=FILE, name=names[k], x=at[k].real, y=at[k].imag))
     return found.sheets, tuple(told)

@@ -97,7 +97,9 @@ class Rooms:
                 self._counts[key] = 1
                 return 1
             try:
-                self._counts[key] = len(shared([Order(tuple(outlines), rooms, order.format)]))
+                wanted = [Order(tuple(outlines), rooms, order.format)]
+                enough = most if math.isfinite(most) else 0.0
+                self._counts[key] = len(shared(wanted, enough=enough))
             except ViewError:
                 self._counts[key] = math.inf
         return self._counts[key]

@@ -86,10 +86,21 @@ class Search:
 
     def lettered(self, steps: list[Sizes], most: float) -> Sizes | None:
         """Return the largest of sizes, in order, that take no more sheets with their letters; None: all do."""
-        for sizes in reversed(steps):
-            if not self.written.takes_more(sizes, most):
-                return sizes
-        return None
+        held, back = -1, 1  # the last known to be, and how far before the last it is looked for
+        over = len(steps)
+        while over > 0 and held < 0:
+            tried = max(len(steps) - back, 0)
+            if self.written.takes_more(steps[tried], most):
+                over, back = tried, 2 * back + 1
+            else:
+                held = tried
+        while held >= 0 and over - held > 1:
+            middle = (held + over) // 2
+            if self.written.takes_more(steps[middle], most):
+                over = middle
+            else:
+                held = middle
+        return steps[held] if held >= 0 else None
 
     def _saving(self, sizes: Sizes, free: Sequence[str], rooms: Rooms) -> tuple[Sizes, bool]:
         """Return sizes to begin with: less than usual where that saves sheets that nobody ordered.
@@ -100,7 +111,8 @@ class Search:
         if count <= ordered or math.isinf(count):
             return sizes, False
         tried = [sizes]
-        for less in self._giving_way(sizes, free):
+        narrow = ordered > 1 and count == ordered + 1  # then what is left over may stand elsewhere
+        for less in self._giving_way(sizes, free, rooms, math.inf if narrow else count - 1):
             if not rooms.takes_more(less, count - 1):
                 sizes, count = less, rooms.count(less)
             if count <= ordered:
@@ -111,17 +123,30 @@ class Search:
                 return less, True
         return sizes, False
 
-    def _giving_way(self, sizes: Sizes, free: Sequence[str]) -> Iterator[Sizes]:
-        """Yield smaller sizes: small ones, one of them step by step, all of them step by step."""
+    def _giving_way(
+        self, sizes: Sizes, free: Sequence[str], rooms: Rooms, most: float
+    ) -> Iterator[Sizes]:
+        """Yield smaller sizes: small ones, one of them step by step, all of them step by step.
+
+        What takes more sheets than ``most`` where it is smallest is not tried in between.
+        """
         small = {n: min(sizes[n], self.own[n][1].small) for n in free if self.own[n][1].small}
         yield {**sizes, **small}
         there = [name for name in free if self.own[name][1].cap > 0.0]
+        groups = [*([name] for name in there), there]
+
+        def smaller(names: Sequence[str], part: float) -> Sizes:
+            less: Sizes = {**sizes, **small} if len(names) > 1 else sizes
+            for name in names:
+                less = self._less(name, part * sizes[name], less)
+            return less
+
+        if math.isfinite(most):
+            groups = [g for g in groups if not rooms.takes_more(smaller(g, WAY[-1]), most)]
         tried = {self._come_of(sizes)}
         for part in WAY:
-            for names in (*([name] for name in there), there):
-                less: Sizes = {**sizes, **small} if len(names) > 1 else sizes
-                for name in names:
-                    less = self._less(name, part * sizes[name], less)
+            for names in groups:
+                less = smaller(names, part)
                 if (known := self._come_of(less)) not in tried:
                     tried.add(known)
                     yield less

@@ -52,7 +52,10 @@ class Slide:
 
 @dataclass(frozen=True)
 class Link:
-    """One link: its number, its points in its own axes (m), its guides and sliding pairs, mass and J (SI)."""
+    """One link: its number, its points in its own axes (m), its guides and sliding pairs, mass and J (SI).
+
+    ``rod``: the length (m) of the even rod whose J it has; None if J was given by itself.
+    """
 
     number: int
     points: Mapping[str, complex]
@@ -63,6 +66,7 @@ class Link:
     inertia: float | None = None
     centre: str | None = None
     side: Side | None = None
+    rod: float | None = None
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,8 @@ CLEAR = 0.8
 """Clear space about a label, mm."""
 APART = 0.9
 """Clear space between two labels beyond that, mm."""
+ASIDE = 0.9
+"""Still more clear space between labels beside each other, mm, or they would be read as one."""
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""
 RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0, 36.0))
@@ -244,7 +246,8 @@ def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied) -> Label:
 
 def _cheapest(one: Wanted, tried: _Boxes, occupied: Occupied) -> tuple[float, Rect]:
     """Return what the best of some places costs, and the place."""
-    standing = occupied.letters_at(*tried.grown(CLEAR / 2 + APART))
+    left, low, right, high = tried.grown(CLEAR / 2 + APART)
+    standing = occupied.letters_at(left - ASIDE, low, right + ASIDE, high)
     tried = tried._replace(cost=np.round(tried.cost + _LABEL * standing, 6))
     cheap = np.argsort(tried.cost, kind="stable")[:WEIGHED]
     few = tried.chosen(cheap)

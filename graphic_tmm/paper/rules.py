@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.board.operations import graphs as g
+from graphic_tmm.board.operations.choice import accepted, next_standard, next_standard_length
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import (
     bearing,
@@ -50,10 +51,22 @@ MEETING = (meet.name, cut.name, touch.name)
 """Operations that find a point where a line was met: such a line stays."""
 
 TRACELESS: frozenset[str] = frozenset(
-    op.name for op in (bearing, coincide, measure, measure_along, planimeter, stand, g.following)
+    op.name
+    for op in (
+        accepted,
+        bearing,
+        coincide,
+        measure,
+        measure_along,
+        planimeter,
+        stand,
+        g.following,
+        next_standard,
+        next_standard_length,
+    )
 )
-"""Operations that leave no trace: what is read with ruler, protractor or planimeter, and points that are there
-already under another letter. Calculations (operations with a formula) leave none either."""
+"""Operations that leave no trace: what is read with ruler, protractor or planimeter or taken from a table, and
+points that are there already under another letter. Calculations, which have a formula, leave none either."""
 
 
 def stays(seen: Seen, step: Step) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -51,23 +51,27 @@ def protocol(
     """Yield the numbered protocol of one plan in one position, with equations and the calculation note.
 
     ``place``: the index of the position in ``reading``; ``turned``: the plan is turned by 90°. ``elsewhere``:
-    other positions by index and name; what has no value in the first is told in one of them.
+    other positions by index and name; what has no value in the first is told in one of them. Steps that do not
+    exist in any of them are left out; one remark at the end tells their numbers.
     """
     told, own = place, {place: "", **dict(elsewhere)}
     solved = {e.group: e for e in equations(construction, plan, turned=turned)}
     steps = [step for step in construction.steps if step.it.view == plan]
     sums = _sums(steps)
-    first = 0
+    first, remarks, left_out = 0, list[Line](), list[Line]()
     for counted, step in enumerate(steps, 1):
-        for note in filter(None, step.note.split("\n")):
-            yield Line(0, view_name(note, language) if plan == SCALES else remark(note, language))
-            if note in solved:
-                yield Line(0, _told(solved[note], language))
+        remarks = _remarks(step, solved, language) or remarks
         first = first or counted
         terms = sums.get(step.it, ())
         if step.it in sums and not terms:
             continue  # told with the sum that it is a part of
-        at = next((k for k in own if defined(reading, step.it, k)), place)
+        at = next((k for k in own if defined(reading, step.it, k)), None)
+        if at is None:
+            left_out.append(Line(counted, "", first=first))
+            first = 0
+            continue
+        yield from remarks
+        remarks = []
         if at != told and own.get(at) and not _still(reading, step.it):
             yield Line(0, f"{captions(language)['position']} {own[at]}")
             told = at
@@ -75,6 +79,30 @@ def protocol(
         why = reason(step, language, reading, at)
         yield Line(counted, sentence(step, language, reading, at), note, first, why)
         first = 0
+    yield from _left_out(left_out, language)
+
+
+def _left_out(lines: Sequence[Line], language: str) -> Iterator[Line]:
+    """Yield the remark that tells the numbers of steps, those that follow one another as a stretch."""
+    stretches: list[Line] = []
+    for one in lines:
+        if stretches and stretches[-1].number + 1 == one.first:
+            one = one._replace(first=stretches.pop().first)
+        stretches.append(one)
+    if listed := ", ".join(one.label for one in stretches):
+        text = said("steps that do not exist here: {listed}", listed=listed)
+        yield Line(0, speaking(language)(text))
+
+
+def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[Line]:
+    """Return what stands before a step: its remarks, and the equations that they begin."""
+    found = []
+    for note in filter(None, step.note.split("\n")):
+        heading = view_name if step.it.view == SCALES else remark
+        found.append(Line(0, heading(note, language)))
+        if note in solved:
+            found.append(Line(0, _told(solved[note], language)))
+    return found
 
 
 def _told(equation: Equation, language: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
+from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve, undefined
@@ -206,11 +207,10 @@ def _beside(drawn: Drawn, plan: str, language: str, why: bool) -> Iterator[str]:
     found = synthesis(drawn.scene) if plan == SYNTHESIS else choices(drawn)
     if found is None or not found.construction.steps:
         return
-    reading = execute(found.construction, found.given)
+    log = found.construction
+    reading = execute(log, found.given).doubted(Doubts(log.steps, found.given))
     yield view_name(plan, language)
-    yield from _printed(
-        narrate(found.construction, plan, reading, 0, language), language if why else ""
-    )
+    yield from _printed(narrate(log, plan, reading, 0, language), language if why else "")
     yield ""
 
 

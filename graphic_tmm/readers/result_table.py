@@ -20,6 +20,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.packing import settled
+from graphic_tmm.paper.ruled import table
 from graphic_tmm.readers.columns import (
     Column,
     Row,
@@ -81,6 +82,22 @@ def result_table(
         return fewest(within, settled(made, within), settled(other(), within))
 
     return made._replace(apart=apart)
+
+
+def results(
+    name: str, title: str, rows: Sequence[Sequence[str]], language: str, heights: Heights
+) -> Drawing:
+    """Return a table of results, ``name`` in the drawing: each row a quantity, its figure and its unit."""
+    words = captions(language)
+    return table(
+        name,
+        title,
+        [words["value"], words["results"], words["unit"]],
+        rows,
+        size=heights.number,
+        title_size=heights.title,
+        align=["left", "centre", "left"],
+    )
 
 
 def _decimals(row: Row) -> int:

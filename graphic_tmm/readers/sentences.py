@@ -54,31 +54,30 @@ def _value(reading: Reading, mark: Mark, place: int) -> float:
     return float(row[place if row.size > 1 else 0])
 
 
-def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
-    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+def phrase(step: Step, language: str, reading: Reading, place: int) -> tuple[str, dict[str, str]]:
+    """Return the sentence of a step as a template, and what stands for its names, see `sentence`."""
     words = _words(step, language, reading, place)
     if step.op.formula:
-        return f"{captions(language)['calculate']} {words['it']}."
-    return _put(step.op.sentence, words, language)
+        return f"{captions(language)['calculate']} {{it}}.", words
+    return _segments(speaking(language)(step.op.sentence), words), words
+
+
+def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
+    """Return what is done in a step in one position (its index in ``reading``), as a sentence."""
+    template, words = phrase(step, language, reading, place)
+    return template.format(**words)
 
 
 def reason(step: Step, language: str, reading: Reading, place: int) -> str:
     """Return why a step is done, as a sentence; "" if nobody gave a reason."""
     if not step.reason:
         return ""
-    return _put(step.reason, _words(step, language, reading, place), language)
+    words = _words(step, language, reading, place)
+    return _segments(speaking(language)(step.reason), words).format(**words)
 
 
 Phrase = tuple[str, Mapping[str, str]]
 """A sentence as a template, and what stands for its names."""
-
-
-def phrase(step: Step, language: str, reading: Reading, place: int) -> Phrase:
-    """Return what is done in a step as a template with its words; see `sentence`."""
-    words = _words(step, language, reading, place)
-    if step.op.formula:
-        return f"{captions(language)['calculate']} {{it}}.", words
-    return _segments(speaking(language)(step.op.sentence), words), words
 
 
 def grounds(step: Step, language: str, reading: Reading, place: int) -> Phrase | None:
@@ -87,10 +86,6 @@ def grounds(step: Step, language: str, reading: Reading, place: int) -> Phrase |
         return None
     words = _words(step, language, reading, place)
     return _segments(speaking(language)(step.reason), words), words
-
-
-def _put(text: str, words: Mapping[str, str], language: str) -> str:
-    return _segments(speaking(language)(text), words).format(**words)
 
 
 def _words(step: Step, language: str, reading: Reading, place: int) -> dict[str, str]:

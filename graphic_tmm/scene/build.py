@@ -135,9 +135,17 @@ def _link(table: m.Link, bodies: dict[int, m.Frame | m.Link], frame: int) -> Lin
         slides=tuple(_slide(slide, bodies, frame) for slide in table.pairs),
         name=table.name,
         mass=table.mass,
-        inertia=table.J,
+        inertia=_inertia(table),
         side=side,
+        rod=table.rod,
     )
+
+
+def _inertia(table: m.Link) -> float | None:
+    """Return the moment of inertia of a link, kg·m²: as told, or that of a rod."""
+    if table.rod is None or table.mass is None:
+        return table.J
+    return table.mass * table.rod**2 / 12.0
 
 
 def _slide(table: m.Slide, bodies: dict[int, m.Frame | m.Link], frame: int) -> Slide:

@@ -31,6 +31,7 @@ def check(parts: Parts) -> Iterator[Found]:
         yield from _places((*path, "points"), link.points, set(centres) - pins)
         if any(section.weighs for section, _ in parts.asked):
             yield from _masses(path, link, centres)
+        yield from _rod(path, link)
         yield from _flips(path, link)
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
@@ -123,6 +124,16 @@ def _masses(path: Path, link: Link, centres: tuple[str, ...]) -> Iterator[Found]
             listed=joined(said(" or "), (f'centre = "{letter}"' for letter in centres)),
         )
         yield Found((*path, "centre"), says)
+
+
+def _rod(path: Path, link: Link) -> Iterator[Found]:
+    """A rod that has no mass, or a J of its own."""
+    if link.rod is None:
+        return
+    if not link.mass:
+        yield Found((*path, "rod"), said("the J of a rod is m·l²/12: give its mass, too"))
+    if link.J is not None:
+        yield Found((*path, "rod"), said("J is given, too: leave one of the two out"))
 
 
 def _flips(path: Path, owner: Link | Slide) -> Iterator[Found]:

@@ -111,6 +111,12 @@ class Link:
     J: float | None = key(
         v.INERTIA, "its moment of inertia about the mass centre", "0.02 kg*m^2", None
     )
+    rod: float | None = key(
+        v.POSITIVE_LENGTH,
+        "in place of J: the length l of an even rod that has its mass and its J = m·l²/12",
+        "0.4 m",
+        None,
+    )
     centre: str | None = key(
         v.TEXT,
         "the letter of its mass centre; left out, its only point that is no turning pair",

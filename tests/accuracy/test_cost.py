@@ -118,6 +118,7 @@ def test_a_plan_costs_what_its_own_steps_add(name: str) -> None:
     assert last == count(log, varies, positions=12)
 
 
+@pytest.mark.slow
 def test_a_view_drawn_at_three_positions_costs_three_of_it() -> None:
     ((log, given),) = logs("windrower")
     varies = varying(given)

@@ -26,6 +26,7 @@ def test_a_step_is_repeated_where_its_value_has_all_positions(name: str) -> None
             assert (size > 1) == (mark.slot in again), (mark.view, mark.letter)
 
 
+@pytest.mark.slow
 def test_steps_across_positions_leave_one_mark_or_one_for_each_position() -> None:
     seen = set()
     for name in ALL:

@@ -64,6 +64,34 @@ def test_a_figure_keeps_the_digits_that_are_sure_and_no_others() -> None:
             assert len(f"{value:.12e}".split("e")[0].rstrip("0")) - 1 <= 2 - np.log10(share)
 
 
+@pytest.mark.parametrize("share", [1e-3, 1e-8, 1e-10, 1e-12])
+def test_what_nobody_could_read_beside_its_plan_is_nothing(share: float) -> None:
+    """Every digit told of a difference is sure; one too small beside what it is made of is 0.
+
+    A small figure that is given, and what is computed from it alone, is as large as it should be.
+    """
+    bench = Bench()
+    one = bench.take(Number, "a", 1.0)
+    more = bench.take(Number, "b", 1.0 + share)
+    small = bench.take(Number, "c", share)
+    rest = bench.board.draw(difference_of, "d", more, one)
+    times = bench.board.draw(product, "e", rest, one)
+    own = bench.board.draw(product, "f", small, one)
+    told = share if share > 1e-9 else 0.0
+    for mark in (rest, times):
+        assert bench.figure(mark)[0] == pytest.approx(told, rel=2e-3, abs=0.0)
+    assert bench.figure(own)[0] == pytest.approx(share, rel=1e-9)
+
+
+def test_a_length_that_does_not_vary_stays_one_figure_on_a_plan_that_does() -> None:
+    bench = Bench()
+    origin = bench.take(Point, "O", 0j)
+    fixed = bench.board.draw(measure, "OA", origin, bench.take(Point, "A", 3.0 + 4.0j))
+    line = bench.board.draw(ray, "m", origin, bench.take(Angle, "α", [10.0, 20.0, 30.0]))
+    bench.board.draw(lay_off, "B", line, fixed)
+    assert bench.figure(fixed).tolist() == [5.0]
+
+
 def test_the_difference_of_equals_is_nothing() -> None:
     bench = Bench()
     third = bench.take(Number, "a", [0.1, 1.0, 1e300])
@@ -73,7 +101,7 @@ def test_the_difference_of_equals_is_nothing() -> None:
     assert (bench.figure(bench.board.draw(difference_of, "f", whole, other)) == 0.0).all()
 
 
-@pytest.mark.parametrize("rest", [1e-2, 1e-6, 1e-10])
+@pytest.mark.parametrize("rest", [1e-2, 1e-6, 1e-8])
 def test_a_small_difference_that_stands_out_of_rounding_is_itself(rest: float) -> None:
     bench = Bench()
     one = bench.board.draw(

@@ -31,7 +31,8 @@ ONLY_VELOCITIES = '[[sheet]]\nplace = ["velocities"]\n'
 NEEDS = {"forces": ("load",), "flywheel": ("forces", "load"), "engine": ("indicator",)}
 
 
-SLOW = [pytest.param(k, marks=pytest.mark.slow) if k in ("cam", "engine") else k for k in PLANS]
+LATER = pytest.mark.slow
+SLOW = [pytest.param(k, marks=LATER) if k in ("cam", "engine") else k for k in PLANS]
 """Of the long ones one of the parts in the everyday run."""
 
 
@@ -89,12 +90,22 @@ def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("sections", "key", "remedy"),
     [
-        (("load",), "load", "without a section [forces]"),
-        (("effects",), "effects", "without a section [forces]"),
+        pytest.param(("load",), "load", "without a section [forces]", marks=LATER),
+        pytest.param(("effects",), "effects", "without a section [forces]", marks=LATER),
         (("friction",), "friction", "without a section [forces]"),
-        (("friction", "forces"), "friction", "friction = true in [effects]"),
+        pytest.param(
+            ("friction", "forces"),
+            "friction",
+            "friction = true in [effects]",
+            marks=LATER,
+        ),
         (("indicator",), "indicator", "add [flywheel] or [engine], or gas = true"),
-        (("indicator", "forces", "effects"), "indicator", "gas = true in [effects]"),
+        pytest.param(
+            ("indicator", "forces", "effects"),
+            "indicator",
+            "gas = true in [effects]",
+            marks=LATER,
+        ),
     ],
 )
 def test_a_section_that_nothing_reads_is_told_in_one_line(

@@ -138,9 +138,8 @@ def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None
         once(runs)
 
 
-@pytest.mark.parametrize(
-    ("kind", "count"), [("slider", 4), pytest.param("six", 8, marks=pytest.mark.slow)]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize(("kind", "count"), [("slider", 4), ("six", 8)])
 def test_all_that_a_mechanism_can_be_asked_for_takes_one_run(
     kind: str, count: int, runs: Runs, tmp_path: Path
 ) -> None:

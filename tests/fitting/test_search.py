@@ -75,6 +75,7 @@ def longest(drawn: Drawn, plan: str) -> float:
     return float(getattr(drawn.reach["kinematics"], plan)) / drawn.scales[plan].value
 
 
+@pytest.mark.slow
 def test_a_fixed_scale_that_leaves_the_sheet_white_is_told_with_one_that_does_not(
     tmp_path: Path,
 ) -> None:

@@ -166,7 +166,9 @@ def test_everything_that_can_be_asked_for_is_drawn(
 
 @pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.slow), "ru"])
 @pytest.mark.parametrize("format", [pytest.param("A4", marks=pytest.mark.slow), "A1"])
-@pytest.mark.parametrize("kind", asked.PARTS)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(k, marks=pytest.mark.slow) if k == "gears" else k for k in asked.PARTS]
+)
 def test_parts_are_drawn_on_any_format(
     kind: str, format: str, language: str, tmp_path: Path
 ) -> None:

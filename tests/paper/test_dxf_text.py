@@ -48,6 +48,7 @@ def test_letters_of_every_scene_are_text(name: str) -> None:
         assert 0.95 * due <= written <= due
 
 
+@pytest.mark.slow
 def test_letters_as_strokes_are_had_on_wish(sheet) -> None:
     document = opened(sheet, stroked=True)
     assert not document.modelspace().query("TEXT")

@@ -18,11 +18,18 @@ from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
-from graphic_tmm.note.note import note
+from graphic_tmm.note.note import note, wanted
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
-from support.gallery import made
+from graphic_tmm.studio import make
+from support.gallery import scene
+
+
+@cache
+def made(name: str) -> DrawnScene:
+    """A scene of the package, drawn as for its note."""
+    return make(scene(name), wanted=wanted(scene(name)))
 
 
 @cache

@@ -42,6 +42,8 @@ PARTS = {
 }
 
 
+EVERYDAY = ("a rocker", "a train")
+"""Of these a test of one part is an everyday one."""
 KEPT: dict[str, Drawn] = {}
 """What was drawn of them; it is shared: change nothing of it."""
 

@@ -68,6 +68,39 @@ def accepted(told: Number) -> Number:
     return told
 
 
+ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 0.5, 0.4, 0.25, 0.2, 0.1)
+"""How many times a figure may be drawn larger than another, the largest first."""
+
+
+@formula(
+    why=said(
+        "On the plan it is so many millimetres long; {room} are meant for it: the ratio is how many times "
+        "larger it may be."
+    )
+)
+def times_larger(room: Length, mu: Number, quantity: Number) -> Number:
+    """{room}·{mu}/{quantity}"""
+
+
+@operation(
+    why=said(
+        "A round ratio is easy to carry over; the next smaller one keeps the figure in its room."
+    )
+)
+def next_ratio(exact: Number) -> Number:
+    """Take for {it} the next round ratio that is no larger than {exact}."""
+    return Number(_each(lambda most, _: ratio_below(most), exact))
+
+
+def ratio_below(most: float) -> float:
+    """Return the largest of `ENLARGED` that is no larger than ``most``, or else the least of them.
+
+    >>> ratio_below(3.0), ratio_below(0.01)
+    (2.5, 0.1)
+    """
+    return next((k for k in ENLARGED if k <= most * (1 + 1e-12)), ENLARGED[-1])
+
+
 def _each(rule: Callable[[float, float], float], exact: Reals) -> Reals:
     found = np.vectorize(lambda least: rule(float(least), 1.0), otypes=[np.float64])(exact)
     return np.asarray(found, dtype=np.float64)

@@ -13,12 +13,18 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Complexes, Curve, Point, Reals
+from graphic_tmm.language.said import said
 
 TAUT = 0.0
 """Of a curve that does not bulge: the share of the row's bend that its tangents may take; see `bounded`."""
 
 
-@operation(across=True)
+@operation(
+    across=True,
+    why=said(
+        "The point goes smoothly through the places found in all positions: this is its path over a turn."
+    ),
+)
 def french_curve(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} with the French curve.
 
@@ -40,6 +46,10 @@ def french_curve(through: Point, *, row: int) -> Curve:
 
 @operation(
     across=True,
+    why=said(
+        "Valves open and close between the points that were read: the line has no bulge there that nobody "
+        "measured."
+    ),
 )
 def taut_curve(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw by hand the closed line {it}, without bulges between them.

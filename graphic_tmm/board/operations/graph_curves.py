@@ -17,6 +17,7 @@ from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.curve import TAUT, bounded, natural, neighbours, periodic
 from graphic_tmm.board.operations.graphs import alike, rise_of
 from graphic_tmm.board.values import Complexes, Curve, Length, Line, Point
+from graphic_tmm.language.said import said
 
 SMOOTH = 1.0
 """Share of the row's bend by which the tangents of a smooth curve may lie outside those of a taut one.
@@ -29,6 +30,9 @@ acceleration of a quick return, is no nearer; this one stays below 12 %.
 
 @operation(
     across=True,
+    why=said(
+        "What repeats itself turn by turn changes smoothly between the positions that were found."
+    ),
 )
 def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it}, which repeats itself after {over}.
@@ -40,6 +44,9 @@ def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
 
 @operation(
     across=True,
+    why=said(
+        "Nothing is known between the positions but that nothing leaps beyond its neighbours there."
+    ),
 )
 def taut_graph(through: Point, over: Length, *, row: int) -> Curve:
     """Through {through} draw the curve {it}, closed over {over}, nowhere outside two neighbours' ordinates.
@@ -66,6 +73,7 @@ def _closed(through: Complexes, over: Any, row: int, bend: float) -> Curve:
 
 @operation(
     across=True,
+    why=said("Between the points that were found the graph changes smoothly."),
 )
 def open_graph(through: Point, end: Point, *, row: int) -> Curve:
     """Through the points {through} and {end} draw the smooth curve {it}.
@@ -78,6 +86,7 @@ def open_graph(through: Point, end: Point, *, row: int) -> Curve:
 
 @operation(
     across=True,
+    why=said("Chords tell the middles of the intervals; between them the graph changes smoothly."),
 )
 def open_graph_of_middles(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} and go on by half an interval at both ends."""
@@ -93,7 +102,10 @@ def open_graph_of_middles(through: Point, *, row: int) -> Curve:
     return Curve(knots, np.concatenate([rise, inner.tangents, fall], axis=1), False)
 
 
-@operation(across=True)
+@operation(
+    across=True,
+    why=said("Within a stretch of one law the graph changes smoothly; at its ends it may leap."),
+)
 def graph_of_stretch(through: Point, *, first: int, last: int) -> Curve:
     """From one end of the stretch to the other draw the smooth curve {it} through the points {through}.
 
@@ -152,6 +164,10 @@ def free_ends(points: Complexes) -> Complexes:
 
 @operation(
     across=True,
+    why=said(
+        "The slope of an integral is its integrand: at each point the curve is parallel to the ray of its "
+        "ordinate."
+    ),
 )
 def graph_of_rays(
     through: Point, end: Point, pole: Point, ordinates: Point, up: Line, *, row: int
@@ -169,6 +185,7 @@ def graph_of_rays(
 
 @operation(
     across=True,
+    why=said("At every position the ordinate is the difference of the ordinates of both curves."),
 )
 def graph_of_differences(
     through: Point, end: Point, first: Curve, second: Curve, *, row: int
@@ -183,6 +200,9 @@ def graph_of_differences(
 
 @operation(
     across=True,
+    why=said(
+        "Both quantities belong to one angle of the crank; drawn over one another the angle drops out."
+    ),
 )
 def curve_of_two(through: Point, ordinates: Curve, *, row: int) -> Curve:
     """Eliminating the angle, draw the closed curve {it} through {through}; it rises and falls as {ordinates}.

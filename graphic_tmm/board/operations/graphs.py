@@ -15,9 +15,13 @@ from graphic_tmm.board.geometry import unit
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
+from graphic_tmm.language.said import said
 
 
-@operation(across=True)
+@operation(
+    across=True,
+    why=said("What follows is counted from the zero position."),
+)
 def at_zero(of: Point) -> Point:
     """Mark {it} where {of} stands in the zero position."""
     return Point(of[:, :1])
@@ -25,6 +29,7 @@ def at_zero(of: Point) -> Point:
 
 @operation(
     across=True,
+    why=said("An interval of the row lies between a position and the one that follows."),
 )
 def following(point: Point, end: Point, *, row: int) -> Point:
     """For each interval mark {it}, the point that follows {point}; after the last one comes {end}."""
@@ -41,7 +46,11 @@ def alike(*values: Any) -> Any:
     return [np.broadcast_to(value, (trials, value.shape[1])) for value in values]
 
 
-@operation()
+@operation(
+    why=said(
+        "What a chord or a rectangle tells is the mean of its interval, so it belongs to the middle."
+    )
+)
 def halve(start: Point, end: Point) -> Point:
     """Halve {start}{end}; mark {it}."""
     return Point((start + end) / 2.0)
@@ -52,7 +61,10 @@ _GAUSS = [half / 4.0 + sign / 48.0**0.5 for half in (1, 3) for sign in (-1, 1)]
 _OUTSIDE = "no curve stands over the foot"
 
 
-@operation(fails=_OUTSIDE)
+@operation(
+    fails=_OUTSIDE,
+    why=said("The ordinate over a point of the base is what the graph shows there."),
+)
 def erect(curve: Curve, foot: Point) -> Point:
     """From {foot} erect the perpendicular to the axis up to the curve {curve}; mark {it}."""
     p, m, u = _arc(curve, foot)
@@ -61,7 +73,10 @@ def erect(curve: Curve, foot: Point) -> Point:
     return Point(foot.real + 1j * y)
 
 
-@operation(fails=_OUTSIDE)
+@operation(
+    fails=_OUTSIDE,
+    why=said("The slope of the tangent is the derivative there."),
+)
 def touching(curve: Curve, foot: Point) -> Line:
     """Above {foot} draw the tangent {it} to the curve {curve}."""
     return Line(
@@ -79,6 +94,9 @@ def rise_of(curve: Curve, foot: Complexes) -> Reals:
 
 @operation(
     fails=_OUTSIDE,
+    why=said(
+        "The rectangle has the area of the figure: its height is the mean ordinate of the interval."
+    ),
 )
 def level_off(curve: Curve, start: Point, end: Point) -> Point:
     """Over {start}{end} draw a rectangle as large as the figure below {curve}; mark {it}, its upper middle.
@@ -125,6 +143,10 @@ def _abscissas(knots: Complexes) -> Reals:
 @operation(
     across=True,
     fails=WHOLE_ROW,
+    why=said(
+        "Over each interval the integral grows by the interval times the mean ordinate: a segment parallel "
+        "to the ray rises by just that, to the scale of the pole distance."
+    ),
 )
 def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
     """From {start} draw segments over the intervals, each parallel to its ray {rays}; mark beginnings {it}.
@@ -140,7 +162,11 @@ def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -
     return Point(found)
 
 
-@operation(across=True, fails=WHOLE_ROW)
+@operation(
+    across=True,
+    fails=WHOLE_ROW,
+    why=said("The last segment ends at the integral over the whole turn."),
+)
 def arrival(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -> Point:
     """Mark {it} where the last of the segments drawn from {start} parallel to the rays {rays} ends."""
     rises = _rises(rays, feet, end, row)
@@ -158,6 +184,7 @@ def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
 @operation(
     across=True,
     fails=WHOLE_ROW,
+    why=said("Where this energy is greatest the flywheel runs fastest."),
 )
 def highest(curve: Curve, start: Point, end: Point) -> Point:
     """On the curve {curve}, from {start} to {end}, find the highest point; mark {it}."""
@@ -167,6 +194,7 @@ def highest(curve: Curve, start: Point, end: Point) -> Point:
 @operation(
     across=True,
     fails=WHOLE_ROW,
+    why=said("Where this energy is least the flywheel runs slowest."),
 )
 def lowest(curve: Curve, start: Point, end: Point) -> Point:
     """On the curve {curve}, from {start} to {end}, find the lowest point; mark {it}."""

@@ -28,55 +28,62 @@ from graphic_tmm.language.said import said
 _NO_LINE = "the two points coincide"
 
 
-@operation(fails=_NO_LINE)
+@operation(
+    fails=_NO_LINE,
+    why=said("A line is fixed by two of its points."),
+)
 def join(start: Point, end: Point) -> Line:
     """Draw the line {it} through {start} and {end}."""
     return Line(start, unit(end - start))
 
 
-@operation()
+@operation(why=said("A line is fixed by a point of it and its direction."))
 def ray(start: Point, angle: Angle) -> Line:
     """From {start} draw the ray {it} at the angle {angle} to the x axis."""
     return Line(start, cis(angle))
 
 
-@operation()
+@operation(why=said("A line is fixed by a point of it and its direction, here that of {to}."))
 def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} parallel to {to}."""
     return Line(through, to.along if sense > 0 else reverse(to.along))
 
 
-@operation()
+@operation(
+    why=said("A line is fixed by a point of it and its direction, here that of the normal to {to}.")
+)
 def square(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} square to {to}."""
     return Line(through, to.along * (1j * sense))
 
 
-@operation()
+@operation(
+    why=said("A line is fixed by a point of it and its direction, here at a known angle to {to}.")
+)
 def incline(through: Point, to: Line, by: Angle) -> Line:
     """Through {through} draw {it} at the angle {by} to {to}."""
     return Line(through, to.along * cis(by))
 
 
-@operation()
+@operation(why=said("What keeps its distance {by} from {to} moves along a parallel to it."))
 def shift(to: Line, by: Length) -> Line:
     """Parallel to {to}, at the distance {by} to its left, draw {it}."""
     return Line(to.at + by * (1j * to.along), to.along)
 
 
-@operation()
+@operation(why=said("{it} stands on {on}, and its distance from the beginning is known."))
 def lay_off(on: Line, length: Length) -> Point:
     """On {on} lay off {length} from its beginning; mark {it}."""
     return Point(on.at + length * on.along)
 
 
-@operation()
+@operation(why=said("{it} is known by its distances along {on} and square to it."))
 def place(on: Line, x: Length, y: Length) -> Point:
     """On {on} lay off {x} from its beginning and, square to it to the left, {y}; mark {it}."""
     return Point(on.at + vector(x, y) * on.along)
 
 
-@operation()
+@operation(why=said("All points at the distance {radius} from {centre} lie on this arc."))
 def strike(centre: Point, radius: Length) -> Arc:
     """With the compass at {centre} and the opening {radius} strike the arc {it}."""
     return Arc(centre, radius)
@@ -89,6 +96,7 @@ def _meet_condition(base: Line, other: Line) -> Reals:
 @operation(
     condition=_meet_condition,
     fails="the lines are parallel",
+    why=said("{it} has to lie on both lines."),
 )
 def meet(base: Line, other: Line) -> Point:
     """Where {base} and {other} meet, mark {it}.
@@ -127,6 +135,9 @@ def _cut_condition(line: Line, arc: Arc, side: Side) -> Reals:
             _cut_gap,
             "the opening of the arc {arc} is too short to reach {line}",
         ),
+    ),
+    why=said(
+        "{it} has to lie on the line and on the arc; of the two points that do it is the one on this side."
     ),
 )
 def cut(line: Line, arc: Arc, side: Side) -> Point:
@@ -170,6 +181,7 @@ def _cross_condition(first: Arc, second: Arc, side: Side) -> Reals:
             "the openings of {first} and {second} differ too much",
         ),
     ),
+    why=said("{it} has to lie on both arcs; of the two points that do it is the one on this side."),
 )
 def cross(first: Arc, second: Arc, side: Side) -> Point:
     """Where the arcs {first} and {second} meet, {side} going from centre to centre, mark {it}.
@@ -212,6 +224,7 @@ _TANGENT_GAP = Gap(
     fails="the point lies inside the circle",
     gaps=(_TANGENT_GAP,),
     sides=("directed from the centre to the point", "directed from the point to the centre"),
+    why=said("The line passes {centre} at the distance {radius}, so it touches that circle."),
 )
 def tangent(through: Point, centre: Point, radius: Length, side: Side) -> Line:
     """From {through} draw the tangent {it} to the circle of radius {radius} about {centre}, {side}.
@@ -243,6 +256,10 @@ def _rocker_condition(pivot: Point, stone: Point) -> Reals:
             "{stone} passes over {pivot}",
         ),
     ),
+    why=said(
+        "The guide of the rocker goes through its pivot {pivot} and through {stone}, the pin of the stone "
+        "that slides in it."
+    ),
 )
 def rocker_line(pivot: Point, stone: Point) -> Line:
     """Through {pivot} and {stone} draw the line of the rocker {it}."""
@@ -251,6 +268,7 @@ def rocker_line(pivot: Point, stone: Point) -> Line:
 
 @operation(
     sides=("in its sense", "against its sense"),
+    why=said("The link lies along its guide {to}, and its own axis points this way."),
 )
 def directed(through: Point, to: Line, side: Side) -> Line:
     """Through {through} draw {it} along {to}, {side}."""
@@ -270,6 +288,7 @@ def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
             "{start} lies inside the circle {arc}",
         ),
     ),
+    why=said("A tangent is square to the radius of its contact."),
 )
 def touch(start: Point, arc: Arc, side: Side) -> Point:
     """From {start} draw the tangent to the arc {arc}, {side} of the way to its centre; mark the contact {it}.
@@ -321,25 +340,37 @@ def coincide(image: Point) -> Point:
     return Point(image)
 
 
-@operation(reads=True)
+@operation(
+    reads=True,
+    why=said("The length on the drawing, times the scale factor, is the quantity that it shows."),
+)
 def measure(start: Point, end: Point) -> Length:
     """Measure {start}{end}."""
     return Length(np.abs(end - start))
 
 
-@operation(reads=True)
+@operation(
+    reads=True,
+    why=said(
+        "The length, times the scale factor, is the quantity; its sign tells the sense along {on}."
+    ),
+)
 def measure_along(start: Point, end: Point, on: Line) -> Length:
     """Measure {start}{end} along {on}, with its sign."""
     return Length(along(end - start, on.along))
 
 
-@operation()
+@operation(why=said("The angle sought is that of a line which is drawn now."))
 def bearing(start: Point, end: Point) -> Angle:
     """Find the angle of {start}{end} from the x axis."""
     return Angle(degrees(end - start))
 
 
-@operation()
+@operation(
+    why=said(
+        "A position outside the row is drawn as those of the row are, only at an angle of its own."
+    )
+)
 def stand(regular: Angle, extreme: Angle, at: Number) -> Angle:
     """At the position outside the row the crank's angle {it} is {extreme}, at those of the row {regular}."""
     return Angle(np.where(at > 0, extreme, regular))

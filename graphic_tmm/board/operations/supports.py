@@ -8,6 +8,7 @@ from graphic_tmm.board.geometry import along, cis, wedge
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
+from graphic_tmm.language.said import said
 
 _ON = ("from above", "from below")
 
@@ -15,6 +16,7 @@ _ON = ("from above", "from below")
 @operation(
     across=True,
     fails=WHOLE_ROW,
+    why=said("The stroke ends where the point is farthest from its beginning."),
 )
 def farthest(start: Point, points: Point, *, row: int) -> Point:
     """Find the point of {points} that is farthest from {start}; mark {it}."""
@@ -29,6 +31,7 @@ def farthest(start: Point, points: Point, *, row: int) -> Point:
     across=True,
     fails=WHOLE_ROW,
     sides=_ON,
+    why=said("The line has the asked direction and leaves all points on one side."),
 )
 def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
     """At the angle {angle} draw the line {it} that rests on the points {points} {above}.
@@ -47,6 +50,10 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
     across=True,
     fails=WHOLE_ROW,
     sides=_ON,
+    why=said(
+        "The extreme slopes ω_max²/2 and ω_min²/2 bound the curve on its two sides: between these tangents "
+        "the speed keeps its limits."
+    ),
 )
 def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     """At the angle {angle} draw the tangent {it} that touches the closed curve {curve} {above}.
@@ -68,7 +75,11 @@ def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 
-@operation(across=True, fails=WHOLE_ROW)
+@operation(
+    across=True,
+    fails=WHOLE_ROW,
+    why=said("The area inside an indicator diagram is the work of a turn, to scale."),
+)
 def planimeter(curve: Curve) -> Number:
     """Go round {curve} with the planimeter; its area, mm², is {it}.
 

@@ -35,6 +35,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
 from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.cam.choice import choose
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.given import given
 from graphic_tmm.chapters.cam.note import concludes
@@ -85,6 +86,7 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    choice=choose,
     charts=lambda made: made.charts,
     named=lambda project, reading, given: view_scales(project, reading),
     warnings=_limits,

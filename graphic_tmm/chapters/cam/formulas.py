@@ -6,6 +6,7 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.language.said import said
 
 _OVERCUT = "the roller is larger than the radius of curvature of the profile"
 _HOLLOW = "a flat face does not reach a hollow profile"
@@ -13,105 +14,140 @@ _DIGITS = 1e-9
 """A millimetre that is over by less than this share of one is whole."""
 
 
-@formula
+@formula(why=said("A derivative by the angle is taken by radians."))
 def radians_of(angle: Angle) -> Number:
     """π·{angle}/180°"""
 
 
-@formula
+@formula(why=said("The base stands for the whole turn of 360°: an angle takes its share of it."))
 def along_turn(angle: Angle, base: Length) -> Length:
     """{angle}·{base}/360°"""
 
 
-@formula
+@formula(why=said("The base stands for the whole turn of 360°: a length of it tells the angle."))
 def angle_of_turn(x: Length, base: Length) -> Angle:
     """360°·{x}/{base}"""
 
 
-@formula
+@formula(why=said("The phase is divided into equal parts."))
 def angle_of_part(angle: Angle, parts: Number) -> Angle:
     """{angle}/{parts}"""
 
 
-@formula(holds="{height} > 0", fails="the diagram does not rise")
+@formula(
+    holds="{height} > 0",
+    fails="the diagram does not rise",
+    why=said("The greatest ordinate stands for the whole stroke."),
+)
 def scale_of_stroke(stroke: Number, height: Length) -> Number:
     """{stroke}/{height}"""
 
 
-@formula
+@formula(why=said("The path on the arc divided by the lever is the angle, in radians."))
 def swing_of(length: Length, mu: Number) -> Angle:
     """180°·{length}·{mu}/π"""
 
 
-@formula
+@formula(why=said("The angle, in radians, times the lever is the path on the arc."))
 def travel_on_lever(length: Length, mu: Number, lever: Length) -> Length:
     """{length}·{mu}·{lever}"""
 
 
-@formula
+@formula(why=said("On the lever the path is shared out as on the circle of the pin."))
 def along_path(part: Length, distance: Length, lever: Length) -> Length:
     """{part}·{distance}/{lever}"""
 
 
-@formula(fails="the pole stands in the point")
+@formula(
+    fails="the pole stands in the point",
+    why=said(
+        "The profile bends by as much as its normal turns, less than the cam turns where the follower "
+        "gains speed."
+    ),
+)
 def turning_of_normal(p: Length, q: Length, v: Length, a: Length) -> Number:
     """1 − ({a}·{p} − {q}·{v})/({p}² + {q}²)"""
 
 
-@formula
+@formula(why=said("Curvature is the turning of the normal to the length of the profile gone over."))
 def curvature_of_profile(turning: Number, pace: Length, mu: Number) -> Number:
     """{turning}/({pace}·{mu})"""
 
 
-@formula(holds="{height} > 0", fails="the profile is convex nowhere")
+@formula(
+    holds="{height} > 0",
+    fails="the profile is convex nowhere",
+    why=said(
+        "The radius of curvature is the inverse of the curvature: where the one is greatest the other is "
+        "least."
+    ),
+)
 def least_radius(height: Length, mu: Number) -> Number:
     """1/({height}·{mu})"""
 
 
-@formula(holds="{pace} > {roller}·{turning}", fails=_OVERCUT)
+@formula(
+    holds="{pace} > {roller}·{turning}",
+    fails=_OVERCUT,
+    why=said(
+        "The profile of the cam lies at the roller's radius inside the path of its centre, so where the "
+        "normal turns it is shorter by the radius times that turning."
+    ),
+)
 def equidistant_pace(pace: Length, roller: Length, turning: Number) -> Length:
     """{pace} − {roller}·{turning}"""
 
 
-@formula
+@formula(
+    why=said(
+        "For a flat follower the radius of curvature is the least radius, the travel and the second "
+        "derivative together; it may not become negative."
+    )
+)
 def flat_radius(r0: Length, displacement: Length, second: Length) -> Length:
     """{r0} + {displacement} + {second}"""
 
 
-@formula(holds="{radius} > 0", fails=_HOLLOW)
+@formula(
+    holds="{radius} > 0",
+    fails=_HOLLOW,
+    why=said("A flat follower touches a convex profile only."),
+)
 def convex(radius: Length) -> Length:
     """{radius}"""
 
 
-@formula
+@formula(
+    why=said("A roller larger than this share would undercut the profile or grow out of the cam.")
+)
 def allowed_share(share: Number, whole: Number) -> Number:
     """{share}·{whole}"""
 
 
-@formula
+@formula(why=said("Both bounds have to hold: the smaller one rules."))
 def lesser_radius(first: Number, second: Number) -> Number:
     """min({first}, {second})"""
 
 
-@formula
+@formula(why=said("A radius that may not be smaller is rounded up to whole millimetres."))
 def whole_mm_above(length: Number) -> Number:
     """⌈1000·{length}⌉/1000"""
     # a millimetre that rounding carried over a whole one is that one
     return Number(np.ceil(1000.0 * length - _DIGITS) / 1000.0)
 
 
-@formula
+@formula(why=said("A radius that may not be larger is rounded down to whole millimetres."))
 def whole_mm_below(length: Number) -> Number:
     """⌊1000·{length}⌋/1000"""
     # as above
     return Number(np.floor(1000.0 * length + _DIGITS) / 1000.0)
 
 
-@formula
+@formula(why=said("The angle is drawn as an ordinate to a scale."))
 def on_protractor(angle: Angle, mu: Number) -> Length:
     """{angle}/{mu}"""
 
 
-@formula
+@formula(why=said("The ordinate, times the scale, is the angle."))
 def off_protractor(length: Length, mu: Number) -> Angle:
     """{length}·{mu}"""

@@ -20,7 +20,7 @@ from graphic_tmm.chapters.cam.centre import Path
 from graphic_tmm.chapters.cam.ink_bodies import TURN, WIDTH, dwells, follower, inverted, shaft
 from graphic_tmm.chapters.cam.ink_letters import directions, numbered
 from graphic_tmm.chapters.cam.ink_phases import draw_phases, phase_letters
-from graphic_tmm.chapters.cam.ink_rules import CamInk, between, curve, whole
+from graphic_tmm.chapters.cam.ink_rules import CamInk, between, curve, picture, whole
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW, WORKING
 from graphic_tmm.chapters.cam.rocker import Lever
@@ -73,15 +73,7 @@ def draw_profile_ink(
     wanted = [*_letters(ink, names, points), *_dwell_letters(ink, names, points)]
     wanted += phase_letters(ink)
     strokes += [*_radii(ink, points), *draw_phases(ink)]
-    return Drawing(
-        VIEW,
-        title,
-        tuple(strokes),
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=tuple(wanted),
-        numbers=tuple(enumerate(names.positions)),
-    )
+    return picture((VIEW, title), traces, strokes, wanted, names.positions)
 
 
 def _rules(ink: CamInk, points: Complexes) -> dict[Mark, Rule]:

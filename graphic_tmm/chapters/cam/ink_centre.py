@@ -13,7 +13,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_letters import OVER, arrow_axis, numbered
-from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, reached, straight
+from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, picture, reached, straight
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
@@ -65,16 +65,9 @@ def draw_centre_ink(
     radii = list(_dimensions(ink, names))
     strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
     strokes += [stroke for found, _ in radii for stroke in found]
-    return Drawing(
-        VIEW,
-        title,
-        tuple(strokes),
-        tuple(label for _, label in radii if label is not None),
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=tuple(_letters(ink, names)),
-        numbers=tuple(enumerate(names.positions)),
-    )
+    labels = [label for _, label in radii if label is not None]
+    wanted = _letters(ink, names)
+    return picture((VIEW, title), traces, strokes, wanted, names.positions, labels)
 
 
 class _Region:

@@ -12,7 +12,7 @@ from graphic_tmm.chapters.cam.centre import VIEW
 from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_letters import OVER, arrow_axis, numbered
-from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, reached, straight
+from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, picture, reached, straight
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
@@ -47,16 +47,9 @@ def draw_convexity_ink(
     radii = list(_dimensions(ink, names))
     strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
     strokes += [stroke for found, _ in radii for stroke in found]
-    return Drawing(
-        VIEW,
-        title,
-        tuple(strokes),
-        tuple(label for _, label in radii),
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=tuple(_letters(ink, names)),
-        numbers=tuple(enumerate(names.positions)),
-    )
+    labels = [label for _, label in radii]
+    wanted = _letters(ink, names)
+    return picture((VIEW, title), traces, strokes, wanted, names.positions, labels)
 
 
 class _Convexity:

@@ -14,7 +14,15 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_letters import numbered
-from graphic_tmm.chapters.cam.ink_rules import CamInk, between, curve, drawn, reached, straight
+from graphic_tmm.chapters.cam.ink_rules import (
+    CamInk,
+    between,
+    curve,
+    drawn,
+    picture,
+    reached,
+    straight,
+)
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
@@ -59,16 +67,8 @@ def draw_rocker_ink(
     bounds = list(_bounds(ink, made, path, names.limits))
     traces = figure(ink.seen, showing(_rules(ink, made, path, bounds)))
     strokes = (*traces.staying, *_bodies(ink, made, path, bounds))
-    wanted = tuple(_letters(ink, made, path, names, bounds))
-    return Drawing(
-        VIEW,
-        title,
-        strokes,
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=wanted,
-        numbers=tuple(enumerate(names.positions)),
-    )
+    wanted = _letters(ink, made, path, names, bounds)
+    return picture((VIEW, title), traces, strokes, wanted, names.positions)
 
 
 def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> Iterator[Bound]:

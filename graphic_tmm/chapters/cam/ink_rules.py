@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -13,7 +13,8 @@ from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam.operations import extreme_of_two, phase_end, slant
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Bezier, Ink, circle, line
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, circle, line
+from graphic_tmm.paper.figure import Traces
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.seen import Rule, Seen, finite
@@ -23,6 +24,28 @@ TRACELESS = frozenset({phase_end.name, extreme_of_two.name, slant.name})
 protractor."""
 DOT = 0.4
 """Radius of a point, mm."""
+
+
+def picture(
+    on: tuple[str, str],
+    traces: Traces,
+    strokes: Iterable[Ink],
+    wanted: Iterable[Wanted],
+    positions: Sequence[str],
+    labels: Iterable[Label] = (),
+) -> Drawing:
+    """Return a view of a cam with its title (``on``), what its steps left and what stands on it besides."""
+    view, title = on
+    return Drawing(
+        view,
+        title,
+        tuple(strokes),
+        tuple(labels),
+        rubbed=traces.rubbed,
+        shows=(view,),
+        wanted=tuple(wanted),
+        numbers=tuple(enumerate(positions)),
+    )
 
 
 class CamInk:

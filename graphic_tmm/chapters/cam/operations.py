@@ -15,11 +15,17 @@ from graphic_tmm.board.operations.curve import natural, neighbours, stationary
 from graphic_tmm.board.operations.graph_curves import free_ends
 from graphic_tmm.board.operations.graphs import EVEN
 from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Number, Point, Side
+from graphic_tmm.language.said import said
 
 _MOST = ("highest", "lowest")
 
 
-@operation()
+@operation(
+    why=said(
+        "Equal parts of the angle are equal parts of the semicircle: its points have the heights of the "
+        "wave."
+    )
+)
 def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
     """On the semicircle {arc} lay off the central angle {by} from {start}; mark {it}.
 
@@ -28,7 +34,12 @@ def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
     return Point(arc.centre + arc.radius * start.along * cis(sense * by))
 
 
-@operation()
+@operation(
+    why=said(
+        "Instead of the cam the frame is turned, the other way: the follower goes round the cam and its "
+        "line with it."
+    )
+)
 def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     """Through {through} draw {it} at the angle {by} to {to}.
 
@@ -37,7 +48,9 @@ def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     return Line(through, to.along * cis(sense * by))
 
 
-@operation()
+@operation(
+    why=said("The normal of the profile makes the pressure angle with the way of the follower.")
+)
 def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     """Through {through} draw the normal {it} into the cam, at the angle {by} to {to}.
 
@@ -48,6 +61,9 @@ def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
 
 @operation(
     fails="the two points coincide",
+    why=said(
+        "The pressure angle is that between the force, along the normal, and the way of the follower."
+    ),
 )
 def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
     """Measure the angle of {start}{end} from {to}.
@@ -59,6 +75,7 @@ def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
 
 @operation(
     sides=("along it", "back along it"),
+    why=said("The follower's place is where its line cuts the circle."),
 )
 def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
     """Where {arc} cuts {line}, {side} from the foot of its centre, or there if it does not, mark {it}."""
@@ -68,19 +85,25 @@ def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
     return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
 
 
-@operation()
+@operation(why=said("Each phase has a law of its own; here they are put together."))
 def in_turn(first: Length, second: Length, at: Number) -> Length:
     """On the first stretch take {first}, on the others {second}; this is {it}."""
     return Length(np.where(at > 0, first, second))
 
 
-@operation(across=True)
+@operation(
+    across=True,
+    why=said("At the boundary of two phases the one law ends and the next begins."),
+)
 def phase_end(of: Point, *, at: int) -> Point:
     """Of the places of {of} mark the one {it} at the boundary of a phase."""
     return Point(of[:, at : at + 1])
 
 
-@operation(across=True)
+@operation(
+    across=True,
+    why=said("Within a phase the curve changes smoothly."),
+)
 def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
     """Through the points {through}, from one end of the stretch to the other, draw the smooth curve {it}.
 
@@ -99,6 +122,7 @@ def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
 
 @operation(
     across=True,
+    why=said("The profile touches the follower in each of its places: it is the envelope of them."),
 )
 def swept_profile(
     points: Point, normals: Line, pace: Length, step: Angle, *, first: int, last: int, sense: int
@@ -118,6 +142,10 @@ def swept_profile(
 @operation(
     across=True,
     fails=WHOLE_ROW,
+    why=said(
+        "For a centre on this side of the tangent the pressure angle stays within the allowed one at every "
+        "point of the curve; so the tangents at that angle bound the region of the centres."
+    ),
 )
 def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> Line:
     """At the angle {by} to {to} draw the line {it} that touches the curve {curve} and leaves it on one side.
@@ -129,7 +157,7 @@ def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> 
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 
-@operation()
+@operation(why=said("Both bounds have to hold: the outer one rules."))
 def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     """Of the parallels {first} and {second} keep the outer one, {it}.
 
@@ -141,7 +169,12 @@ def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     return Line(np.where(there, at, np.nan), first.along)
 
 
-@operation(across=True, fails=WHOLE_ROW, sides=_MOST)
+@operation(
+    across=True,
+    fails=WHOLE_ROW,
+    sides=_MOST,
+    why=said("The extreme of the curve decides."),
+)
 def crest_of_curve(curve: Curve, *, above: int) -> Point:
     """On the curve {curve} mark the {above} point {it}.
 
@@ -150,7 +183,10 @@ def crest_of_curve(curve: Curve, *, above: int) -> Point:
     return Point(_farthest(curve, np.full((1, 1), above * 1j)))
 
 
-@operation(sides=_MOST)
+@operation(
+    sides=_MOST,
+    why=said("Both have to hold: the farther one decides."),
+)
 def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
     """Of the points {first} and {second} take the {above}; this is {it}.
 

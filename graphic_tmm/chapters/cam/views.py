@@ -27,11 +27,8 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
 from graphic_tmm.paper.lettering.heights import heights
-from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
-from graphic_tmm.readers.result_table import (
-    result_table,
-)
+from graphic_tmm.readers.result_table import result_table, results
 
 LIMITED = ("cam pressure",)
 RADII = "cam radii"
@@ -197,15 +194,4 @@ def _results(drawn: Drawn) -> Drawing:
         in_mm = of == "m"
         figure = fixed(1000.0 * value, 2, language) if in_mm else fixed(value, 2, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
-    heads = [words["value"], words["results"], words["unit"]]
-    align = ["left", "centre", "left"]
-    high = heights(drawn.scene, PLAN)
-    return table(
-        "table-cam-results",
-        words["cam"],
-        heads,
-        rows,
-        size=high.number,
-        title_size=high.title,
-        align=align,
-    )
+    return results("table-cam-results", words["cam"], rows, language, heights(drawn.scene, PLAN))

@@ -30,6 +30,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
 from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.engine.choice import choose
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.note import concludes
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
@@ -90,6 +91,7 @@ CHAPTER = Chapter(
     charts=lambda made: made.charts,
     reach=reach,
     scales=engine_scales,
+    choice=choose,
     named=named,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(ENGINE.chapter,),

@@ -7,77 +7,132 @@ import numpy as np
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.values import Length, Line, Number, Point
+from graphic_tmm.language.said import said
 
 KGF = 9.80665
 """A kgf in N."""
 
 
-@operation()
+@operation(
+    why=said(
+        "The inertia force of the second order turns as cos 2φ: its vector turns twice as fast as the "
+        "crank."
+    )
+)
 def doubled(through: Point, outward: Line, crank: Line) -> Line:
     """Through {through} draw {it} at twice the angle of the crank {crank} from {outward}."""
     return Line(through, crank.along * crank.along * np.conj(outward.along))
 
 
-@formula
+@formula(
+    why=said(
+        "The rod's mass is shared between its ends as a weight between two supports: in the inverse ratio "
+        "of the distances from the mass centre."
+    )
+)
 def split_by_lever(mass: Number, length: Number, whole: Number) -> Number:
     """{mass}·{length}/{whole}"""
 
 
-@formula
+@formula(why=said("This share of the rod's mass is thought of as moving with the crosshead."))
 def mass_of_share(mass: Number, share: Number) -> Number:
     """{mass}·{share}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The parts together have the mass of the whole; what is not at the one end is at the other."
+    )
+)
 def rest_of(whole: Number, part: Number) -> Number:
     """{whole} − {part}"""
 
 
-@formula
+@formula(
+    why=said(
+        "A lumped mass has about the mass centre the moment of inertia m·l²; the sum shows how far two "
+        "masses stand for the rod."
+    )
+)
 def lumped_inertia(first: Number, arm: Number, second: Number, other: Number) -> Number:
     """{first}·{arm}² + {second}·{other}²"""
 
 
-@formula
+@formula(
+    why=said(
+        "The acceleration counts positive towards the crank, so its sign is taken against the outward "
+        "direction of the guide."
+    )
+)
 def towards_crank(outward: Number, segment: Length, mu: Number) -> Number:
     """−{outward}·{segment}·{mu}"""
 
 
-@formula
+@formula(
+    why=said(
+        "By d'Alembert's principle the masses that move to and fro add their inertia force, against their "
+        "acceleration, to the gas force."
+    )
+)
 def against_acceleration(mass: Number, acceleration: Number) -> Number:
     """−{mass}·{acceleration}"""
 
 
-@formula
+@formula(
+    why=said(
+        "How much the motion of the crosshead differs from a pure cosine hangs on the ratio of crank and "
+        "rod."
+    )
+)
 def crank_ratio(crank: Number, rod: Number) -> Number:
     """{crank}/{rod}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The acceleration of the crosshead is R·ω²·(cos φ + λ·cos 2φ); times the mass the first term is a "
+        "projected vector of this length."
+    )
+)
 def first_order(mass: Number, omega: Number, radius: Number) -> Number:
     """{mass}·{omega}²·{radius}"""
 
 
-@formula
+@formula(why=said("The second term of the acceleration is λ times as large as the first one."))
 def second_order(first: Number, ratio: Number) -> Number:
     """{first}·{ratio}"""
 
 
-@formula
+@formula(
+    why=said(
+        "An inertia force of an order is the projection of its turning vector on the line of the cylinder, "
+        "against the acceleration."
+    )
+)
 def projected(segment: Length, mu: Number) -> Number:
     """−{segment}·{mu}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The acceleration is the inertia force divided by the mass, with the opposite sign; it is compared "
+        "with that of the plan."
+    )
+)
 def per_mass(force: Number, mass: Number) -> Number:
     """−{force}/{mass}"""
 
 
-@formula
+@formula(why=said("The task counts forces in kgf: 1 kgf is the weight of 1 kg."))
 def in_kgf(force: Number, unit: Number) -> Number:
     """{force}/{unit}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The pressure on the guide and the equal one on the bearing are a couple on the frame; its moment "
+        "balances that of the crank."
+    )
+)
 def couple_of(force: Number, distance: Length, mu_l: Number) -> Number:
     """{force}·{distance}·{mu_l}"""

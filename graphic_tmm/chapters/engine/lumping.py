@@ -19,6 +19,7 @@ from graphic_tmm.chapters.indicator.cylinder import Machine
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.inertia import inertia_of
 from graphic_tmm.mechanism.records import Link
 
 
@@ -83,7 +84,7 @@ def lump(draft: Draft, rod: Link, legs: Legs, machine: Machine, order: EngineTas
     if arms is not None and rod.inertia is not None:
         first, second = arms
         inertia = draft.draw(lumped_inertia, "J′", parts[0], first, parts[1], second, unit="kg·m²")
-        own = draft.take(Number, f"J_{rod.number}", rod.inertia, "kg·m²")
+        own = inertia_of(draft, rod)
         lost = draft.draw(rest_of, "ΔJ", inertia, own, unit="kg·m²")
     return Lumped(whole, *parts, inertia, lost)
 

@@ -23,9 +23,8 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked
-from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.result_table import result_table, results
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -153,14 +152,5 @@ def _results(drawn: Drawn) -> Drawing:
         [words[name], number(value, language), unit(of, language)]
         for name, (value, of) in single(engine_results(drawn)).items()
     ]
-    heads = [words["value"], words["results"], words["unit"]]
-    align, high = ["left", "centre", "left"], heights(drawn.scene, "engine diagrams")
-    return table(
-        "table-lumping",
-        _("The rod's mass lumped"),
-        heads,
-        rows,
-        size=high.number,
-        title_size=high.title,
-        align=align,
-    )
+    high = heights(drawn.scene, "engine diagrams")
+    return results("table-lumping", _("The rod's mass lumped"), rows, language, high)

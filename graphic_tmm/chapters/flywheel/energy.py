@@ -13,6 +13,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.inertia import inertia_of
 from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 
@@ -61,7 +62,7 @@ def _of_link(draft: Draft, mechanism: Mechanism, link: Link, velocities: Motion)
             found[f"T_{{{n}t}}"] = draft.draw(translation, f"T_{{{n}t}}", mass, segment, unit="J")
     rate = velocities.rates.get(n)
     if link.inertia and rate is not None:
-        inertia = draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
+        inertia = inertia_of(draft, link)
         found[f"T_{{{n}r}}"] = draft.draw(rotation, f"T_{{{n}r}}", inertia, rate, unit="J")
     return found
 

@@ -35,9 +35,8 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.ruled import table
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
-from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.result_table import result_table, results
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -166,15 +165,4 @@ def _results(drawn: Drawn) -> Drawing:
         rows.append(
             [_("difference of J_{F}"), number(100.0 * (first - second) / first, language, 3), "%"]
         )
-    heads = [words["value"], words["results"], words["unit"]]
-    align = ["left", "centre", "left"]
-    high = heights(drawn.scene, PLAN)
-    return table(
-        "table-results",
-        words["flywheel"],
-        heads,
-        rows,
-        size=high.number,
-        title_size=high.title,
-        align=align,
-    )
+    return results("table-results", words["flywheel"], rows, language, heights(drawn.scene, PLAN))

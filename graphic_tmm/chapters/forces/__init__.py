@@ -40,6 +40,7 @@ from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.forces import views
 from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS, called
+from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.given import given
 from graphic_tmm.chapters.forces.note import concludes, note
@@ -118,6 +119,7 @@ CHAPTER = Chapter(
     record=record,
     reach=reach,
     scales=force_scales,
+    choice=choose,
     named=named,
     scale_key=scale_key,
     nothing=balanced,

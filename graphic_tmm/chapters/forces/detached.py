@@ -10,6 +10,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.instruments import measure, parallel
 from graphic_tmm.board.operations.statics import action, arm, detach, moment
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.polygons import bare
 
@@ -54,13 +55,17 @@ class Detached:
         """Return the line of action of a force."""
         if force.line not in self.lines:
             letter, at = f"({force.letter})", self.point(force.point)
-            self.lines[force.line] = self.draft.draw(parallel, letter, at, force.line, sense=1)
+            self.lines[force.line] = self.draft.draw(
+                parallel, letter, at, force.line, sense=1, why=why.CARRIED_LINE
+            )
         return self.lines[force.line]
 
     def act(self, letter: str, point: Mark, tail: Mark, head: Mark) -> Mark:
         """Draw the line of action of a force whose vector is found; return it."""
         self.draft.open(self.view)
-        line = self.draft.draw(action, f"({letter})", self.point(point), tail, head)
+        line = self.draft.draw(
+            action, f"({letter})", self.point(point), tail, head, why=why.REACTION_LINE
+        )
         self.lines[line] = line
         return line
 
@@ -69,7 +74,9 @@ class Detached:
         if (start, end) not in self._lengths:
             ends = self.point(start), self.point(end)
             letter = f"{start.letter}{end.letter}"
-            self._lengths[start, end] = self.draft.draw(measure, letter, *ends)
+            self._lengths[start, end] = self.draft.draw(
+                measure, letter, *ends, why=why.ARM_OF_TANGENTIAL
+            )
         return self._lengths[start, end]
 
     def sum(
@@ -84,7 +91,10 @@ class Detached:
         return total
 
     def _added(self, first: Mark, second: Mark, letter: str) -> Mark:
-        return self.draft.draw(added, letter, first, second, unit="N·m", role=roles.SUM)
+        because = why.SUM_OF_MOMENTS
+        return self.draft.draw(
+            added, letter, first, second, unit="N·m", role=roles.SUM, why=because
+        )
 
     def _moment(self, about: Mark, force: Force) -> Mark:
         known = self._moments.get((about, force.line))

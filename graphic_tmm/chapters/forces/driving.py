@@ -9,6 +9,7 @@ from graphic_tmm.board.operations.instruments import measure, square
 from graphic_tmm.board.operations.statics import balancing, reversed_
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.loads import Acting, Force
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
@@ -67,19 +68,24 @@ def solve_driver(
         letter = f"P_b{raised}"
         balance = draft.draw(balancing, letter, total, arm, figure.mu, unit="N")
         line = draft.draw(
-            square, f"({letter})", figure.point(driver.pin), driver.body.axis, sense=1
+            square,
+            f"({letter})",
+            figure.point(driver.pin),
+            driver.body.axis,
+            sense=1,
+            why=why.BALANCING_LINE,
         )
         force = Force(letter, number, driver.pin, line, balance)
         sides.append((letter, line, balance))
     else:
-        balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m")
+        balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m", why=why.BALANCING_MOMENT)
     chain = views.begin(draft)
     start = chain.end
     for letter, line, value in sides:
         chain.add(letter, line, value)
     end = chain.end
     name = f"R_{{{frame}{number}}}"
-    length = draft.draw(measure, f"y_{{R{frame}{number}}}", end, start)
+    length = draft.draw(measure, f"y_{{R{frame}{number}}}", end, start, why=why.CRANK_REACTION)
     value = draft.draw(in_si, name, length, unit="N")
     reaction = Reaction(name, (frame, number), end, start, length, value, value)
     return Driven(

@@ -20,6 +20,7 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.chapters.forces.statics import Slope
@@ -152,7 +153,9 @@ class Rub:
         draft.open(view)
         letters = (f"F_{{{body}{link}}}", f"F_{{{link}{body}}}")
         ends = (reaction.tail, reaction.head)
-        segment = draft.draw(measure_along, f"y_{{F{body}{link}}}", *ends, leg.line)
+        segment = draft.draw(
+            measure_along, f"y_{{F{body}{link}}}", *ends, leg.line, why=why.FRICTION_READ
+        )
         value = draft.draw(in_si, letters[0], segment, unit="N")
         own = self.velocities.closed[closing.group.name]
         under = known_image(self.velocities, closing, leg)

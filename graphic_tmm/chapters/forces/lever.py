@@ -26,6 +26,7 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.driving import Driver
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.polygons import bare
@@ -106,7 +107,9 @@ class _Plan:
         """Carry a force to its image; one at the pole has no arm. ``load``: the size of what it stands for."""
         point = self.image(image)
         if point != self.pole:
-            along = self.draft.draw(parallel, f"({letter})", point, line, sense=1)
+            along = self.draft.draw(
+                parallel, f"({letter})", point, line, sense=1, why=why.FORCE_ON_LEVER
+            )
             self.turn(letter, point, along, value, load)
 
     def turn(self, letter: str, point: Mark, along: Mark, value: Mark, load: Mark) -> None:
@@ -136,7 +139,9 @@ class _Plan:
             self.couples.append(Converted(found.letter, couple.value, found, ends))
             return
         letter = f"F_{{{bare(couple.letter)}}}"
-        force = draft.draw(tangential, letter, couple.value, base.length, unit="N")
+        force = draft.draw(
+            tangential, letter, couple.value, base.length, unit="N", why=why.PAIR_FORCE
+        )
         self._set(letter, base.end, base.line, force, load)
         if base.start != self.velocities.images.pole:
             back = draft.draw(reversed_, f"−{letter}", force, unit="N")
@@ -146,7 +151,9 @@ class _Plan:
         """Set a force of a pair at an end of its link's segment, square to the link."""
         point = self.image(image)
         if point != self.pole:
-            across = self.draft.draw(square, f"({letter})", point, line, sense=1)
+            across = self.draft.draw(
+                square, f"({letter})", point, line, sense=1, why=why.PAIR_ACROSS
+            )
             self.turn(letter, point, across, value, load)
 
 
@@ -195,7 +202,7 @@ def draw_lever(
     for number in positions.bodies:
         for image in velocities.images.by_letter[number].values():
             plan.image(image)
-    segment = draft.draw(measure, f"p{pin.letter}", plan.pole, pin)
+    segment = draft.draw(measure, f"p{pin.letter}", plan.pole, pin, why=why.LEVER_ARM_OF_CRANK)
     balance = _balance(draft, plan, segment, arm)
     images = {
         number: tuple(
@@ -223,7 +230,9 @@ def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> _Bal
         total = (
             found
             if total is None
-            else draft.draw(added, "ΣM", total, found, unit="N·mm", role=roles.SUM)
+            else draft.draw(
+                added, "ΣM", total, found, unit="N·mm", role=roles.SUM, why=why.SUM_ON_LEVER
+            )
         )
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")

@@ -28,6 +28,7 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.task import AGAINST, ForcesTask, Load
 from graphic_tmm.chapters.forces.travel import by_travel
 from graphic_tmm.chapters.indicator.cylinder import Cylinder
@@ -35,6 +36,7 @@ from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.inertia import inertia_of
 from graphic_tmm.mechanism.masses import mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 
@@ -170,7 +172,7 @@ def _weight(ground: Ground, link: Link, gravity: float) -> Force:
     assert link.mass is not None
     mass, g = draft.constant(f"m_{n}", link.mass, "kg"), draft.constant("g", gravity, "m/s²")
     value = draft.draw(weight, f"G_{n}", mass, g, unit="N")
-    line = draft.draw(ray, f"(G_{n})", point, draft.direction(-90.0))
+    line = draft.draw(ray, f"(G_{n})", point, draft.direction(-90.0), why=why.WEIGHT)
     return Force(f"G_{n}", n, point, line, value, image)
 
 
@@ -181,7 +183,7 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
     force = _inertia_force(ground, plan, link) if link.mass else None
     couple = None
     if link.inertia and n in plan.rates:
-        inertia = ground.draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
+        inertia = inertia_of(draft, link)
         letter = f"M_{{i{n}}}"
         value = draft.draw(
             inertia_couple, letter, inertia, plan.rates[n], unit="N·m", role=roles.INERTIA
@@ -195,9 +197,13 @@ def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
     loads.on_lever.append(force)
     loads.couples_on_lever.append(couple)
     by = draft.draw(offset, f"h_{{i{n}}}", couple.value, force.value)
-    across = draft.draw(square, f"(h_{{i{n}}})", force.point, force.line, sense=1)
-    point = draft.draw(lay_off, f"T{n}", across, by, free=True)
-    line = draft.draw(parallel, f"({force.letter}′)", point, force.line, sense=1)
+    across = draft.draw(
+        square, f"(h_{{i{n}}})", force.point, force.line, sense=1, why=why.SINGLE_ACROSS
+    )
+    point = draft.draw(lay_off, f"T{n}", across, by, free=True, why=why.SINGLE_AT)
+    line = draft.draw(
+        parallel, f"({force.letter}′)", point, force.line, sense=1, why=why.SINGLE_LINE
+    )
     loads.forces.append(force._replace(point=point, line=line, image=None))
 
 
@@ -214,7 +220,15 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     formula = inertia_force_along if is_signed(draft, segment) else inertia_force
     letter = f"P_{{i{n}}}"
     value = draft.draw(formula, letter, mass, segment, unit="N", role=roles.INERTIA)
-    line = draft.draw(action, f"({letter})", point, end, plan.images.pole, role=roles.INERTIA)
+    line = draft.draw(
+        action,
+        f"({letter})",
+        point,
+        end,
+        plan.images.pole,
+        role=roles.INERTIA,
+        why=why.INERTIA_LINE,
+    )
     return Force(letter, n, point, line, value, image)
 
 
@@ -223,7 +237,9 @@ def _gas(ground: Ground, cylinder: Cylinder) -> Force:
     letter, link = cylinder.indicator.order.point, cylinder.leg.link
     point, image = _at(ground, link, letter)
     sense = -1 if cylinder.outward > 0 else 1
-    line = ground.draft.draw(parallel, "(P)", point, cylinder.leg.line, sense=sense)
+    line = ground.draft.draw(
+        parallel, "(P)", point, cylinder.leg.line, sense=sense, why=why.GAS_LINE
+    )
     return Force("P", link, point, line, cylinder.indicator.force, image)
 
 
@@ -251,7 +267,9 @@ def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
     letter = _letter(ground, "F", load.link)
     if load.direction != AGAINST:
         size = _size(ground, load, letter, "N", loads)
-        line = draft.draw(ray, f"({letter})", point, draft.direction(float(load.direction)))
+        line = draft.draw(
+            ray, f"({letter})", point, draft.direction(float(load.direction)), why=why.GIVEN_LINE
+        )
         return Force(letter, load.link, point, line, size, image)
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
@@ -281,14 +299,14 @@ def _letter(ground: Ground, symbol: str, link: int) -> str:
 
 def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mark) -> Mark:
     """Draw the line of action against a velocity; where that was read along a line, against its sense."""
-    draft, turns = ground.draft, ground.quarters
+    draft, turns, because = ground.draft, ground.quarters, why.AGAINST_VELOCITY
     if not is_signed(ground.draft, reading):
         pole = ground.velocities.images.pole
-        return draft.draw(action, f"({letter})", point, image, pole, quarters=turns)
+        return draft.draw(action, f"({letter})", point, image, pole, quarters=turns, why=because)
     along = draft.uses(reading)[2]
     if turns == 0:
-        return draft.draw(parallel, f"({letter})", point, along, sense=-1)
-    return draft.draw(square, f"({letter})", point, along, sense=-turns)
+        return draft.draw(parallel, f"({letter})", point, along, sense=-1, why=because)
+    return draft.draw(square, f"({letter})", point, along, sense=-turns, why=because)
 
 
 def _moment(ground: Ground, load: Load, loads: Loads) -> Couple:

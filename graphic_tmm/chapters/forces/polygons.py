@@ -10,6 +10,7 @@ from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.forces import reasons as why
 
 Pair = tuple[int, int]
 
@@ -65,19 +66,21 @@ class Chain:
     def add(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a load parallel to its line of action."""
         draft = self.draft
-        side = draft.draw(parallel, f"({letter})", self.end, line, sense=1)
+        side = draft.draw(parallel, f"({letter})", self.end, line, sense=1, why=why.KNOWN_SIDE)
         self.lay(letter, side, value)
 
     def add_across(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a tangential component: square to its link."""
-        side = self.draft.draw(square, f"({letter})", self.end, line, sense=1)
+        side = self.draft.draw(
+            square, f"({letter})", self.end, line, sense=1, why=why.KNOWN_TANGENTIAL
+        )
         self.lay(letter, side, value)
 
     def lay(self, letter: str, side: Mark, value: Mark) -> None:
         """Lay off a force along a line that begins at the end of the chain."""
         draft = self.draft
         length = draft.draw(to_board, f"y_{{{bare(letter)}}}", value)
-        head = self.draft.draw(lay_off, str(self.count + 1), side, length)
+        head = self.draft.draw(lay_off, str(self.count + 1), side, length, why=why.KNOWN_SIDE)
         self.sides.append((letter, self.end, head))
         self.end = head
 

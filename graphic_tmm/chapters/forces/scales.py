@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.choice import ENLARGED
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
@@ -25,8 +26,6 @@ from graphic_tmm.scene.records import Scene
 
 LEVER = 150.0
 """Room for the lever, mm."""
-ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 0.5, 0.4, 0.25, 0.2, 0.1)
-"""How many times the lever may be larger than the velocity plan."""
 DETACHED = 0.6
 """Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
 POLYGON = 200.0

@@ -15,6 +15,7 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
 from graphic_tmm.board.operations.statics import at_friction_angle, place_of, tangential
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.forces.polygons import Chain, Pair, Polygon, Reaction, Views
@@ -102,7 +103,7 @@ def solve_group(
         _unknown(draft, first, middle if held else start, slopes),
         _unknown(draft, second, chain.end, slopes),
     ]
-    top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0])
+    top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0], why=why.POLYGON_CLOSES)
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
     return _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
 
@@ -167,12 +168,12 @@ def _unknown(
     """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
     if isinstance(leg, PinLeg):
         letter = f"(R_{{{leg.body}{leg.link}}})"
-        return draft.draw(parallel, letter, through, leg.line, sense=1)
+        return draft.draw(parallel, letter, through, leg.line, sense=1, why=why.NORMAL_UNKNOWN)
     pair = _pair(leg)
     letter = f"(R_{{{pair[1]}{pair[0]}}})"
     if pair in slopes:
         return draft.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
-    return draft.draw(square, letter, through, leg.line, sense=1)
+    return draft.draw(square, letter, through, leg.line, sense=1, why=why.GUIDE_UNKNOWN)
 
 
 def _pair(leg: GuideLeg) -> Pair:
@@ -223,12 +224,14 @@ def _reaction(
 ) -> Reaction:
     """Measure a reaction; ``guide``: to which its normal part is wanted; ``couple``: that it has to hold."""
     name, draft = f"{links[0]}{links[1]}", figure.draft
-    length = draft.draw(measure, f"y_{{R{name}}}", *vector)
+    length = draft.draw(measure, f"y_{{R{name}}}", *vector, why=why.REACTION_READ)
     value = draft.draw(in_si, f"R_{{{name}}}", length, unit="N")
     force, normal, place = value, None, None
     if guide is not None:
-        across = draft.draw(square, f"(N_{{{name}}})", vector[0], guide, sense=1)
-        normal = draft.draw(measure_along, f"y_{{N{name}}}", *vector, across)
+        across = draft.draw(
+            square, f"(N_{{{name}}})", vector[0], guide, sense=1, why=why.NORMAL_PART
+        )
+        normal = draft.draw(measure_along, f"y_{{N{name}}}", *vector, across, why=why.NORMAL_PART)
         if couple is not None:
             force = draft.draw(in_si, f"N_{{{name}}}", normal, unit="N")
     if couple is not None:

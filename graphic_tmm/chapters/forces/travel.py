@@ -19,6 +19,7 @@ from graphic_tmm.board.operations.supports import farthest
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
+from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.task import Travel
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
@@ -50,9 +51,9 @@ def by_travel(
     sliding_leg(positions, travel.of, mechanism.frame.number, "load", "of")
     point = positions.point(travel.of)
     start = draft.draw(at_zero, f"{travel.of}_0", point, free=True)
-    way = draft.draw(measure, f"s_{travel.of}", start, point)
+    way = draft.draw(measure, f"s_{travel.of}", start, point, why=why.TRAVEL)
     last = draft.draw(farthest, f"{travel.of}_S", start, point, row=numbers.size, free=True)
-    stroke = draft.draw(measure, f"s_{{{travel.of}max}}", start, last)
+    stroke = draft.draw(measure, f"s_{{{travel.of}max}}", start, last, why=why.STROKE)
     parts = _parts(draft, travel, (point, start, last), way, stroke, numbers)
     units = (unit, unit, "", "")
     values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T

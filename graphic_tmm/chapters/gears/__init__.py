@@ -30,6 +30,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
 from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.gears.choice import choose
 from graphic_tmm.chapters.gears.given import given
 from graphic_tmm.chapters.gears.note import concludes, note
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
@@ -61,6 +62,7 @@ CHAPTER = Chapter(
     sections=SECTIONS,
     record=record,
     scales=gear_scales,
+    choice=choose,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
     plans=(GEARS.chapter,),

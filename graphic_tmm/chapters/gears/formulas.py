@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.functions import define
 from graphic_tmm.board.values import Angle, Length, Number, Reals
+from graphic_tmm.language.said import said
 
 _NO_ANGLE = "no angle has this involute function"
 _INSIDE = "the tip circle lies inside the base circle"
@@ -46,134 +47,215 @@ define("inv", involute_of, of_angle=True)
 define("arcinv", angle_with, angle=True)
 
 
-@formula
+@formula(
+    why=said(
+        "The involute function tells by which angle the involute has gone away from its beginning where "
+        "the profile angle is {alpha}."
+    )
+)
 def involute(alpha: Angle) -> Number:
     """tan({alpha}) − {alpha}·π/180°"""
     # the terms of the text cancel at small angles
     return Number(involute_of(np.radians(alpha)))
 
 
-@formula
+@formula(
+    why=said(
+        "Teeth without backlash fill the pitch on the rolling circles: that condition gives the angle at "
+        "which both wheels mesh."
+    )
+)
 def working_involute(x1: Number, x2: Number, alpha: Angle, z1: Number, z2: Number) -> Number:
     """2·({x1} + {x2})·tan {alpha}/({z1} + {z2}) + inv {alpha}"""
 
 
-@formula(fails=_NO_ANGLE)
+@formula(
+    fails=_NO_ANGLE,
+    why=said("The angle is found from its involute function, by tables or by iteration."),
+)
 def angle_of_involute(inv: Number) -> Angle:
     """arcinv({inv})"""
 
 
-@formula
+@formula(
+    why=said(
+        "The base circles stay the same; the centre distance changes with the cosine of the angle of mesh."
+    )
+)
 def working_distance(a: Number, alpha: Angle, alpha_w: Angle) -> Number:
     """{a}·cos {alpha}/cos {alpha_w}"""
 
 
-@formula
+@formula(
+    why=said(
+        "It tells, in modules, by how much the axes stand farther apart than pitch circles that touch."
+    )
+)
 def perceived_shift(a_w: Number, a: Number, m: Number) -> Number:
     """({a_w} − {a})/{m}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The axes go apart by less than both shifts together; so much is taken off the tips, to keep the "
+        "clearance."
+    )
+)
 def equalising_shift(x1: Number, x2: Number, y: Number) -> Number:
     """{x1} + {x2} − {y}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The base circle touches the line of action, which leans by {alpha}: radius and pitch on it are "
+        "smaller by the cosine."
+    )
+)
 def times_cosine(length: Number, alpha: Angle) -> Number:
     """{length}·cos {alpha}"""
 
 
-@formula
+@formula(
+    why=said(
+        "In the right triangle with the base radius and the line of action the radius is the base radius "
+        "divided by the cosine."
+    )
+)
 def over_cosine(length: Number, alpha: Angle) -> Number:
     """{length}/cos {alpha}"""
 
 
-@formula
+@formula(
+    why=said("The tool cuts in as deep as its addendum with the clearance, less by the shift.")
+)
 def root_radius(r: Number, m: Number, ha: Number, c: Number, x: Number) -> Number:
     """{r} − {m}·({ha} + {c} − {x})"""
 
 
-@formula
+@formula(
+    why=said(
+        "The tip stands above the pitch circle by the addendum and the shift, less by the equalising "
+        "shift."
+    )
+)
 def tip_radius(r: Number, m: Number, ha: Number, x: Number, dy: Number) -> Number:
     """{r} + {m}·({ha} + {x} − {dy})"""
 
 
-@formula
+@formula(why=said("The tooth reaches from the root circle to the tip circle."))
 def tooth_height(m: Number, ha: Number, c: Number, dy: Number) -> Number:
     """{m}·(2·{ha} + {c} − {dy})"""
 
 
-@formula
+@formula(
+    why=said(
+        "So deep the teeth of both wheels reach into each other: the height without the clearance."
+    )
+)
 def working_depth(m: Number, ha: Number, dy: Number) -> Number:
     """{m}·(2·{ha} − {dy})"""
 
 
-@formula
+@formula(
+    why=said("A pitch is π modules: so the pitch diameter is the module times the number of teeth.")
+)
 def pitch_of(m: Number) -> Number:
     """π·{m}"""
 
 
-@formula
+@formula(
+    why=said("Half of the pitch, and by the shift the rack's tooth is thinner there on both sides.")
+)
 def tooth_thickness(m: Number, x: Number, alpha: Angle) -> Number:
     """{m}·(π/2 + 2·{x}·tan {alpha})"""
 
 
-@formula(fails=_INSIDE)
+@formula(
+    fails=_INSIDE,
+    why=said(
+        "In the right triangle of base radius and tip radius the cosine of the profile angle is their "
+        "ratio."
+    ),
+)
 def tip_angle(r_b: Number, r_a: Number) -> Angle:
     """arccos({r_b}/{r_a})"""
 
 
-@formula
+@formula(
+    why=said(
+        "From the pitch circle to the tip the flanks come nearer by the difference of the involute "
+        "functions, on each side."
+    )
+)
 def tip_thickness(r_a: Number, s: Number, r: Number, alpha: Angle, alpha_a: Angle) -> Number:
     """{r_a}·({s}/{r} + 2·(inv {alpha} − inv {alpha_a}))"""
 
 
-@formula
+@formula(
+    why=said(
+        "Where the flanks meet the tooth is pointed: its half thickness is eaten up by the involute "
+        "function."
+    )
+)
 def pointed_involute(s: Number, r: Number, alpha: Angle) -> Number:
     """{s}/(2·{r}) + inv {alpha}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The path of contact divided by the base pitch: so many pairs of teeth are in contact on the "
+        "average."
+    )
+)
 def contact_ratio(z1: Number, a1: Angle, z2: Number, a2: Angle, alpha_w: Angle) -> Number:
     """({z1}·(tan {a1} − tan {alpha_w}) + {z2}·(tan {a2} − tan {alpha_w}))/(2·π)"""
 
 
-@formula
+@formula(
+    why=said(
+        "Between the tip of one wheel and the root of the other there is what the centre distance leaves."
+    )
+)
 def tip_clearance(a_w: Number, r_a: Number, r_f: Number) -> Number:
     """{a_w} − {r_a} − {r_f}"""
 
 
-@formula
+@formula(why=said("All teeth together take the whole turn."))
 def angular_pitch(z: Number) -> Angle:
     """360°/{z}"""
 
 
-@formula
+@formula(why=said("The circle is divided into as many pitches as there are teeth."))
 def arc_of_pitch(r: Number, z: Number) -> Number:
     """2·π·{r}/{z}"""
 
 
-@formula
+@formula(why=said("A tooth is symmetrical: half of it is laid off to either side."))
 def half_of(length: Length) -> Length:
     """{length}/2"""
 
 
-@formula
+@formula(why=said("The line of action is divided into parts, at which the sliding is found."))
 def part_of(share: Number, length: Length) -> Length:
     """{share}·{length}"""
 
 
-@formula
+@formula(why=said("What is not on the one side of the point is on the other."))
 def remainder(whole: Length, part: Length) -> Length:
     """{whole} − {part}"""
 
 
-@formula(fails="the length to divide by is zero")
+@formula(
+    fails="the length to divide by is zero",
+    why=said(
+        "The drawn path of contact to the drawn pitch: the contact ratio read off the drawing."
+    ),
+)
 def ratio_of(part: Length, whole: Length) -> Number:
     """{part}/{whole}"""
 
 
-@formula
+@formula(why=said("The drawing is compared with the calculation."))
 def percent_off(found: Number, due: Number) -> Number:
     """100·({found} − {due})/{due}"""
 
@@ -181,6 +263,10 @@ def percent_off(found: Number, due: Number) -> Number:
 @formula(
     holds="{near} > 0, {far} ≥ 0",
     fails="the point does not lie between the limits of the line of action",
+    why=said(
+        "The flanks roll and slide: the sliding velocity is taken by that along the own flank; both follow "
+        "from the distances to the ends of the line of action."
+    ),
 )
 def specific_sliding(own: Number, other: Number, far: Length, near: Length) -> Number:
     """1 − {own}/{other}·{far}/{near}

@@ -10,6 +10,7 @@ from graphic_tmm.board.geometry import TANGENT, cis, degrees, wedge
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.graph_curves import open_graph
 from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Point, Reals
+from graphic_tmm.language.said import said
 
 _HALVINGS = 60
 """Halvings of a bracket: more than the 53 bits of a number."""
@@ -21,6 +22,10 @@ _PASSES = 8
 
 @operation(
     fails="the arc has no radius",
+    why=said(
+        "The thread wound off the base circle is as long as the arc that it leaves: equal pieces of line "
+        "and arc belong together."
+    ),
 )
 def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Point:
     """From {start} lay off along the arc {arc} the length {length}; mark {it}.
@@ -31,7 +36,10 @@ def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Poin
     return Point(arc.centre + (start - arc.centre) * np.exp(1j * turned))
 
 
-@operation(reads=True)
+@operation(
+    reads=True,
+    why=said("The arc is measured as a student does, by its angle and radius."),
+)
 def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length:
     """Measure the arc {start}{end} along {arc}.
 
@@ -43,25 +51,33 @@ def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length
 
 @operation(
     fails="a side has no length",
+    why=said("By this angle the flank has to be turned to go through the point."),
 )
 def angle_at(centre: Point, start: Point, end: Point) -> Angle:
     """Measure the angle {start}{centre}{end}, counter-clockwise positive."""
     return Angle(degrees((end - centre) / (start - centre)))
 
 
-@operation()
+@operation(
+    why=said(
+        "All teeth of a wheel are alike: the next one is this one turned by the angular pitch."
+    )
+)
 def turn_about(of: Point, about: Point, by: Angle, *, sense: int = 1) -> Point:
     """Turn {of} about {about} by the angle {by}; mark {it}."""
     return Point(about + (of - about) * cis(sense * by))
 
 
-@operation()
+@operation(why=said("A tooth is symmetrical about its axis: the other flank is the mirror image."))
 def reflect(of: Point, axis: Line) -> Point:
     """Mark {it}, symmetrical to {of} about {axis}."""
     return Point(axis.at + np.conj((of - axis.at) / axis.along) * axis.along)
 
 
-@operation(across=True)
+@operation(
+    across=True,
+    why=said("The curve goes smoothly through the points found."),
+)
 def smooth_through(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} with the French curve.
 
@@ -70,7 +86,7 @@ def smooth_through(through: Point, *, row: int) -> Curve:
     return open_graph.run(through[:, : row - 1], through[:, row - 1 : row], row=row - 1)  # type: ignore[no-any-return]
 
 
-@operation()
+@operation(why=said("The involute begins on the base circle."))
 def beginning(curve: Curve) -> Point:
     """Mark {it}, the beginning of the curve {curve}."""
     return Point(curve.knots[:, :1])
@@ -110,6 +126,7 @@ def _arcs(curve: Curve, trial: int) -> _Arcs:
 
 @operation(
     fails="the curve does not reach the arc",
+    why=said("There the flank ends at its circle."),
 )
 def curve_meets_arc(curve: Curve, arc: Arc) -> Point:
     """Where the curve {curve} first meets the arc {arc}, mark {it}."""
@@ -147,6 +164,7 @@ def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
 
 @operation(
     fails="the curves do not meet",
+    why=said("There one curve goes over into the other."),
 )
 def curves_cross(first: Curve, second: Curve) -> Point:
     """Where the curves {first} and {second} cross, mark {it}: the first such place along {first}."""

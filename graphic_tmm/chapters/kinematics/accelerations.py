@@ -19,6 +19,7 @@ from graphic_tmm.board.operations.formulas import (
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
 from graphic_tmm.chapters.kinematics.motion import Motion, hang_group, known_image, measure_absolute
@@ -69,19 +70,23 @@ def _crank(
     draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
     omega = velocities.speed
     assert omega is not None
-    value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²")
+    because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
+    value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²", why=because)
     length = draft.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value)
-    inward = draft.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1)
+    inward = draft.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT)
     if epsilon:
-        end = draft.draw(lay_off, f"n{number}", inward, length)
+        end = draft.draw(lay_off, f"n{number}", inward, length, why=why.VECTOR)
         draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
         plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
-        value = draft.draw(product, f"a_{{{pin}}}^{{t}}", plan.rates[number], arm, unit="m/s²")
+        name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
+        value = draft.draw(product, name_t, gain, arm, unit="m/s²", why=why.TANGENTIAL_OF_PIN)
         length = draft.draw(to_board, f"t_{{{name}}}", value)
-        line = draft.draw(square, f"(t_{{{name}}})", end, body.axis, sense=1)
-        image = draft.draw(lay_off, letter, line, length)
+        line = draft.draw(
+            square, f"(t_{{{name}}})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK
+        )
+        image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
     else:
-        image = draft.draw(lay_off, letter, inward, length)
+        image = draft.draw(lay_off, letter, inward, length, why=why.VECTOR)
         plan.measured.add(image)
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
     plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
@@ -98,17 +103,21 @@ def _group(
         else _relative_line(draft, velocities, plan, closing, leg)
         for leg in closing.legs
     ]
-    point = draft.draw(meet, closing.image_letter, lines[1], lines[0], free=True)
+    point = draft.draw(
+        meet, closing.image_letter, lines[1], lines[0], free=True, why=why.BOTH_EQUATIONS
+    )
     for leg, line in zip(closing.legs, lines, strict=True):
         if isinstance(leg, PinLeg):
             _read_tangential(draft, plan, closing, leg, point, line)
         elif draft.uses(line)[0] == plan.images.pole:
             name = f"π{point.letter}"
-            plan.readings[leg.link] = draft.draw(measure_along, name, plan.images.pole, point, line)
+            plan.readings[leg.link] = draft.draw(
+                measure_along, name, plan.images.pole, point, line, why=why.ABSOLUTE_ACCELERATION
+            )
             plan.measured.add(point)
         else:
             name = f"r_{{{known_image(plan, closing, leg).letter}{closing.image_letter}}}"
-            draft.draw(measure_along, name, draft.uses(line)[0], point, line)
+            draft.draw(measure_along, name, draft.uses(line)[0], point, line, why=why.RELATIVE_READ)
     hang_group(positions, plan, closing, point)
 
 
@@ -120,9 +129,12 @@ def _tangential_line(
     start = known_image(plan, closing, leg)
     reading = velocities.readings[leg.link]
     length = draft.draw(normal, f"n_{{{name}}}", reading, leg.length)
-    inward = draft.draw(parallel, f"(n_{{{name}}})", start, leg.line, sense=-1, role=roles.NORMAL)
-    end = draft.draw(lay_off, f"n{leg.link}", inward, length, free=True)
-    return draft.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1)
+    because = why.TO_THE_OTHER_POINT
+    inward = draft.draw(
+        parallel, f"(n_{{{name}}})", start, leg.line, sense=-1, role=roles.NORMAL, why=because
+    )
+    end = draft.draw(lay_off, f"n{leg.link}", inward, length, free=True, why=why.VECTOR)
+    return draft.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1, why=why.TANGENTIAL)
 
 
 def _relative_line(
@@ -135,17 +147,23 @@ def _relative_line(
     if turning is not None:
         name, slid = f"{start.letter}{letter}", velocities.readings[leg.link]
         length = draft.draw(coriolis, f"k_{{{name}}}", turning, slid)
-        across = draft.draw(square, f"(k_{{{name}}})", start, leg.line, sense=1)
-        start = draft.draw(lay_off, f"k{leg.link}", across, length, free=True)
-    return draft.draw(parallel, f"({start.letter}{letter})", start, leg.line, sense=1)
+        across = draft.draw(
+            square, f"(k_{{{name}}})", start, leg.line, sense=1, why=why.CORIOLIS_ACROSS
+        )
+        start = draft.draw(lay_off, f"k{leg.link}", across, length, free=True, why=why.VECTOR)
+    because = why.ACCELERATION_ALONG if start == plan.images.pole else why.RELATIVE_ALONG
+    return draft.draw(parallel, f"({start.letter}{letter})", start, leg.line, sense=1, why=because)
 
 
 def _read_tangential(
     draft: Draft, plan: Motion, closing: Closing, leg: PinLeg, point: Mark, line: Mark
 ) -> None:
     start = draft.uses(line)[0]
-    segment = draft.draw(measure_along, f"t_{{{_leg_name(closing, leg)}}}", start, point, line)
-    plan.rates[leg.link] = draft.draw(rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²")
+    name, because = f"t_{{{_leg_name(closing, leg)}}}", why.TANGENTIAL_READ
+    segment = draft.draw(measure_along, name, start, point, line, why=because)
+    plan.rates[leg.link] = draft.draw(
+        rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²", why=why.EPSILON
+    )
 
 
 def _leg_name(closing: Closing, leg: PinLeg) -> str:

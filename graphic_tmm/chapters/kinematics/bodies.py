@@ -16,6 +16,7 @@ from graphic_tmm.board.operations.instruments import (
     square,
 )
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.mechanism.structure import Group, Pair
@@ -126,9 +127,11 @@ def stand(body: Body, letter: str, mark: Mark, own: complex) -> None:
 def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: float) -> Mark:
     """Draw the point at x along and y to the left of an axis (m)."""
     if y == 0.0:
-        return draft.draw(lay_off, letter, axis, draft.length(f"{anchor}{letter}", x))
+        return draft.draw(
+            lay_off, letter, axis, draft.length(f"{anchor}{letter}", x), why=why.POINT
+        )
     along, left = draft.length(f"x_{{{letter}}}", x), draft.length(f"y_{{{letter}}}", y)
-    return draft.draw(place, letter, axis, along, left)
+    return draft.draw(place, letter, axis, along, left, why=why.POINT)
 
 
 def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float) -> Mark:
@@ -136,10 +139,14 @@ def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float)
     rest = degrees % 360.0
     name = f"({name})"
     if rest in (0.0, 180.0):
-        return draft.draw(parallel, name, through, to, sense=1 if rest == 0.0 else -1)
+        return draft.draw(
+            parallel, name, through, to, sense=1 if rest == 0.0 else -1, why=why.SLIDER_PATH
+        )
     if rest in (90.0, 270.0):
-        return draft.draw(square, name, through, to, sense=1 if rest == 90.0 else -1)
-    return draft.draw(incline, name, through, to, draft.direction(degrees))
+        return draft.draw(
+            square, name, through, to, sense=1 if rest == 90.0 else -1, why=why.SLIDER_PATH
+        )
+    return draft.draw(incline, name, through, to, draft.direction(degrees), why=why.SLIDER_PATH)
 
 
 def nearest(body: Body, pair: Pair, levelled: float) -> str:
@@ -164,4 +171,6 @@ def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str)
     if abs(by) <= ROUNDING * size:
         return incline_by(draft, name, body.marks[letter], body.axis, bend)
     inclined = incline_by(draft, f"{name}′", body.marks[letter], body.axis, bend)
-    return draft.draw(shift, f"({name})", inclined, draft.length(f"h_{{{name}}}", by))
+    return draft.draw(
+        shift, f"({name})", inclined, draft.length(f"h_{{{name}}}", by), why=why.SLIDER_PATH
+    )

@@ -32,7 +32,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         mu_l = ledger.by_length(mu, arm, f"{pivot}{pin}", wanted.OA)
     else:
         most = ledger.quantity("l_{max}", reach.positions, "m")
-        mu_l = ledger.fitting(mu, most, drawn.sizes[POSITIONS], lengths=True)
+        mu_l = ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
     if not wanted.OA or wanted.mu_l:
         ledger.follows(f"{pivot}{pin}", arm, mu_l)
     if made.velocities is None:
@@ -75,5 +75,5 @@ def _plan(
         return
     else:
         most = ledger.quantity(f"{quantity.letter[0]}_{{max}}", longest, quantity.unit)
-        found = ledger.fitting(mu, most, drawn.sizes[plan])
+        found = ledger.fitting(mu, most, ledger.value_of(drawn, mu))
     ledger.follows(letter, quantity, found)

@@ -24,6 +24,7 @@ from graphic_tmm.board.operations.instruments import (
     tangent,
 )
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
     Closing,
@@ -60,12 +61,12 @@ class Site(NamedTuple):
         outer = leg.pair.name
         opening = self.draft.length(f"{outer}{pin}", abs(link.points[pin] - link.points[outer]))
         name = f"({outer}; {outer}{pin})"
-        return self.draft.draw(strike, name, self.pivot(leg), opening), opening
+        return self.draft.draw(strike, name, self.pivot(leg), opening, why=why.PIN_ARC), opening
 
     def pinned(self, link: Link, leg: Leg, pin: str, mark: Mark, opening: Mark) -> PinLeg:
         """Enter a link that turns about an outer pivot and whose inner pin stands at ``mark``."""
         outer, pivot = leg.pair.name, self.pivot(leg)
-        line = self.draft.draw(join, f"({outer}{pin})", pivot, mark)
+        line = self.draft.draw(join, f"({outer}{pin})", pivot, mark, why=why.LINK_AXIS)
         arm = link.points[pin] - link.points[outer]
         body = Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: line)
         stand(body, outer, pivot, link.points[outer])
@@ -91,8 +92,10 @@ class Site(NamedTuple):
 
         def axis() -> Mark:
             if side is not None:
-                return self.draft.draw(directed, f"({link.number})", mark, line, side)
-            return self.draft.draw(parallel, f"({link.number})", mark, line)
+                return self.draft.draw(
+                    directed, f"({link.number})", mark, line, side, why=why.SLIDER_AXIS
+                )
+            return self.draft.draw(parallel, f"({link.number})", mark, line, why=why.SLIDER_AXIS)
 
         body = Body(link, own, direction(pair, link.number), axis)
         stand(body, letter, mark, own)
@@ -103,7 +106,7 @@ def _rrr(site: Site) -> Closing:
     assert site.side is not None
     group, pin = site.group, site.group.inner.name
     struck = [site.swung(link, leg, pin) for link, leg in zip(site.links, group.legs, strict=True)]
-    mark = site.draft.draw(cross, pin, *(arc for arc, _ in struck), site.side)
+    mark = site.draft.draw(cross, pin, *(arc for arc, _ in struck), site.side, why=why.TWO_ARCS)
     first, second = (
         site.pinned(link, leg, pin, mark, opening)
         for link, leg, (_, opening) in zip(site.links, group.legs, struck, strict=True)
@@ -117,7 +120,7 @@ def _rrp(site: Site) -> Closing:
     rod, slider = site.links
     arc, opening = site.swung(rod, turning, pin)
     guide = site.path(sliding, slider.points[pin], sliding.pair.name)
-    mark = site.draft.draw(cut, pin, guide, arc, site.side)
+    mark = site.draft.draw(cut, pin, guide, arc, site.side, why=why.ARC_AND_GUIDE)
     pinned = site.pinned(rod, turning, pin, mark, opening)
     site.sliding(slider, sliding.pair, (pin, slider.points[pin], mark), guide)
     held = GuideLeg(slider.number, sliding.body, guide, False, sliding.body)
@@ -150,8 +153,8 @@ def _rpr(site: Site) -> Closing:
     else:
         height = site.draft.length(f"h_{{{pin}}}", offset)
         guide = draft.draw(tangent, f"({inner.name})", a, c, height, site.side)
-        line, side = draft.draw(join, f"({centre}{pin})", c, a), None
-    distance = draft.draw(measure, f"{centre}{pin}", c, a)
+        line, side = draft.draw(join, f"({centre}{pin})", c, a, why=why.LINK_AXIS), None
+    distance = draft.draw(measure, f"{centre}{pin}", c, a, why=why.ROCKER_LENGTH)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide, side)
     site.sliding(rocker, inner, (centre, rocker.points[centre], c), guide, side)
     slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)
@@ -165,7 +168,7 @@ def _prp(site: Site) -> Closing:
         site.path(leg, link.points[pin], leg.pair.name)
         for link, leg in zip(site.links, group.legs, strict=True)
     ]
-    mark = site.draft.draw(meet, pin, *guides)
+    mark = site.draft.draw(meet, pin, *guides, why=why.TWO_GUIDES)
     held = []
     for link, leg, guide in zip(site.links, group.legs, guides, strict=True):
         site.sliding(link, leg.pair, (pin, link.points[pin], mark), guide)
@@ -182,7 +185,7 @@ def _rpp(site: Site) -> Closing:
     path = site.path(yoke_leg, own, yoke_leg.pair.name)
     bend = direction(inner, yoke.number) - direction(yoke_leg.pair, yoke.number)
     guide = incline_by(site.draft, inner.name, a, path, bend)
-    mark = site.draft.draw(meet, letter, path, guide, free=True)
+    mark = site.draft.draw(meet, letter, path, guide, free=True, why=why.TWO_GUIDES)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide)
     site.sliding(yoke, yoke_leg.pair, (letter, own, mark), path)
     slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)

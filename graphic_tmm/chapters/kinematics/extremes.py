@@ -18,6 +18,7 @@ from graphic_tmm.board.operations.instruments import bearing, cross, cut, strike
 from graphic_tmm.board.operations.locus import refinement
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals, Side, undefined
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
@@ -176,7 +177,7 @@ def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag:
         ),
     )
     low, high = draft.direction(tried.low), draft.direction(tried.high)
-    return draft.draw(step, f"φ_{{{tag}}}", low, high, unit="°")
+    return draft.draw(step, f"φ_{{{tag}}}", low, high, unit="°", why=why.STANDS_STILL)
 
 
 def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
@@ -225,7 +226,13 @@ def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mar
     oa = draft.length(f"{structure.pivot}{pin}", arm)
     ab = draft.length(f"{pin}{inner}", reach)
     op, sign = (total, "+") if choice > 0 else (difference, "−")
-    opening = draft.draw(op, f"{structure.pivot}{pin}{sign}{pin}{inner}", oa, ab)
+    opening = draft.draw(
+        op,
+        f"{structure.pivot}{pin}{sign}{pin}{inner}",
+        oa,
+        ab,
+        why=why.STRETCHED if choice > 0 else why.FOLDED,
+    )
     return opening, pin, inner, reach >= arm
 
 
@@ -235,7 +242,7 @@ def _in_line(
     """Find the crank's angle from the inner pin's extreme place: towards it, or away from it."""
     pivot = frame.marks[survey.structure.pivot]
     ends = (pivot, found) if choice > 0 or not longer else (found, pivot)
-    return draft.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°")
+    return draft.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°", why=why.IN_LINE)
 
 
 def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
@@ -246,11 +253,13 @@ def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
         f"({opening.letter})",
         frame.marks[survey.structure.pivot],
         opening,
+        why=why.STRETCHED if choice > 0 else why.FOLDED,
     )
     leg = group.legs[1]
     own = survey.mechanism.by_number[leg.link].points[inner]
     guide = draw_guide(draft, frame, leg.pair, level(leg.pair, leg.link, own), leg.pair.name)
-    found = draft.draw(cut, f"{inner}_{{{tag}}}", guide, arc, _side(draft, survey, group, tag))
+    side = _side(draft, survey, group, tag)
+    found = draft.draw(cut, f"{inner}_{{{tag}}}", guide, arc, side, why=why.EXTREME_PIN)
     return _in_line(draft, survey, found, frame, choice, longer, tag)
 
 
@@ -258,16 +267,19 @@ def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
     group = survey.structure.groups[0]
     opening, _, inner, longer = _reach(draft, survey, group, choice)
     pivot = frame.marks[survey.structure.pivot]
-    arc = draft.draw(strike, f"({opening.letter})", pivot, opening)
+    because = why.STRETCHED if choice > 0 else why.FOLDED
+    arc = draft.draw(strike, f"({opening.letter})", pivot, opening, why=because)
     first, second = group.legs
     leg = second if second.body == frame.link.number else first
     rocker = survey.mechanism.by_number[leg.link]
     outer = leg.pair.name
     length = draft.length(f"{outer}{inner}", abs(rocker.points[inner] - rocker.points[outer]))
-    swing = draft.draw(strike, f"({outer}; {length.letter})", frame.marks[outer], length)
+    swing = draft.draw(
+        strike, f"({outer}; {length.letter})", frame.marks[outer], length, why=why.PIN_ARC
+    )
     flip = 1 if leg is second else -1
     side = _side(draft, survey, group, tag, flip)
-    found = draft.draw(cross, f"{inner}_{{{tag}}}", arc, swing, side)
+    found = draft.draw(cross, f"{inner}_{{{tag}}}", arc, swing, side, why=why.EXTREME_PIN)
     return _in_line(draft, survey, found, frame, choice, longer, tag)
 
 
@@ -276,11 +288,13 @@ def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> 
     crank = survey.mechanism.by_number[structure.driver]
     pivot, pin = structure.pivot, structure.pin
     length = draft.length(f"{pivot}{pin}", abs(crank.points[pin] - crank.points[pivot]))
-    arc = draft.draw(strike, f"({pivot}; {length.letter})", frame.marks[pivot], length)
+    name, because = f"({pivot}; {length.letter})", why.CRANK_CIRCLE
+    arc = draft.draw(strike, name, frame.marks[pivot], length, why=because)
     which = draft.take(Side, "±", float(choice))
     rocker = frame.marks[group.legs[1].pair.name]
-    found = draft.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which)
-    return draft.draw(bearing, f"φ_{{{tag}}}", frame.marks[pivot], found, unit="°")
+    found = draft.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which, why=why.ROCKER_TOUCHES)
+    ends = frame.marks[pivot], found
+    return draft.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°", why=why.CRANK_AT_EXTREME)
 
 
 _CONSTRUCTIONS = {1: _rocker, 2: _slider, 3: _stone}

@@ -115,4 +115,7 @@ def _masses(mechanism: Mechanism) -> Iterator[Given]:
     for link in mechanism.links:
         if link.inertia is not None:
             about = f"{{{link.centre}}}" if link.centre else f"{link.number}"
+            if link.rod is not None:
+                yield Given(f"l_{link.number}", link.rod, "m")
+                continue
             yield Given(f"J_{about}", link.inertia, "kg·m²")

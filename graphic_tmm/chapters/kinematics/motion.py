@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
 from graphic_tmm.chapters.kinematics.positions import Positions
@@ -75,6 +77,10 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
     the crank's pin.
     """
     pole = plan.images.pole
+    because = {
+        roles.VELOCITY: why.ABSOLUTE_VELOCITY,
+        roles.ACCELERATION: why.ABSOLUTE_ACCELERATION,
+    }[pole.role]
     images = [
         plan.images.by_letter[number][letter]
         for number, body in positions.bodies.items()
@@ -91,7 +97,7 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
         if image == pole or image in plan.measured:
             continue
         plan.measured.add(image)
-        draft.draw(measure, f"{pole.letter}{image.letter}", pole, image)
+        draft.draw(measure, f"{pole.letter}{image.letter}", pole, image, why=because)
 
 
 def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:

@@ -15,6 +15,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.bodies import Body, Closing, draw_points, stand
 from graphic_tmm.chapters.kinematics.dyads import DYADS, Site
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
@@ -47,7 +48,7 @@ def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure)
     draft.lay_out(origin)
 
     def axis() -> Mark:
-        return draft.draw(ray, "(x)", origin, draft.direction(0.0))
+        return draft.draw(ray, "(x)", origin, draft.direction(0.0), why=why.FRAME_AXIS)
 
     body = Body(frame, frame.points[pivot], 0.0, axis)
     stand(body, pivot, origin, frame.points[pivot])
@@ -89,11 +90,12 @@ def _crank(
 ) -> Body:
     link, pivot, pin = mechanism.by_number[structure.driver], structure.pivot, structure.pin
     arm = link.points[pin] - link.points[pivot]
-    line = draft.draw(ray, f"({pivot}{pin})", frame.marks[pivot], phi)
+    line = draft.draw(ray, f"({pivot}{pin})", frame.marks[pivot], phi, why=why.CRANK)
     body = Body(link, link.points[pivot], math.degrees(cmath.phase(arm)), lambda: line)
     stand(body, pivot, frame.marks[pivot], link.points[pivot])
     length = draft.length(f"{pivot}{pin}", abs(arm))
-    stand(body, pin, draft.draw(lay_off, pin, line, length), link.points[pin])
+    end = draft.draw(lay_off, pin, line, length, why=why.CRANK_PIN)
+    stand(body, pin, end, link.points[pin])
     draw_points(draft, body, pivot)
     tell_link(draft, mechanism, body)
     return body

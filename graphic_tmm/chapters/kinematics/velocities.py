@@ -12,6 +12,7 @@ from graphic_tmm.board.operations.formulas import product, rate, to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
 from graphic_tmm.chapters.kinematics.motion import Motion, hang_group, known_image, measure_absolute
@@ -28,17 +29,27 @@ class _Turn:
     def __init__(self, draft: Draft, turned: bool, sense: int) -> None:
         self.draft, self.turned, self.sense = draft, turned, sense
 
-    def across(self, name: str, through: Mark, to: Mark) -> Mark:
-        """Draw the line of a velocity square to a link (in the turned plan: along it)."""
-        if self.turned:
-            return self.draft.draw(parallel, name, through, to, sense=self.sense)
-        return self.draft.draw(square, name, through, to, sense=1)
+    def across(self, name: str, through: Mark, to: Mark, fixed: bool) -> Mark:
+        """Draw the line of a velocity square to a link (in the turned plan: along it).
 
-    def along(self, name: str, through: Mark, to: Mark) -> Mark:
-        """Draw the line of a velocity along a guide (in the turned plan: square to it)."""
+        ``fixed``: the link turns about a pivot that stands still.
+        """
         if self.turned:
-            return self.draft.draw(square, name, through, to, sense=-self.sense)
-        return self.draft.draw(parallel, name, through, to, sense=1)
+            because = why.ABOUT_FIXED_TURNED if fixed else why.ABOUT_MOVING_TURNED
+            return self.draft.draw(parallel, name, through, to, sense=self.sense, why=because)
+        because = why.ABOUT_FIXED if fixed else why.ABOUT_MOVING
+        return self.draft.draw(square, name, through, to, sense=1, why=because)
+
+    def along(self, name: str, through: Mark, to: Mark, fixed: bool) -> Mark:
+        """Draw the line of a velocity along a guide (in the turned plan: square to it).
+
+        ``fixed``: the guide stands still.
+        """
+        if self.turned:
+            because = why.ON_FIXED_GUIDE_TURNED if fixed else why.ON_MOVING_GUIDE_TURNED
+            return self.draft.draw(square, name, through, to, sense=-self.sense, why=because)
+        because = why.ON_FIXED_GUIDE if fixed else why.ON_MOVING_GUIDE
+        return self.draft.draw(parallel, name, through, to, sense=1, why=because)
 
 
 def draw_velocities(
@@ -75,13 +86,14 @@ def _crank(
     omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
     plan.speed = omega
     arm = crank_arm(draft, positions, structure)
-    velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s")
+    velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=why.SPEED_OF_PIN)
     length = draft.draw(to_board, f"p{image_letter(pin)}", velocity)
     if turn.turned:
-        line = draft.draw(parallel, f"(p{image_letter(pin)})", pole, body.axis, sense=1)
+        op, sense, because = parallel, 1, why.VELOCITY_OF_PIN_TURNED
     else:
-        line = draft.draw(square, f"(p{image_letter(pin)})", pole, body.axis, sense=turn.sense)
-    image = draft.draw(lay_off, image_letter(pin), line, length)
+        op, sense, because = square, turn.sense, why.VELOCITY_OF_PIN
+    line = draft.draw(op, f"(p{image_letter(pin)})", pole, body.axis, sense=sense, why=because)
+    image = draft.draw(lay_off, image_letter(pin), line, length, why=why.VECTOR)
     plan.measured.add(image)
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
     plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
@@ -104,8 +116,9 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
         start = known_image(plan, closing, leg)
         draw = turn.across if isinstance(leg, PinLeg) else turn.along
         starts.append(start)
-        lines.append(draw(f"({start.letter}{letter})", start, leg.line))
-    point = draft.draw(meet, letter, lines[1], lines[0], free=True)
+        fixed = start == plan.images.pole
+        lines.append(draw(f"({start.letter}{letter})", start, leg.line, fixed))
+    point = draft.draw(meet, letter, lines[1], lines[0], free=True, why=why.BOTH_EQUATIONS)
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
         _read(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)
@@ -114,9 +127,13 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
 def _read(
     draft: Draft, plan: Motion, leg: PinLeg | GuideLeg, start: Mark, point: Mark, line: Mark
 ) -> None:
-    segment = draft.draw(measure_along, f"{start.letter}{point.letter}", start, point, line)
+    name, fixed = f"{start.letter}{point.letter}", start == plan.images.pole
+    because = why.ABSOLUTE_VELOCITY if fixed else why.RELATIVE_VELOCITY
+    segment = draft.draw(measure_along, name, start, point, line, why=because)
     plan.readings[leg.link] = segment
-    if start == plan.images.pole:
+    if fixed:
         plan.measured.add(point)
     if isinstance(leg, PinLeg):
-        plan.rates[leg.link] = draft.draw(rate, f"ω_{leg.link}", segment, leg.length, unit="1/s")
+        plan.rates[leg.link] = draft.draw(
+            rate, f"ω_{leg.link}", segment, leg.length, unit="1/s", why=why.OMEGA
+        )

@@ -32,6 +32,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.beside import record_beside
 from graphic_tmm.chapters.planetary.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.planetary.choice import choose_steps
 from graphic_tmm.chapters.planetary.given import given
 from graphic_tmm.chapters.planetary.note import concludes, note
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
@@ -70,6 +71,7 @@ CHAPTER = Chapter(
     sections=SECTIONS,
     record=record,
     aside=record_beside,
+    choice=choose_steps,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(_NAME,),

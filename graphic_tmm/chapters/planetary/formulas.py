@@ -8,6 +8,7 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.functions import define
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
+from graphic_tmm.language.said import said
 
 _NO_TEETH = "a wheel has no teeth"
 _STANDS = "the driven shaft stands"
@@ -23,42 +24,75 @@ def _gcd(first: Reals, second: Reals) -> Reals:
 define("gcd", _gcd)
 
 
-@formula
+@formula(
+    why=said(
+        "The pitch circles of wheels in outer mesh touch: the axes are as far apart as both radii "
+        "together."
+    )
+)
 def axes_outside(m: Number, first: Number, second: Number) -> Number:
     """{m}·({first} + {second})/2"""
 
 
-@formula
+@formula(
+    why=said(
+        "In inner mesh the pitch circles touch from inside: the axes are as far apart as the difference of "
+        "the radii. Both meshes need the same distance."
+    )
+)
 def axes_inside(m: Number, ring: Number, wheel: Number) -> Number:
     """{m}·({ring} − {wheel})/2"""
 
 
-@formula
+@formula(why=said("Neighbouring satellites must not touch by their tips."))
 def tip_diameter(m: Number, z: Number, ha: Number) -> Number:
     """{m}·({z} + 2·{ha})"""
 
 
-@formula
+@formula(why=said("In inner mesh tips interfere where the difference of the teeth is too small."))
 def tooth_difference(ring: Number, wheel: Number) -> Number:
     """{ring} − {wheel}"""
 
 
-@formula(holds="{k} ≠ 0", fails=_NO_SATELLITES)
+@formula(
+    holds="{k} ≠ 0",
+    fails=_NO_SATELLITES,
+    why=said(
+        "The axes of {k} satellites stand on one circle, evenly: the chord between neighbours."
+    ),
+)
 def neighbouring_axes(axes: Number, k: Number) -> Number:
     """2·{axes}·sin(180°/{k})"""
 
 
-@formula(holds="{z1} ≠ 0", fails=_NO_TEETH)
+@formula(
+    holds="{z1} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier held the row is a train with −z3/z1 (Willis); letting it go and holding the ring "
+        "adds 1."
+    ),
+)
 def ratio_of_row(z1: Number, z3: Number) -> Number:
     """1 + {z3}/{z1}"""
 
 
-@formula(holds="{z1}·{z3} ≠ 0", fails=_NO_TEETH)
+@formula(
+    holds="{z1}·{z3} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "By Willis: with the carrier held the ratio is negative, so its amount is added to 1."
+    ),
+)
 def ratio_opposed(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
     """1 + {z2}·{z4}/({z1}·{z3})"""
 
 
-@formula(holds="{z1}·{z3} ≠ 0", fails=_NO_TEETH)
+@formula(
+    holds="{z1}·{z3} ≠ 0",
+    fails=_NO_TEETH,
+    why=said("By Willis: with the carrier held the ratio is positive, so it is taken from 1."),
+)
 def ratio_alike(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
     """1 − {z2}·{z4}/({z1}·{z3})"""
     # a difference of tooth numbers is exact, where that of their ratio from 1 is rounded
@@ -66,74 +100,136 @@ def ratio_alike(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
     return Number((below - z2 * z4) / below)
 
 
-@formula(holds="{ratio} ≠ 0", fails=_STANDS)
+@formula(
+    holds="{ratio} ≠ 0",
+    fails=_STANDS,
+    why=said("Driven from the other side the train has the inverse ratio."),
+)
 def inverse_ratio(ratio: Number) -> Number:
     """1/{ratio}"""
 
 
-@formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
+@formula(
+    holds="{driving} ≠ 0",
+    fails=_NO_TEETH,
+    why=said("Ratios of stages in series multiply."),
+)
 def overall_ratio(ratio: Number, driven: Number, driving: Number) -> Number:
     """|{ratio}|·{driven}/{driving}"""
 
 
-@formula
+@formula(
+    why=said(
+        "Willis: with the ring held the ratio is 1 + z3/z1, and that gives the teeth of the ring."
+    )
+)
 def teeth_of_ring(z1: Number, ratio: Number) -> Number:
     """{z1}·({ratio} − 1)"""
 
 
-@formula(holds="{ratio} ≠ 0", fails=_STANDS)
+@formula(
+    holds="{ratio} ≠ 0",
+    fails=_STANDS,
+    why=said("The carrier drives, so the ratio is the inverse of 1 + z3/z1."),
+)
 def teeth_of_driven_ring(z1: Number, ratio: Number) -> Number:
     """{z1}·(1/{ratio} − 1)"""
 
 
-@formula
+@formula(why=said("The satellite fills the gap between the sun and the ring: common axis."))
 def teeth_between(z3: Number, z1: Number) -> Number:
     """({z3} − {z1})/2"""
 
 
-@formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
+@formula(
+    holds="{driving} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier stopped the wheels are a plain pair; outer teeth turn each other backwards."
+    ),
+)
 def mesh_outside(driven: Number, driving: Number) -> Number:
     """−{driven}/{driving}"""
 
 
-@formula(holds="{driving} ≠ 0", fails=_NO_TEETH)
+@formula(
+    holds="{driving} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier stopped the wheels are a plain pair; inside a ring both turn the same way."
+    ),
+)
 def mesh_inside(driven: Number, driving: Number) -> Number:
     """{driven}/{driving}"""
 
 
-@formula(holds="0 < {tip}, {tip} < 2·{axes}", fails=_NO_ROOM)
+@formula(
+    holds="0 < {tip}, {tip} < 2·{axes}",
+    fails=_NO_ROOM,
+    why=said(
+        "Neighbouring satellites must not touch: the chord between their axes is longer than the tip diameter."
+    ),
+)
 def most_satellites(tip: Number, axes: Number) -> Number:
     """⌈180°/arcsin({tip}/(2·{axes}))⌉ − 1"""
 
 
-@formula
+@formula(
+    why=said("Both rims of the satellites must clear each other, so the smaller number counts.")
+)
 def fewer(first: Number, second: Number) -> Number:
     """min({first}, {second})"""
 
 
-@formula(holds="{ratio} ≠ 0", fails=_STANDS)
+@formula(
+    holds="{ratio} ≠ 0",
+    fails=_STANDS,
+    why=said(
+        "The ratio tells how many times more slowly the last wheel turns than the driving shaft."
+    ),
+)
 def speed_behind(speed: Number, ratio: Number) -> Number:
     """{speed}/{ratio}"""
 
 
-@formula
+@formula(
+    why=said(
+        "The satellite's rims come into the same places again after as many teeth as their common divisor "
+        "allows."
+    )
+)
 def common_divisor(z2: Number, z3: Number) -> Number:
     """gcd({z2}, {z3})"""
 
 
-@formula(holds="{k} ≠ 0", fails=_NO_SATELLITES)
+@formula(
+    holds="{k} ≠ 0",
+    fails=_NO_SATELLITES,
+    why=said(
+        "{k} satellites can be put in evenly only if this number is whole: from one place to the next the "
+        "wheels have turned by whole teeth."
+    ),
+)
 def assembly_of_row(z1: Number, z3: Number, k: Number) -> Number:
     """({z1} + {z3})/{k}"""
 
 
-@formula(holds="{k}·{g} ≠ 0", fails=_NO_SATELLITES)
+@formula(
+    holds="{k}·{g} ≠ 0",
+    fails=_NO_SATELLITES,
+    why=said("The satellites can be put in evenly only if this number is whole."),
+)
 def assembly_opposed(
     z1: Number, z2: Number, z3: Number, z4: Number, k: Number, g: Number
 ) -> Number:
     """({z1}·{z3} + {z2}·{z4})/({k}·{g})"""
 
 
-@formula(holds="{k}·{g} ≠ 0", fails=_NO_SATELLITES)
+@formula(
+    holds="{k}·{g} ≠ 0",
+    fails=_NO_SATELLITES,
+    why=said("The satellites can be put in evenly only if this number is whole."),
+)
 def assembly_alike(z1: Number, z2: Number, z3: Number, z4: Number, k: Number, g: Number) -> Number:
     """({z1}·{z3} − {z2}·{z4})/({k}·{g})"""
 
@@ -141,17 +237,30 @@ def assembly_alike(z1: Number, z2: Number, z3: Number, z4: Number, k: Number, g:
 @formula(
     holds="2·{z}·sin²{alpha} − 4·{ha} > 0",
     fails="no ring is clear of so few teeth",
+    why=said(
+        "With fewer teeth the ring's tips would meet the satellite's flank below its involute."
+    ),
 )
 def least_ring(z: Number, alpha: Angle, ha: Number) -> Number:
     """({z}²·sin²{alpha} − 4·{ha}²)/(2·{z}·sin²{alpha} − 4·{ha})"""
 
 
-@formula(holds="{driven} ≠ 0", fails=_STANDS)
+@formula(
+    holds="{driven} ≠ 0",
+    fails=_STANDS,
+    why=said(
+        "On one level segments are the angular velocities, to one scale: their ratio is that of the train."
+    ),
+)
 def ratio_of_segments(driving: Length, driven: Length) -> Number:
     """{driving}/{driven}"""
 
 
-@formula(holds="{due} ≠ 0", fails="there is no ratio to compare with")
+@formula(
+    holds="{due} ≠ 0",
+    fails="there is no ratio to compare with",
+    why=said("Numbers of teeth are whole, so the ratio asked for is met within a tolerance only."),
+)
 def miss_of_ratio(found: Number, due: Number) -> Number:
     """100·|{found} − {due}|/|{due}|"""
 
@@ -159,6 +268,7 @@ def miss_of_ratio(found: Number, due: Number) -> Number:
 @operation(
     across=True,
     fails=WHOLE_ROW,
+    why=said("Neighbours decide whether the satellites have room."),
 )
 def next_satellite(axis: Point, *, row: int) -> Point:
     """Mark {it}, the axis of the satellite that follows {axis}."""

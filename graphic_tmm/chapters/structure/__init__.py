@@ -29,7 +29,7 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Made, Place
-from graphic_tmm.chapters.structure.mobility import VIEW, record_mobility
+from graphic_tmm.chapters.structure.mobility import PARTS, VIEW, record_mobility
 from graphic_tmm.chapters.structure.note import note
 from graphic_tmm.chapters.structure.tables import SYMBOLS
 from graphic_tmm.chapters.structure.views import part_views, structure_views
@@ -52,7 +52,7 @@ CHAPTER = Chapter(
     builds_on=("kinematics",),
     places=(
         Place("structure", 90, structure_views, shows=()),
-        Place("groups of structure", 0, part_views, shows=(), follows=("positions",)),
+        Place(PARTS, 0, part_views, shows=(), follows=("positions",)),
     ),
     asked=lambda scene: scene.mechanism is not None,
     always=True,
@@ -69,6 +69,7 @@ CHAPTER = Chapter(
         "formula": STRUCTURE.on(drawn).formula,
     },
     note=note,
+    noted=(PARTS,),
     sources=("assur", "artobolevsky"),
     symbols=SYMBOLS,
 )

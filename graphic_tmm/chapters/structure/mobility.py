@@ -9,13 +9,20 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapter import Aside
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 
 VIEW = "structure"
+STRUCTURE, PARTS = "structure", "groups of structure"
+"""The places of the tables, and of the parts by themselves."""
 
 
-@formula
+@formula(
+    why=said(
+        "A link has three freedoms in the plane; a pair of class 5 takes two of them, one of class 4 one."
+    )
+)
 def mobility(n: Number, p5: Number, p4: Number) -> Number:
     """3·{n} − 2·{p5} − {p4}"""
 
@@ -36,9 +43,11 @@ def parts(structure: Structure) -> dict[str, tuple[int, int]]:
     return found | {group.name: (2, 3) for group in structure.groups}
 
 
-def record_mobility(bench: Bench) -> Mobility:
-    """Calculate W of the mechanism and, as a check of its dissection, of each part."""
+def record_mobility(bench: Bench) -> Mobility | None:
+    """Calculate W of the mechanism and, as a check of its dissection, of each part; None if nobody asks."""
     assert bench.scene.mechanism is not None
+    if not bench.wanted & {STRUCTURE, PARTS}:
+        return None
     structure, draft = dissect(bench.scene.mechanism), bench.draft
     draft.open(VIEW)
     higher = draft.take(Number, "p_4", 0.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapters.structure.mobility import MOBILITY, VIEW
+from graphic_tmm.chapters.structure.mobility import MOBILITY, VIEW, Mobility
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
 from graphic_tmm.chapters.structure.tables import WORDS
 from graphic_tmm.chapters.structure.views import part_views
@@ -47,11 +47,22 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of structure."""
     mechanism = drawn.scene.mechanism
     assert mechanism is not None
-    structure, found = dissect(mechanism), MOBILITY.on(drawn)
-    _, words = speaking(language), WORDS[language]
-    told = Told(drawn.board, drawn.construction, drawn.reading, VIEW, 0, language)
+    structure, found = dissect(mechanism), MOBILITY.of(drawn)
+    words = WORDS[language]
     yield _links(mechanism, structure, language)
     yield _pairs(mechanism, structure, language)
+    if found is not None:
+        yield from _mobility(drawn, structure, found, language)
+    yield Paragraph(text(f"{words['formula']}: {structure.formula}."))
+    yield Paragraph(text(f"{words['class II' if structure.groups else 'class I']}."))
+
+
+def _mobility(
+    drawn: Drawn, structure: Structure, found: Mobility, language: str
+) -> Iterator[Block]:
+    """Yield W of the mechanism and of each part that it comes apart into, with its figure."""
+    _ = speaking(language)
+    told = Told(drawn.board, drawn.construction, drawn.reading, VIEW, 0, language)
     n, p5, _higher = _step(told, found.whole).uses
     put: dict[str, Run] = {"n": told.number(n), "p": told.number(p5)}
     yield Paragraph(filled(_(MOVING), put))
@@ -67,8 +78,6 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield Paragraph(text(f"{title}:"))
         yield Display((_calculated(told, mark),))
         yield picture(shown[f"part-{name}"], language)
-    yield Paragraph(text(f"{words['formula']}: {structure.formula}."))
-    yield Paragraph(text(f"{words['class II' if structure.groups else 'class I']}."))
 
 
 def _step(told: Told, mark: Mark) -> Step:

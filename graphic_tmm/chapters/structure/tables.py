@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
 from graphic_tmm.language.said import said
@@ -59,18 +61,7 @@ def link_table(mechanism: Mechanism, structure: Structure, language: str, high: 
         for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
     ]
     heads = [words["number"], words["link"], words["mobility"]]
-    align = ["centre", "left", "left"]
-    again = captions(language)["continued"]
-    return breakable(
-        "table-links",
-        words["links"],
-        heads,
-        rows,
-        again=again,
-        size=high.number,
-        title_size=high.title,
-        align=align,
-    )
+    return _table("links", heads, rows, language, high, align=["centre", "left", "left"])
 
 
 def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
@@ -84,15 +75,27 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: 
         kind = words[f"kind {pair.kind}"]
         rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
     heads = [words[head] for head in ("letter", "joined", "kind", "contact", "freedoms", "index")]
-    again = captions(language)["continued"]
+    return _table("pairs", heads, rows, language, high)
+
+
+def _table(
+    name: str,
+    heads: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    language: str,
+    high: Heights,
+    align: Sequence[str] | None = None,
+) -> Drawing:
+    """Return a table of structure under the word for what it lists."""
     return breakable(
-        "table-pairs",
-        words["pairs"],
+        f"table-{name}",
+        WORDS[language][name],
         heads,
         rows,
-        again=again,
+        again=captions(language)["continued"],
         size=high.number,
         title_size=high.title,
+        align=align,
     )
 
 

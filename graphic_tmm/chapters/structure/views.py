@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.views import main_position
 from graphic_tmm.chapters.structure.ink_groups import draw_part
-from graphic_tmm.chapters.structure.mobility import MOBILITY, parts
+from graphic_tmm.chapters.structure.mobility import MOBILITY, PARTS, STRUCTURE, parts
 from graphic_tmm.chapters.structure.tables import WORDS, link_table, pair_table, structure_lines
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import number
@@ -15,16 +15,13 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import captioned
 
-PARTS = "groups of structure"
-"""The place of the parts by themselves."""
-
 
 def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of links, and that of pairs with the formula of structure below it."""
     mechanism, language = drawn.scene.mechanism, drawn.scene.language
     assert mechanism is not None
     structure = dissect(mechanism)
-    high = heights(drawn.scene, "structure")
+    high = heights(drawn.scene, STRUCTURE)
     pairs = pair_table(mechanism, structure, language, high)
     return [
         link_table(mechanism, structure, language, high),

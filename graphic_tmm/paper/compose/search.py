@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from graphic_tmm.paper.compose.judged import judged
-from graphic_tmm.paper.compose.sheet import GAPS, Places, excess, placed
+from graphic_tmm.paper.compose.sheet import GAPS, Places, cutting, excess, placed
 from graphic_tmm.paper.compose.units import Outline, Unit, units_of
 from graphic_tmm.paper.drawing import Stand
 from graphic_tmm.paper.packing import Room
@@ -21,6 +22,8 @@ TRIES = 60
 """How many orders of a sheet are tried."""
 QUICK, FEW = 40, 4
 """How many are tried to find out whether a sheet holds all that is ordered, or a part of it."""
+KEPT = 4096
+"""Of so many sets of boxes it is kept whether a sheet holds them."""
 LEAD = "\0lead"
 """The block of what leads: tables may stand below it."""
 
@@ -51,14 +54,21 @@ def fitting(
 ) -> tuple[Order, Places] | None:
     """Return an order in which a sheet holds boxes, and where they stand then; None if none tried fits.
 
-    Of orders that do not fit the one that is least too high is the start of the next.
+    Of orders that do not fit the one that is least too high is the start of the next. What boxes are called,
+    and where they are drawn, has no part in it: of the same boxes it is found out once.
     """
+    alike = (one._replace(name="", title="", corner=0j) for one in outlines)
+    return _fitting(tuple(alike), room, tries)
+
+
+@lru_cache(maxsize=KEPT)
+def _fitting(outlines: tuple[Outline, ...], room: Room, tries: int) -> tuple[Order, Places] | None:
     gap, best = GAPS[-1], first_order(outlines)
+    if cutting(best, room, gap) is None:
+        return None
     found = placed(best, outlines, room, gap)
     if found is not None:
         return best, found
-    if sum(o.width * o.height for o in outlines) > room.area:
-        return None
     over, tried = excess(best, room, gap), {best}
     while len(tried) <= tries:
         near = [order for order in moves(best) if order not in tried][: tries + 1 - len(tried)]

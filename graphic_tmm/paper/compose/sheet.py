@@ -6,7 +6,16 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from graphic_tmm.paper.compose.slicing import GRID, NONE, Curves, curve, curves, steps, tree
+from graphic_tmm.paper.compose.slicing import (
+    GRID,
+    NONE,
+    Curves,
+    curve,
+    curves,
+    grid_of,
+    steps,
+    tree,
+)
 from graphic_tmm.paper.compose.spread import grown, need, spread
 from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes
 from graphic_tmm.paper.packing import GAP, Room
@@ -30,13 +39,19 @@ class Cutting(NamedTuple):
     ways: Sequence[Sequence[Shape]]
     gap: float
 
+    @property
+    def grid(self) -> float:
+        """The grid on which it is cut, mm."""
+        return grid_of(len(self.units))
+
     def curves(self, share: float = 1.0) -> Curves:
         """Return the curves of all runs of units on a sheet by a ``share`` higher."""
-        gap, units = self.gap, self.units
-        across, down = steps(self.size[0] + gap), steps(share * (self.size[1] + gap))
+        gap, units, grid = self.gap, self.units, self.grid
+        across, down = steps(self.size[0] + gap, grid), steps(share * (self.size[1] + gap), grid)
         below = [(j, k) for k, unit in enumerate(units) for j in range(k) if _under(unit, units[j])]
         leaves = [
-            curve([(s.width + gap, s.height + gap) for s in way], across, down) for way in self.ways
+            curve([(s.width + gap, s.height + gap) for s in way], across, down, grid)
+            for way in self.ways
         ]
         return curves(leaves, down, below)
 
@@ -62,7 +77,8 @@ def excess(units: Sequence[Unit], room: Room, gap: float) -> float:
     if cut is None:
         return math.inf
     least = int(cut.curves(SPARE).heights[len(cut.units), 0, -1])
-    return (least - steps(cut.size[1] + gap)) * GRID if least < NONE else math.inf
+    over = (least - steps(cut.size[1] + gap, cut.grid)) * cut.grid
+    return over if least < NONE else math.inf
 
 
 def placed(
@@ -75,7 +91,7 @@ def placed(
     found, (width, height) = cut.curves(), cut.size
     for shorter in (0, 1):
         cuts = tree(found, *(side - 1 - shorter for side in (found.across, found.down)))
-        least = cuts and need(cuts, cut.units, cut.ways, gap)
+        least = cuts and need(cuts, cut.units, cut.ways, gap, cut.grid)
         if least and least.width <= width + 1e-6 and least.height <= height + 1e-6:
             break
     else:

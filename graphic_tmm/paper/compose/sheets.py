@@ -84,12 +84,15 @@ def _told(at: complex) -> complex:
     return complex(round(at.real, 2), round(at.imag, 2))
 
 
-def shared(orders: Sequence[Order], tries: int = QUICK) -> list[Shared]:
+def shared(orders: Sequence[Order], tries: int = QUICK, enough: float = 0.0) -> list[Shared]:
     """Return what stands on which sheet: how many sheets there are tells whether sizes fit; see `composed`.
 
-    What a sheet leaves to the next may save one: where sheets are not `FULL`, that is tried too.
+    What a sheet leaves to the next may save one: where sheets are not `FULL`, and more than would be
+    ``enough``, that is tried too.
     """
     found = _shared(orders, tries)
+    if len(found) <= enough:
+        return found
     full = sum(_area(order.outlines, range(len(order.outlines))) for order in orders)
     room = sum(sheet.room.area for sheet in found) - max((s.room.area for s in found), default=0.0)
     if len(found) > len(orders) and full < FULL * room:

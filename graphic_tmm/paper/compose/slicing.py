@@ -16,6 +16,8 @@ import numpy as np
 
 GRID = 2.0
 """The grid of the curves, mm."""
+FINE, FEW = 0.5, 7
+"""The grid where there are so few leaves that it takes no time: on small sheets a step decides."""
 NONE = np.int32(20_000)
 """A height at which nothing fits, in steps of the grid."""
 
@@ -58,16 +60,23 @@ class Curves(NamedTuple):
         return int(self.widths.shape[2])
 
 
-def steps(length: float) -> int:
+def grid_of(leaves: int) -> float:
+    """Return the grid, mm, for so many leaves."""
+    return FINE if leaves <= FEW else GRID
+
+
+def steps(length: float, grid: float = GRID) -> int:
     """Return a length in steps of the grid, no shorter."""
-    return math.ceil(length / GRID - 1e-6)
+    return math.ceil(length / grid - 1e-6)
 
 
-def curve(sizes: Iterable[tuple[float, float]], width: int, height: int) -> np.ndarray:
+def curve(
+    sizes: Iterable[tuple[float, float]], width: int, height: int, grid: float = GRID
+) -> np.ndarray:
     """Return the least height at each width up to ``width`` for what can have some sizes, mm."""
     found = np.full(width + 1, NONE, dtype=np.int32)
     for wide, high in sizes:
-        across, down = steps(wide), steps(high)
+        across, down = steps(wide, grid), steps(high, grid)
         if across <= width and down <= height:
             np.minimum(found[across:], down, out=found[across:])
     return found

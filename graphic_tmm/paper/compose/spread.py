@@ -38,11 +38,15 @@ class Need(NamedTuple):
 
 
 def need(
-    tree: Tree, units: Sequence[Unit], ways: Sequence[Sequence[Shape]], gap: float
+    tree: Tree,
+    units: Sequence[Unit],
+    ways: Sequence[Sequence[Shape]],
+    gap: float,
+    grid: float = GRID,
 ) -> Need | None:
     """Return what cut units take, each in the shape that fills its cell best; None if one has no shape."""
     if isinstance(tree, Leaf):
-        unit, cell = units[tree.place], (tree.width * GRID - gap, tree.height * GRID - gap)
+        unit, cell = units[tree.place], (tree.width * grid - gap, tree.height * grid - gap)
         fitting = [
             s for s in ways[tree.place] if s.width <= cell[0] + 1e-6 and s.height <= cell[1] + 1e-6
         ]
@@ -52,7 +56,7 @@ def need(
         across, down = max(shape.rows), len(shape.rows)
         last = not unit.members
         return Need(shape.width, shape.height, across, down, last, unit=unit, shape=shape)
-    found = [need(part, units, ways, gap) for part in tree.parts]
+    found = [need(part, units, ways, gap, grid) for part in tree.parts]
     parts = tuple(part for part in found if part is not None)
     if len(parts) < len(found):
         return None

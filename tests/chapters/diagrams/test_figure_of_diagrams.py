@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from support.boards import drawn_of
 from support.each import each
 from support.flywheels import crank, scene_of
 from support.gallery import asking, drawn
@@ -13,7 +14,6 @@ from support.graphs import assert_read_off_the_log, graphs
 
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 
@@ -47,4 +47,4 @@ def test_graphs_of_machines_drawn_at_random_are_read_off_the_log(seed: int, tmp_
     path.write_text(scene_of(crank(seed), (8, 12, 17, 24)[seed % 4], more=more), encoding="utf-8")
     order = KinematicTask("B", start=start, method=method)
     sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams", "flywheel")),)
-    assert_graphs(fitted(replace(read(path), sheets=sheets).asking(diagrams=order), exact=True))
+    assert_graphs(drawn_of(replace(read(path), sheets=sheets).asking(diagrams=order), exact=True))

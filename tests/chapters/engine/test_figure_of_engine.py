@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.boards import drawn_of
 from support.each import each
 from support.engines import SCENE
 from support.gallery import asking, drawn
@@ -14,7 +15,6 @@ from graphic_tmm.chapters.engine.ink import TRACELESS, draw_rotating, draw_trian
 from graphic_tmm.chapters.engine.plan import ENGINE
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
@@ -50,4 +50,4 @@ def test_engines_of_the_scenes(name: str) -> None:
 def test_upright_engines_with_other_cranks(crank: str, tmp_path: Path) -> None:
     path = tmp_path / "upright.toml"
     path.write_text(SCENE.replace('"100 mm"', crank), encoding="utf-8")
-    assert_engine(fitted(read(path), exact=True))
+    assert_engine(drawn_of(read(path), exact=True))

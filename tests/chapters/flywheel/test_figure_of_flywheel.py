@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.boards import drawn_of
 from support.each import each
 from support.flywheels import crank, scene_of
 from support.gallery import asking, drawn
@@ -14,7 +15,6 @@ from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
@@ -42,7 +42,7 @@ def test_the_energy_mass_curve_of_machines_drawn_at_random(seed: int, tmp_path: 
     tangents = ("curve", "points")[seed % 2]
     text = scene_of(crank(seed), (8, 12, 24)[seed % 3], more=f'tangents = "{tangents}"')
     path.write_text(text, encoding="utf-8")
-    work = fitted(read(path), exact=True)
+    work = drawn_of(read(path), exact=True)
     assert_read_off_the_log(work.construction, [energy_mass(work)])
 
 

@@ -16,7 +16,6 @@ from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
 from graphic_tmm.drawn import Drawn, single
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.sentences import sentence
@@ -157,7 +156,7 @@ def test_graphs_use_the_room_of_their_format(
 
 
 def test_a_pole_distance_that_is_given_is_taken(tmp_path: Path) -> None:
-    own, told = (fitted(scene(tmp_path, 2, more=m), exact=True) for m in ("", 'H = "33 mm"'))
+    own, told = (drawn_of(scene(tmp_path, 2, more=m), exact=True) for m in ("", 'H = "33 mm"'))
     mu = told.scales["moment"].value * 2 * np.pi / 120 * 33
     assert told.scales["work"].value == pytest.approx(mu)
     free = own.scales["work"].value

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.boards import drawn_of
 from support.each import each
 from support.flywheels import crank, scene_of
 from support.gallery import asking, drawn
@@ -13,7 +14,6 @@ from support.graphs import assert_read_off_the_log
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
 
@@ -40,4 +40,4 @@ def test_indicator_diagrams_of_the_scenes(name: str) -> None:
 def test_indicator_diagrams_of_cylinders_drawn_at_random(seed: int, tmp_path: Path) -> None:
     path = tmp_path / "machine.toml"
     path.write_text(scene_of(crank(seed), (8, 12, 17, 24)[seed % 4]), encoding="utf-8")
-    assert_indicator(fitted(read(path), exact=True))
+    assert_indicator(drawn_of(read(path), exact=True))

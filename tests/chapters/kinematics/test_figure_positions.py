@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from support.boards import drawn_of
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.gallery import NAMES, drawn
 from support.mechanisms import sample
@@ -18,7 +19,6 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 BODIES = {"link", "guide", "slider", "stone", "pair", "point", "centre", "pivot"}
 TAIL = '[hand]\nruler = "exact"\n[[sheet]]\nformat = "A1"\nplace = ["positions"]\n'
@@ -48,8 +48,7 @@ def test_random_mechanisms_are_figures_of_their_log(tmp_path: Path) -> None:
         path = tmp_path / "scene.toml"
         text = text_of(relettered(one.mechanism, k), one.phi, 6, TAIL)
         path.write_text(text, encoding="utf-8")
-        work = make(read(path), exact=True).mechanism
-        assert work is not None
+        work = drawn_of(read(path), exact=True)
         (view,) = views.position_views(work, True)
         assert_is_figure(work, view)
 

@@ -31,6 +31,7 @@ def _same(first: dict[str, Any], second: dict[str, Any], places: Any = slice(Non
             np.testing.assert_allclose(a, b, rtol=0, atol=1e-12 * size, err_msg=f"{name} {key}")
 
 
+@pytest.mark.slow
 @each("drawn", DRAWN)
 def test_twelve_at_once_are_twelve_times_one(drawn: Sampled) -> None:
     sheet, angles = board(drawn.mechanism), ANGLES + drawn.phi

@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
-from support.gallery import NAMES, drawn
+from support.gallery import SHEETS
 from support.mechanisms import sample
 
-from graphic_tmm.chapters.structure.mobility import MOBILITY
+from graphic_tmm.chapters.structure.mobility import MOBILITY, PARTS
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.mechanism.records import Row
+from graphic_tmm.project import record
+from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 
+ORDER = (SheetOrder("A1", (PARTS,)),)
 SOME = ("windrower", "lever", "oscillating-cylinder", "scotch-yoke")
 
 
 def scenes(count: int) -> list[Drawn]:
     """Mechanisms drawn by chance."""
-    order = (SheetOrder("A1", ("positions",)),)
     made = sample(count, 7)
     return [
-        fitted(Scene("", "T", "ru", one.mechanism, Row(6, zero=one.phi), sheets=order))
+        fitted(Scene("", "T", "ru", one.mechanism, Row(6, zero=one.phi), sheets=ORDER))
         for one in made
     ]
 
@@ -58,8 +61,13 @@ def assert_parts(work: Drawn) -> None:
     "name", [n if n in SOME[:1] else pytest.param(n, marks=pytest.mark.slow) for n in SOME]
 )
 def test_parts_of_scenes(name: str) -> None:
-    assert name in NAMES
-    assert_parts(drawn(name))
+    scene = read(SHEETS / name)
+    assert_parts(fitted(replace(scene, sheets=ORDER)))
+
+
+def test_a_scene_that_shows_no_structure_records_no_step_of_it() -> None:
+    scene = replace(read(SHEETS / "lever"), sheets=(SheetOrder("A1", ("positions",)),))
+    assert MOBILITY.of(record(scene)) is None
 
 
 @pytest.mark.slow

@@ -75,7 +75,7 @@ def test_whatever_stands_on_sheets_stands_free(
 
 def test_a_table_left_over_goes_to_a_sheet_that_has_room() -> None:
     full = [Outline(f"v{k}", 190.0, 130.0, ROW) for k in range(15)]
-    table = Outline("table", 100.0, 90.0, TABLE)
+    table = Outline("table", 100.0, 120.0, TABLE)
     other = Outline("diagrams", 400.0, 300.0)
     assert len(shared([order(*full)])) == 1
     alone = shared([order(*full, table)])
@@ -166,3 +166,14 @@ def test_a_table_stands_beside_the_last_of_a_row() -> None:
     tops = [at.imag + boxes[k].height for k, at in sorted(found.items())]
     assert max(tops[2:]) < min(found[0].imag, found[1].imag)
     assert found[3].real > found[2].real + boxes[2].width
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(20, 140), st.floats(0, 3))
+def test_a_millimetre_decides_on_a_small_sheet(wide: float, left: float) -> None:
+    room = room_on("A4", "en", False)
+    whole = room.inner[2] - room.inner[0] - 3 * GAP
+    boxes = [Outline("a", wide, 200.0), Outline("b", whole - wide - 1.0 - left, 200.0)]
+    assert search.fits(boxes, room) is not None
+    boxes[1] = boxes[1]._replace(width=whole - wide + 0.1)
+    assert search.fits(boxes, room) is None
