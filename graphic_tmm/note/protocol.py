@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
 from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Mark, Step
@@ -19,8 +20,8 @@ from graphic_tmm.note.widths import broken
 from graphic_tmm.readers.equations import Equation, equations, heading
 from graphic_tmm.readers.narration import Line, defined, protocol, remark
 
-PLAIN = (to_board, rescaled, in_si, on_lever, moment)
-"""Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
+PLAIN = (to_board, rescaled, in_si, on_lever, moment, scale_of)
+"""Formulas that stand among words: what is carried to the board or from it, a moment of one force, a scale."""
 LEAST = 2
 """A formula of more sides than these stands on a line of its own; what is only read stands in its sentence."""
 
@@ -99,7 +100,7 @@ class _Page:
         formula = calculated(here, step, terms)
         alone = bool(step.op.formula) and step.op not in PLAIN
         if alone and formula is not None and len(formula.sides) > LEAST:
-            yield from self.say(_sentence(reason_runs(here, step)))
+            yield from self.reason(here, step)
             if repr(formula) not in self.known:
                 self.known.add(repr(formula))
                 yield from self.paragraph()
@@ -108,10 +109,16 @@ class _Page:
         elif formula is not None:
             self.known.add(sentence_runs(here, step))
             yield from self.say(_sentence(sentence_runs(here, step), formula), new=True)
-            yield from self.say(_sentence(reason_runs(here, step)))
+            yield from self.reason(here, step)
         elif not self.bare:
-            yield from self.say(_sentence(sentence_runs(here, step)))
-            yield from self.say(_sentence(reason_runs(here, step)))
+            yield from self.say(sentence_runs(here, step))
+            yield from self.reason(here, step)
+
+    def reason(self, here: Told, step: Step) -> Iterator[Block]:
+        """Say why a step is done; once, whatever letters it is said of."""
+        if step.reason and step.reason not in self.known:
+            self.known.add(step.reason)
+            yield from self.say(reason_runs(here, step))
 
     def say(self, runs: Runs, *, new: bool = False) -> Iterator[Block]:
         """Add a sentence to the words, unless it is known; ``new``: it is none that could be."""
@@ -150,7 +157,7 @@ class _Page:
         """Yield what stands before a step: a heading with the equations of its group, or a formula."""
         language, equation = self.told.language, self.solved.get(note)
         if self.told.view == SCALES:
-            yield Paragraph((Text(f"{view_name(note, language)}:", "emphasis"),))
+            self.words.append(Text(f"{view_name(note, language)}.", "emphasis"))
             return
         told = symbol(heading(note, language), language)
         if "=" in told:
@@ -173,10 +180,8 @@ def _terms(steps: Sequence[Step]) -> tuple[Mark, ...]:
     return (*steps[0].uses, *(mark for step in steps[1:] for mark in step.uses[1:]))
 
 
-def _sentence(runs: Runs, formula: Formula | None = None) -> Runs:
+def _sentence(runs: Runs, formula: Formula) -> Runs:
     """Return a sentence with its formula; of one that only says what is calculated the formula."""
-    if formula is None or not runs:
-        return runs
     flat, last = formula._replace(flat=True), runs[-1]
     if isinstance(last, Text) and last.text == "." and len(formula.sides) > LEAST:
         return (flat, Text("."))

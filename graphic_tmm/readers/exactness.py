@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import groupby
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, results_of
 
 
@@ -32,23 +33,26 @@ def deviations(drawn: Drawn) -> tuple[Deviation, ...]:
     if drawn.hand == EXACT:
         return ()
     exact = drawn.drawn_by(EXACT)
-    found = []
-    both = zip(columns_of(drawn), columns_of(exact), strict=True)
-    for (plan, unit), group in groupby(both, key=lambda pair: (pair[0].plan, pair[0].unit)):
-        if unit == "%":
-            continue
-        pairs = list(group)
-        largest = max((_largest(due.value[0]) for _, due in pairs), default=0.0)
-        for told, due in pairs:
-            apart = np.abs(told.value[0] - due.value[0])
-            if largest > 0.0 and np.isfinite(apart).any():
-                k = int(np.nanargmax(apart))
-                found.append(Deviation(plan, told.segment, k, 100.0 * float(apart[k]) / largest))
+    kinds: dict[tuple[str, str], list[tuple[Column, Column]]] = {}
+    for told, due in zip(columns_of(drawn), columns_of(exact), strict=True):
+        if told.unit != "%":
+            kinds.setdefault((told.plan, told.unit), []).append((told, due))
+    found = [one for pairs in kinds.values() for one in _of_kind(pairs)]
     worst: dict[str, Deviation] = {}
     for one in found:
         if one.plan not in worst or one.percent > worst[one.plan].percent:
             worst[one.plan] = one
     return (*worst.values(), *_results(drawn, exact))
+
+
+def _of_kind(pairs: Sequence[tuple[Column, Column]]) -> Iterator[Deviation]:
+    """Yield the largest deviation of each column of a kind, % of the largest due of all of them."""
+    largest = max((_largest(due.value[0]) for _, due in pairs), default=0.0)
+    for told, due in pairs:
+        apart = np.abs(told.value[0] - due.value[0])
+        if largest > 0.0 and np.isfinite(apart).any():
+            k = int(np.nanargmax(apart))
+            yield Deviation(told.plan, told.segment, k, 100.0 * float(apart[k]) / largest)
 
 
 def _largest(row: np.ndarray) -> float:

@@ -12,7 +12,7 @@ from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, plan, worked
 from graphic_tmm.note.document import Block, Picture
-from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
@@ -32,7 +32,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
 
 
 def _positions(drawn: Drawn, language: str) -> tuple[Picture, ...]:
-    return tuple(picture(one, language) for one in views.position_views(in_hand(drawn), True))
+    return tuple(picture(one, language) for one in readable(drawn, views.position_views))
 
 
 def _plan(drawn: Drawn, view: str, at: int, language: str) -> tuple[Picture, ...]:

@@ -15,7 +15,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import Block, Number, Runs, Source, Symbol, Table, text
-from graphic_tmm.note.protocol import protocol_blocks
+from graphic_tmm.note.protocol import Known, protocol_blocks
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.titles import title_of
 
@@ -29,20 +29,23 @@ def scales(made: DrawnScene, language: str) -> Iterator[Block]:
         return
     words = captions(language)
     yield heading(words[SCALES], 1)
+    known: Known = set()
     for drawn in made.boards:
-        yield from _chosen(drawn, language)
+        yield from _chosen(drawn, language, known)
     heads = text(speaking(language)(PLAN)), text(words["letter"]), text(words["figure"])
     head = (*heads, text(words["unit"]))
     yield Table("table-scales", text(words[SCALES]), head, tuple(rows), "llcc")
 
 
-def _chosen(drawn: Drawn, language: str) -> Iterator[Block]:
+def _chosen(drawn: Drawn, language: str, known: Known) -> Iterator[Block]:
     """Yield how the scale factors of a board were chosen."""
     found = choices(drawn)
     if found.construction.steps:
         reading = execute(found.construction, found.given)
         board = f"{SCALES} {drawn.board}"
-        yield from protocol_blocks(Told(board, found.construction, reading, SCALES, 0, language))
+        yield from protocol_blocks(
+            Told(board, found.construction, reading, SCALES, 0, language), known=known
+        )
 
 
 def _rows(drawn: Drawn, language: str) -> Iterator[tuple[Runs, ...]]:
