@@ -103,7 +103,8 @@ def _moved(scene: Scene, drawn: Drawn, times: float) -> Scene:
             return one
         if one.pole is not None:
             return ScaleOrder(None, one.pole * times)
-        return ScaleOrder(drawn.scales[VIEWS[symbol]].value * changes[symbol])
+        own = drawn.scales.get(VIEWS[symbol])
+        return one if own is None else ScaleOrder(own.value * changes[symbol])
 
     return ASKED.put(scene, _scaled(order, scaled))
 
