@@ -54,6 +54,10 @@ WIDEST = 0.12
 """What share of a page's width the column of a position takes at most."""
 
 
+SEE = said("The construction is shown in {}.")
+ALSO = said("Shown besides: {}.")
+
+
 def worked(drawn: Drawn) -> int:
     """Return the position (index) that is worked in full: one that most plans are drawn and told in."""
     rows = [*drawn.project.rows.values(), *drawn.project.told.values()]
@@ -149,17 +153,14 @@ def _row(drawn: Drawn, step: Step) -> int:
     return max((part.shape[1] for part in parts if hasattr(part, "shape")), default=1)
 
 
-def referred(shown: Sequence[Picture | Table], language: str) -> Paragraph:
-    """Return the sentence that leads to figures or tables."""
+def referred(shown: Sequence[Picture], language: str, told: str = SEE) -> Paragraph:
+    """Return the sentence that leads to figures."""
     runs: list[Run] = []
     for k, one in enumerate(shown):
         runs += [Text(", ")] if k else []
         runs.append(Ref(one.id))
-    before, behind = speaking(language)(SEE).split("{}")
+    before, behind = speaking(language)(told).split("{}")
     return Paragraph((Text(before), *runs, Text(behind)))
-
-
-SEE = said("The construction is shown in {}.")
 
 
 def figures_of(

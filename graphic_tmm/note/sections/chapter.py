@@ -8,8 +8,17 @@ from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
-from graphic_tmm.note.bricks import columns, figures_of, heading, plan, results, worked
-from graphic_tmm.note.document import Block, Picture
+from graphic_tmm.note.bricks import (
+    ALSO,
+    columns,
+    figures_of,
+    heading,
+    plan,
+    referred,
+    results,
+    worked,
+)
+from graphic_tmm.note.document import Block
 from graphic_tmm.note.protocol import Known
 
 
@@ -55,16 +64,13 @@ def from_log(
         taken |= {one.id for one in own}
         bare = view in calculated
         yield from plan(drawn, view, at, language, own, known=known, bare=bare)
-    yield from _left(shown, taken)
+    left = [one for one in shown if one.id not in taken]
+    if left:
+        yield referred(left, language, ALSO)
+        yield from left
     if tables:
         yield from columns(drawn, chapter.columns(drawn), language)
     yield from results(drawn, chapter, language)
-
-
-def _left(shown: list[Picture], taken: set[str]) -> Iterator[Picture]:
-    for one in shown:
-        if one.id not in taken:
-            yield one
 
 
 def _views(drawn: Drawn, chapter: Chapter) -> list[str]:
