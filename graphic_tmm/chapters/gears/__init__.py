@@ -29,10 +29,11 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
-from graphic_tmm.chapters.gears.captions import CAPTIONS
+from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.gears.choice import choose
 from graphic_tmm.chapters.gears.columns import gear_columns
 from graphic_tmm.chapters.gears.given import given
+from graphic_tmm.chapters.gears.note import concludes, note
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
@@ -68,4 +69,8 @@ CHAPTER = Chapter(
     columns=gear_columns,
     results=gear_results,
     accuracy=ACCURACY,
+    concludes=concludes,
+    note=note,
+    sources=("artobolevsky", "popov", "contour", "geometry"),
+    symbols=SYMBOLS,
 )

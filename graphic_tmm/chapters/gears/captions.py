@@ -21,3 +21,14 @@ CAPTIONS: dict[str, str] = {
     "arc_of_engagement1": "c_{1}d_{1}",
     "arc_of_engagement2": "c_{2}d_{2}",
 }
+
+SYMBOLS = (
+    ("z", said("number of teeth"), ""),
+    ("m", said("module"), "m"),
+    ("x", said("shift coefficient"), ""),
+    ("α_w", said("angle of engagement"), "°"),
+    ("a_w", said("distance of the centres"), "m"),
+    ("r_b", said("base radius"), "m"),
+    ("ε_α", said("contact ratio"), ""),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -31,10 +31,11 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.beside import record_beside
-from graphic_tmm.chapters.planetary.captions import CAPTIONS
+from graphic_tmm.chapters.planetary.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.planetary.choice import choose_steps
 from graphic_tmm.chapters.planetary.columns import planetary_columns
 from graphic_tmm.chapters.planetary.given import given
+from graphic_tmm.chapters.planetary.note import concludes, note
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
 from graphic_tmm.chapters.planetary.views import planetary_views
@@ -76,4 +77,8 @@ CHAPTER = Chapter(
     plans=(_NAME,),
     columns=planetary_columns,
     results=lambda drawn: results_of(drawn, PLANETARY_TRAIN.on(drawn).results),
+    note=note,
+    concludes=concludes,
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

@@ -20,3 +20,9 @@ CAPTIONS: dict[str, str] = {
     "planetary_difference": said("Δ_{U}"),
     "overall_ratio": "U_{0}",
 }
+
+SYMBOLS = (
+    ("U", said("transmission ratio"), ""),
+    ("z", said("number of teeth"), ""),
+)
+"""Its letters in a note: what they stand for, their units."""
