@@ -1,4 +1,4 @@
-"""What a scene gives of its flywheel: the coefficient of irregularity, the rim's outer diameter."""
+"""What a scene gives of its flywheel: δ or J, the rim's diameters."""
 
 from __future__ import annotations
 
@@ -14,6 +14,11 @@ def given(scene: Scene) -> Iterator[Given]:
     order = ASKED.of(scene)
     if order is None:
         return
-    yield Given("δ", order.delta)
+    if order.delta is not None:
+        yield Given("δ", order.delta)
+    if order.J is not None:
+        yield Given("J_F", order.J, "kg·m²")
     if order.rim is not None:
         yield Given("D_e", order.rim.outer * 1000.0, "mm")
+        if order.rim.inner is not None:
+            yield Given("D_i", order.rim.inner * 1000.0, "mm")

@@ -18,6 +18,7 @@ from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
 from graphic_tmm.board.operations.energetics import (
     added,
     flywheel_inertia,
+    irregularity,
     moment_of_drive,
     moment_of_resistance,
     reduced_moment,
@@ -54,18 +55,24 @@ VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 class Flywheel:
     """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
 
-    ``works``: the points of the integrated side and of the straight one; ``sides``: its curve and its line;
-    ``segment``: cd (Length).
+    ``moment``: the reduced moment that varies (N·m), ``axes`` of its graph, ``constant``: the other one, marked
+    on its axis (Point). ``works``: the points of the integrated side and of the straight one; ``sides``: its
+    curve and its line; ``segment``: cd (Length). ``delta``, ``inertia``: δ and J of the flywheel, of which one
+    is given.
     """
 
     order: FlywheelTask
     base: Base
+    moment: Mark
+    axes: Axes
+    constant: Mark
     indicator: Indicator | None
     charts: tuple[Chart, ...]
     energies: Energies
     works: tuple[Boundaries, Mark]
     sides: tuple[Mark, Mark]
     segment: Mark
+    delta: Mark
     inertia: Mark
     energy_mass: EnergyMass | None
     rim: DrawnRim | None
@@ -97,7 +104,7 @@ def draw_flywheel(
     Raises
     ------
     StructureError
-        If δ or H is not positive, masses or loads are missing.
+        If δ (or J) or H is not positive, masses or loads are missing.
     """
     _refuse(order)
     velocities = machine.velocities
@@ -121,8 +128,7 @@ def draw_flywheel(
     energy_axes = gained.axes
     segment = _segment(draft, energy_axes, own)
     assert velocities.speed is not None
-    delta = draft.take(Number, "δ", order.delta)
-    inertia = draft.draw(flywheel_inertia, "J_F", segment, delta, velocities.speed, unit="kg·m²")
+    delta, inertia = _aim(draft, order, segment, velocities.speed)
     rim = None
     if order.rim is not None:
         rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
@@ -137,12 +143,29 @@ def draw_flywheel(
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
     return Flywheel(
-        order, base, indicator, found, energies, works, done.sides, segment, inertia, second, rim
+        order,
+        base,
+        moment,
+        axes,
+        done.constant,
+        indicator,
+        found,
+        energies,
+        works,
+        done.sides,
+        segment,
+        delta,
+        inertia,
+        second,
+        rim,
     )
 
 
 def _refuse(order: FlywheelTask) -> None:
-    bound_of(FlywheelTask, "delta").refuse("flywheel", "delta", order.delta)
+    if order.J is None:
+        bound_of(FlywheelTask, "delta").refuse("flywheel", "delta", order.delta)
+    else:
+        bound_of(FlywheelTask, "J").refuse("flywheel", "J", order.J)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(
@@ -150,6 +173,15 @@ def _refuse(order: FlywheelTask) -> None:
             "flywheel.H",
             head="flywheel",
         )
+
+
+def _aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> tuple[Mark, Mark]:
+    """Return δ and the flywheel's J: the one that is given, and the other that follows from cd."""
+    if order.J is None:
+        delta = draft.take(Number, "δ", order.delta)
+        return delta, draft.draw(flywheel_inertia, "J_F", segment, delta, omega, unit="kg·m²")
+    inertia = draft.take(Number, "J_F", order.J, "kg·m²")
+    return draft.draw(irregularity, "δ", segment, inertia, omega), inertia
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -194,7 +226,7 @@ class _Works(NamedTuple):
     """The works as drawn: their axes, points of the integrated side and of the straight one.
 
     ``sides``: the curve and the straight line. ``surplus``: ΔT read off (Length). ``pole``: from where the rays
-    to the ordinates of the moment have the slopes of ΔT.
+    to the ordinates of the moment have the slopes of ΔT. ``constant``: the constant moment, on its axis.
     """
 
     axes: Axes
@@ -203,6 +235,7 @@ class _Works(NamedTuple):
     sides: tuple[Mark, Mark]
     surplus: Mark
     pole: Mark
+    constant: Mark
     chart: Chart
 
 
@@ -220,15 +253,18 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     ahead = order.constant == "resisting"
     ends = (other, found.points) if ahead else (found.points, other)
     surplus = draft.draw(measure_along, "ΔT", *ends, axes.up)
-    level = _level_pole(draft, source, pole, straight, ahead=ahead)
+    level, constant = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
-    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, chart)
+    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, constant, chart)
 
 
-def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
+def _level_pole(
+    draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool
+) -> tuple[Mark, Mark]:
     """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
 
+    Returns the pole and the constant moment.
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
     draft.open(source.view)
@@ -236,7 +272,7 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
     name = "M_c" if ahead else "M_d"
     constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN)
     level = draft.draw(parallel, f"({name})", constant, source.along, sense=-1 if ahead else 1)
-    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE)
+    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE), constant
 
 
 def _energies(

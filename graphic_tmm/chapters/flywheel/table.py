@@ -9,6 +9,7 @@ import numpy as np
 from graphic_tmm.board.naming import (
     segment_name,
 )
+from graphic_tmm.chapters.flywheel.beside import BESIDE
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
@@ -18,6 +19,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column, ordinates
 
 PLAN = FLYWHEEL.chapter
+OFF_SHEET = ("M_mean", "power")
+"""Results for which the table on a sheet has no row: they would take room from the graphs they are read off."""
 _TOO_WIDE = said(
     "the rim of D_{{e}} = {outer} m is {width} m wide: choose D_{{e}} = {least} m or more"
 )
@@ -43,8 +46,10 @@ def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
 
 def flywheel_results(drawn: Drawn) -> Results:
     """Return the results of the flywheel; those that no drawing gives are left out."""
-    made = FLYWHEEL.on(drawn)
+    made, beside = FLYWHEEL.on(drawn), BESIDE.on(drawn)
     marks = {"cd": made.segment, "J_fly": made.inertia}
+    if made.order.J is not None:
+        marks["delta"] = made.delta
     if made.energy_mass is not None:
         marks["J_fly_energy_mass"] = made.energy_mass.inertia
     if made.rim is not None:
@@ -53,6 +58,9 @@ def flywheel_results(drawn: Drawn) -> Results:
         marks |= {"rim_mass": rim.mass, "rim_width": rim.width}
     for side in made.indicator.sides if made.indicator is not None else ():
         marks[f"p_mean_{side.name}"] = side.mean
+    if beside.apart is not None:
+        marks["J_apart"] = beside.apart
+    marks |= {"M_mean": beside.moment, "power": beside.power}
     found = results_of(drawn, marks)
     return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
 

@@ -16,6 +16,7 @@ from graphic_tmm.chapters.flywheel.ink_energy import (
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
 from graphic_tmm.chapters.flywheel.table import (
+    OFF_SHEET,
     PLAN,
     flywheel_columns,
     flywheel_results,
@@ -152,17 +153,12 @@ def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
 
 
 def _results(drawn: Drawn) -> Drawing:
-    """Return the table of results, both methods and what they differ by."""
+    """Return the table of results."""
     language = drawn.scene.language
     words, found = captions(language), single(flywheel_results(drawn))
-    _ = speaking(language)
     rows = [
-        [words[name], number(value, language), unit(of, language)]
+        [words[name], number(value, language, 3 if of == "%" else 4), unit(of, language)]
         for name, (value, of) in found.items()
+        if name not in OFF_SHEET
     ]
-    if {"J_fly", "J_fly_energy_mass"} <= set(found):
-        first, second = found["J_fly"][0], found["J_fly_energy_mass"][0]
-        rows.append(
-            [_("difference of J_{F}"), number(100.0 * (first - second) / first, language, 3), "%"]
-        )
     return results("table-results", words["flywheel"], rows, language, heights(drawn.scene, PLAN))
