@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure_along
@@ -72,11 +73,16 @@ BESIDE: Aside[Beside] = Aside(FLYWHEEL.chapter)
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of a flywheel does not need."""
-    made, draft = FLYWHEEL.on(bench), bench.draft
-    axes, speed = made.axes, machine_of(bench).velocities.speed
+    speed = machine_of(bench).velocities.speed
     assert speed is not None
+    return calculate(bench.draft, FLYWHEEL.on(bench), speed)
+
+
+def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Beside:
+    """Calculate it of a flywheel as drawn; ``speed``: of its shaft (1/s)."""
+    axes = made.axes
     draft.open(CALCULATED)
-    force = _force(bench, made)
+    force = _force(draft, made)
     name = made.constant.letter
     read = draft.draw(
         measure_along, f"y_{{{name.replace('_', '')}}}", axes.origin, made.constant, axes.up
@@ -89,8 +95,8 @@ def record_beside(bench: Bench) -> Beside:
     return Beside(force, moment, power, differ)
 
 
-def _force(bench: Bench, made: Flywheel) -> Mark | None:
+def _force(draft: Draft, made: Flywheel) -> Mark | None:
     """Calculate the force on the piston as reduced to the crank pin, from what the reduced moment is."""
     if made.indicator is None:
         return None
-    return bench.draft.draw(reduced_force, "P_{red}", *bench.draft.uses(made.moment)[:4], unit="N")
+    return draft.draw(reduced_force, "P_{red}", *draft.uses(made.moment)[:4], unit="N")

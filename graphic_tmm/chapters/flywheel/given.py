@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapter import Given
-from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
 from graphic_tmm.scene.records import Scene
 
 
 def given(scene: Scene) -> Iterator[Given]:
     """Yield what a scene gives of its flywheel, the diameter in mm."""
     order = ASKED.of(scene)
-    if order is None:
-        return
+    if order is not None:
+        yield from given_of(order)
+
+
+def given_of(order: FlywheelTask) -> Iterator[Given]:
+    """Yield it of what is asked of a flywheel."""
     if order.delta is not None:
         yield Given("δ", order.delta)
     if order.J is not None:

@@ -58,7 +58,7 @@ class Flywheel:
     ``moment``: the reduced moment that varies (N·m), ``axes`` of its graph, ``constant``: the other one, marked
     on its axis (Point). ``works``: the points of the integrated side and of the straight one; ``sides``: its
     curve and its line; ``segment``: cd (Length). ``delta``, ``inertia``: δ and J of the flywheel, of which one
-    is given.
+    is given. ``energies``: those of the links, None where there are none.
     """
 
     order: FlywheelTask
@@ -68,7 +68,7 @@ class Flywheel:
     constant: Mark
     indicator: Indicator | None
     charts: tuple[Chart, ...]
-    energies: Energies
+    energies: Energies | None
     works: tuple[Boundaries, Mark]
     sides: tuple[Mark, Mark]
     segment: Mark
@@ -106,7 +106,7 @@ def draw_flywheel(
     StructureError
         If δ (or J) or H is not positive, masses or loads are missing.
     """
-    _refuse(order)
+    refuse(order)
     velocities = machine.velocities
     draft.open(VIEWS["moment"])
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
@@ -123,12 +123,12 @@ def draw_flywheel(
     curve = graphs.taut(draft, axes, at)
     reading = graphs.read(draft, axes, at.points, "M")
     chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
-    done = _works(draft, axes, at, curve, order)
+    done = draw_works(draft, axes, at, curve, order)
     energies, gained, own, charts = _energies(draft, machine, axes, at, done)
     energy_axes = gained.axes
-    segment = _segment(draft, energy_axes, own)
+    segment = draw_segment(draft, energy_axes, own)
     assert velocities.speed is not None
-    delta, inertia = _aim(draft, order, segment, velocities.speed)
+    delta, inertia = draw_aim(draft, order, segment, velocities.speed)
     rim = None
     if order.rim is not None:
         rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
@@ -161,21 +161,22 @@ def draw_flywheel(
     )
 
 
-def _refuse(order: FlywheelTask) -> None:
+def refuse(order: FlywheelTask, section: str = "flywheel") -> None:
+    """Refuse a δ, a J or a pole distance that is not positive."""
     if order.J is None:
-        bound_of(FlywheelTask, "delta").refuse("flywheel", "delta", order.delta)
+        bound_of(FlywheelTask, "delta").refuse(section, "delta", order.delta)
     else:
-        bound_of(FlywheelTask, "J").refuse("flywheel", "J", order.J)
+        bound_of(FlywheelTask, "J").refuse(section, "J", order.J)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(
             said("the pole distance H = {pole:g} mm is not greater than 0", pole=pole),
-            "flywheel.H",
-            head="flywheel",
+            f"{section}.H",
+            head=section,
         )
 
 
-def _aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> tuple[Mark, Mark]:
+def draw_aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> tuple[Mark, Mark]:
     """Return δ and the flywheel's J: the one that is given, and the other that follows from cd."""
     if order.J is None:
         delta = draft.take(Number, "δ", order.delta)
@@ -222,7 +223,7 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
-class _Works(NamedTuple):
+class Works(NamedTuple):
     """The works as drawn: their axes, points of the integrated side and of the straight one.
 
     ``sides``: the curve and the straight line. ``surplus``: ΔT read off (Length). ``pole``: from where the rays
@@ -239,7 +240,9 @@ class _Works(NamedTuple):
     chart: Chart
 
 
-def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask) -> _Works:
+def draw_works(
+    draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask
+) -> Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
     draft.open(VIEWS["work"])
     scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
@@ -256,7 +259,7 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     level, constant = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
-    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, constant, chart)
+    return Works(axes, found, other, (curve_of_work, straight), surplus, level, constant, chart)
 
 
 def _level_pole(
@@ -276,7 +279,7 @@ def _level_pole(
 
 
 def _energies(
-    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: _Works
+    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: Works
 ) -> tuple[Energies, Surplus, Mark, tuple[Chart, ...]]:
     """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own.
 
@@ -304,7 +307,7 @@ def _energies(
     return energies, Surplus(axes, ahead), curve, (done.chart, energy)
 
 
-def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
+def draw_segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
     ends = []
     for op, name in ((highest, "c"), (lowest, "d")):

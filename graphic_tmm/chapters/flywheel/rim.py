@@ -34,7 +34,14 @@ class DrawnRim:
     width: Mark
 
 
-def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim) -> DrawnRim:
+def draw_rim(
+    draft: Draft,
+    inertia: Mark,
+    omega: Mark,
+    speed: float,
+    order: Rim,
+    section: str = "flywheel",
+) -> DrawnRim:
     """Calculate the rim; ``omega``: the mark of ω1, ``speed`` its value (1/s).
 
     Raises
@@ -44,15 +51,15 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
     """
     if order.inner is not None and not 0.0 < order.inner < order.outer:
         says = said("it leaves no rim: make it smaller than D_e")
-        raise StructureError(says, "flywheel.D_i", head="flywheel")
+        raise StructureError(says, f"{section}.D_i", head=section)
     if not 0.0 < order.ratio < 1.0:
         raise StructureError(
             said(
                 "D_i/D_e = {ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85",
                 ratio=order.ratio,
             ),
-            "flywheel.ratio",
-            head="flywheel",
+            f"{section}.ratio",
+            head=section,
         )
     most = 2.0 * order.speed_limit / abs(speed)
     if order.outer > most:
@@ -64,8 +71,8 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
                 limit=order.speed_limit,
                 most=most,
             ),
-            "flywheel.D_e",
-            head="flywheel",
+            f"{section}.D_e",
+            head=section,
         )
     limit = draft.take(Number, "v_{max}", order.speed_limit, "m/s")
     largest = draft.draw(largest_rim, "D_{max}", limit, omega, unit="m")

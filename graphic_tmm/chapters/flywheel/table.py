@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from graphic_tmm.board.naming import (
     segment_name,
 )
-from graphic_tmm.chapters.flywheel.beside import BESIDE
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
 from graphic_tmm.language.catalogue import speaking
@@ -32,7 +32,11 @@ _TOO_WIDE_AND_SLOW = said(
 
 def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
     """Yield the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
-    made = FLYWHEEL.on(drawn)
+    yield from columns_of(drawn, FLYWHEEL.on(drawn), PLAN)
+
+
+def columns_of(drawn: Drawn, made: Flywheel, plan: str) -> Iterator[Column]:
+    """Yield the columns of a flywheel as drawn, of a plan."""
     sides = made.indicator.sides if made.indicator is not None else ()
     pressures = {side.ordinate: side.pressure for side in sides}
     for chart in made.charts:
@@ -41,12 +45,16 @@ def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
             if chart.view == VIEWS["work"]:
                 continue  # ΔT is laid off, and read, once more among the energies
             rows = ordinates(drawn.reading, mark, chart.mu, len(drawn.names))
-            yield Column(PLAN, segment_name(letter), letter, chart.unit, *rows)
+            yield Column(plan, segment_name(letter), letter, chart.unit, *rows)
 
 
 def flywheel_results(drawn: Drawn) -> Results:
     """Return the results of the flywheel; those that no drawing gives are left out."""
-    made, beside = FLYWHEEL.on(drawn), BESIDE.on(drawn)
+    return results_for(drawn, FLYWHEEL.on(drawn), BESIDE.on(drawn))
+
+
+def results_for(drawn: Drawn, made: Flywheel, beside: Beside) -> Results:
+    """Return the results of a flywheel as drawn, and of what was calculated beside it."""
     marks = {"cd": made.segment, "J_fly": made.inertia}
     if made.order.J is not None:
         marks["delta"] = made.delta
@@ -67,7 +75,11 @@ def flywheel_results(drawn: Drawn) -> Results:
 
 def rim_too_wide(drawn: Drawn, language: str) -> str:
     """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
-    results = single(flywheel_results(drawn))
+    return too_wide(single(flywheel_results(drawn)), language)
+
+
+def too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
+    """Return the same of results."""
     if not {"D_max", "D_e", "rim_width"} <= set(results):
         return ""
     most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))

@@ -131,26 +131,26 @@ ASKED: Asked[FlywheelTask] = Asked("flywheel")
 def check(flywheel: Said, parts: Parts) -> Iterator[Found]:
     """What a flywheel needs besides its own section."""
     yield from parts.intervals("flywheel")
-    yield from _aim(flywheel)
+    yield from aims(flywheel)
     if "indicator" not in parts.doc and "forces" not in parts.doc:
         says = said("nothing drives or resists; write a section [indicator], or loads and [forces]")
         yield Found(("flywheel",), says)
 
 
-def _aim(flywheel: Said) -> Iterator[Found]:
+def aims(flywheel: Said, section: str = "flywheel") -> Iterator[Found]:
     """What contradicts itself in what is sought: J of a given δ, or δ of a given J; the rim's diameters."""
     if flywheel.delta is None and flywheel.J is None:
         says = said("it is missing; write for example delta = 0.04, or J of the flywheel")
-        yield Found(("flywheel", "delta"), says)
+        yield Found((section, "delta"), says)
     if flywheel.delta is not None and flywheel.J is not None:
         says = said("delta is given already, and J follows from it; leave one of them out")
-        yield Found(("flywheel", "J"), says)
+        yield Found((section, "J"), says)
     if flywheel.D_i is not None and flywheel.D_e is None:
         says = said("a rim has an outer diameter first; write D_e as well")
-        yield Found(("flywheel", "D_i"), says)
+        yield Found((section, "D_i"), says)
     elif flywheel.D_i is not None and flywheel.D_i >= flywheel.D_e:
         says = said("it leaves no rim: make it smaller than D_e")
-        yield Found(("flywheel", "D_i"), says)
+        yield Found((section, "D_i"), says)
 
 
 def _defaults(flywheel: Said, parts: Parts) -> Iterator[str]:
