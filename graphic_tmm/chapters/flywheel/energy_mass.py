@@ -88,7 +88,7 @@ def draw_energy_mass(
         angles.append(angle)
         ends.append(draft.draw(meet, letter, up, line, why=why.JT_CUT))
     segment = draft.draw(measure_along, "ab", ends[1], ends[0], up, why=why.JT_CUT)
-    found = draft.draw(flywheel_inertia, "J_F", segment, mu_T, delta, omega, unit="kg·m²")
+    found = draft.draw(flywheel_inertia, "J_F′", segment, mu_T, delta, omega, unit="kg·m²")
     measured = draft.draw(measure_along, "J_r", origin, feet, along)
     chart = Chart(VIEW, "J", "kg·m²", mu_J, (measured,), True, None, None)
     pair, spots = (lines_found[0], lines_found[1]), (ends[0], ends[1])

@@ -18,6 +18,7 @@ from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
 from graphic_tmm.board.operations.energetics import (
     added,
     flywheel_inertia,
+    irregularity,
     moment_of_drive,
     moment_of_resistance,
     reduced_moment,
@@ -55,18 +56,24 @@ VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 class Flywheel:
     """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
 
-    ``works``: the points of the integrated side and of the straight one; ``sides``: its curve and its line;
-    ``segment``: cd (Length).
+    ``moment``: the reduced moment that varies (N·m), ``axes`` of its graph, ``constant``: the other one, marked
+    on its axis (Point). ``works``: the points of the integrated side and of the straight one; ``sides``: its
+    curve and its line; ``segment``: cd (Length). ``delta``, ``inertia``: δ and J of the flywheel, of which one
+    is given. ``energies``: those of the links, None where there are none.
     """
 
     order: FlywheelTask
     base: Base
+    moment: Mark
+    axes: Axes
+    constant: Mark
     indicator: Indicator | None
     charts: tuple[Chart, ...]
-    energies: Energies
+    energies: Energies | None
     works: tuple[Boundaries, Mark]
     sides: tuple[Mark, Mark]
     segment: Mark
+    delta: Mark
     inertia: Mark
     energy_mass: EnergyMass | None
     rim: DrawnRim | None
@@ -98,9 +105,9 @@ def draw_flywheel(
     Raises
     ------
     StructureError
-        If δ or H is not positive, masses or loads are missing.
+        If δ (or J) or H is not positive, masses or loads are missing.
     """
-    _refuse(order)
+    refuse(order)
     velocities = machine.velocities
     draft.open(VIEWS["moment"])
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
@@ -117,13 +124,12 @@ def draw_flywheel(
     curve = graphs.taut(draft, axes, at)
     reading = graphs.read(draft, axes, at.points, "M")
     chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
-    done = _works(draft, axes, at, curve, order)
+    done = draw_works(draft, axes, at, curve, order)
     energies, gained, own, charts = _energies(draft, machine, axes, at, done)
     energy_axes = gained.axes
-    segment = _segment(draft, energy_axes, own)
+    segment = draw_segment(draft, energy_axes, own)
     assert velocities.speed is not None
-    delta = draft.take(Number, "δ", order.delta)
-    inertia = draft.draw(flywheel_inertia, "J_F", segment, delta, velocities.speed, unit="kg·m²")
+    delta, inertia = draw_aim(draft, order, segment, velocities.speed)
     rim = None
     if order.rim is not None:
         rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
@@ -138,19 +144,46 @@ def draw_flywheel(
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
     return Flywheel(
-        order, base, indicator, found, energies, works, done.sides, segment, inertia, second, rim
+        order,
+        base,
+        moment,
+        axes,
+        done.constant,
+        indicator,
+        found,
+        energies,
+        works,
+        done.sides,
+        segment,
+        delta,
+        inertia,
+        second,
+        rim,
     )
 
 
-def _refuse(order: FlywheelTask) -> None:
-    bound_of(FlywheelTask, "delta").refuse("flywheel", "delta", order.delta)
+def refuse(order: FlywheelTask, section: str = "flywheel") -> None:
+    """Refuse a δ, a J or a pole distance that is not positive."""
+    if order.J is None:
+        bound_of(FlywheelTask, "delta").refuse(section, "delta", order.delta)
+    else:
+        bound_of(FlywheelTask, "J").refuse(section, "J", order.J)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(
             said("the pole distance H = {pole:g} mm is not greater than 0", pole=pole),
-            "flywheel.H",
-            head="flywheel",
+            f"{section}.H",
+            head=section,
         )
+
+
+def draw_aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> tuple[Mark, Mark]:
+    """Return δ and the flywheel's J: the one that is given, and the other that follows from cd."""
+    if order.J is None:
+        delta = draft.take(Number, "δ", order.delta)
+        return delta, draft.draw(flywheel_inertia, "J_F", segment, delta, omega, unit="kg·m²")
+    inertia = draft.take(Number, "J_F", order.J, "kg·m²")
+    return draft.draw(irregularity, "δ", segment, inertia, omega), inertia
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -193,11 +226,11 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
-class _Works(NamedTuple):
+class Works(NamedTuple):
     """The works as drawn: their axes, points of the integrated side and of the straight one.
 
     ``sides``: the curve and the straight line. ``surplus``: ΔT read off (Length). ``pole``: from where the rays
-    to the ordinates of the moment have the slopes of ΔT.
+    to the ordinates of the moment have the slopes of ΔT. ``constant``: the constant moment, on its axis.
     """
 
     axes: Axes
@@ -206,10 +239,13 @@ class _Works(NamedTuple):
     sides: tuple[Mark, Mark]
     surplus: Mark
     pole: Mark
+    constant: Mark
     chart: Chart
 
 
-def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask) -> _Works:
+def draw_works(
+    draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask
+) -> Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
     draft.open(VIEWS["work"])
     scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
@@ -225,15 +261,18 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     ahead = order.constant == "resisting"
     ends = (other, found.points) if ahead else (found.points, other)
     surplus = draft.draw(measure_along, "ΔT", *ends, axes.up, why=why.SURPLUS)
-    level = _level_pole(draft, source, pole, straight, ahead=ahead)
+    level, constant = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
-    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, chart)
+    return Works(axes, found, other, (curve_of_work, straight), surplus, level, constant, chart)
 
 
-def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
+def _level_pole(
+    draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool
+) -> tuple[Mark, Mark]:
     """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
 
+    Returns the pole and the constant moment.
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
     draft.open(source.view)
@@ -243,11 +282,12 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
     level = draft.draw(
         parallel, f"({name})", constant, source.along, sense=-1 if ahead else 1, why=why.LEVEL
     )
-    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE, why=why.LEVEL)
+    found = draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE, why=why.LEVEL)
+    return found, constant
 
 
 def _energies(
-    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: _Works
+    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: Works
 ) -> tuple[Energies, Surplus, Mark, tuple[Chart, ...]]:
     """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own.
 
@@ -277,7 +317,7 @@ def _energies(
     return energies, Surplus(axes, ahead), curve, (done.chart, energy)
 
 
-def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
+def draw_segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
     ends = []
     for op, name in ((highest, "c"), (lowest, "d")):
