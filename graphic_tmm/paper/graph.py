@@ -33,8 +33,6 @@ ABOVE = 1.0
 """From the highest point of a graph to the dimension line of a pole's distance, mm."""
 UNDER = 9.0
 """From the lowest point of a graph to a dimension line below it, mm."""
-ON_AXIS = {roles.EXTREME: (True, -1 + 0j), roles.MEAN: (False, -1 - 0.5j)}
-"""Points on the axis of the ordinates that bear their letters: large as at points, or as numbers; the side."""
 
 
 class Level(NamedTuple):
@@ -200,7 +198,7 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
 
 
 def _point_name(graph: Graph, names: Names, step: Step, heights: Heights) -> Iterator[Wanted]:
-    """The letter of a pole, of a point where a curve turns, of what is carried to the axis."""
+    """The letter of a pole, of a point where a curve turns, of what is carried to the axis; of a mean."""
     if step.it.kind is not Point:
         return
     spot = graph.point(step.it, 0)
@@ -209,7 +207,8 @@ def _point_name(graph: Graph, names: Names, step: Step, heights: Heights) -> Ite
     elif step.op in EXTREMES:
         way = 1j if step.op is g.highest else -1j
         yield Wanted(step.it.name, spot, heights.number, 1.0, way)
-    elif step.it.role in ON_AXIS:
-        large, way = ON_AXIS[step.it.role]
+    elif step.it.role == roles.EXTREME:
+        yield Wanted(step.it.name, spot, heights.point, 1.0, -1 + 0j)
+    elif step.it.role == roles.MEAN:
         text = names.points.get(step.it, step.it.name)
-        yield Wanted(text, spot, heights.point if large else heights.number, 1.0, way)
+        yield Wanted(text, spot + graph.length, heights.number, 1.0, 1 + 0j)

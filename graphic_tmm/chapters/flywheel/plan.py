@@ -227,7 +227,7 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
 
 
 def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
-    """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
+    """Draw the constant moment; mark the pole on its level: from there the straight side is level.
 
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
@@ -235,7 +235,10 @@ def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead
     slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
     name = "M_c" if ahead else "M_d"
     constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN)
-    level = draft.draw(parallel, f"({name})", constant, source.along, sense=-1 if ahead else 1)
+    sense = -1 if ahead else 1
+    level = draft.draw(
+        parallel, f"({name})", constant, source.along, sense=sense, role=roles.STRAIGHT
+    )
     return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE)
 
 
