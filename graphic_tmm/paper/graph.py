@@ -29,6 +29,8 @@ from graphic_tmm.paper.symbols.kinematic import pole
 
 ASIDE = 14.0
 """From the axis of the ordinates to a dimension line, mm."""
+BEHIND = 3.0
+"""From the end of a level line to its name, mm: nearer a stroke of it reads as a minus."""
 ABOVE = 1.0
 """From the highest point of a graph to the dimension line of a pole's distance, mm."""
 UNDER = 9.0
@@ -187,7 +189,7 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
     yield Wanted(names.up, tip, point, 1.5, 1 + 0j if aside else -1 + 0j)
     yield Wanted(names.along, complex(graph.length + OVER, 0), point, 1.5, -1j)
     for height, text in names.levels:
-        yield Wanted(text, complex(graph.length, height), small, 0.5, 1 + 0j)
+        yield Wanted(text, complex(graph.length, height), small, BEHIND, 1 + 0j)
     for place, text in names.at:
         yield Wanted(text, complex(place, 0), small, TICK, -1j)
     yield from curve_names(graph, names.curves, small)
@@ -211,4 +213,4 @@ def _point_name(graph: Graph, names: Names, step: Step, heights: Heights) -> Ite
         yield Wanted(step.it.name, spot, heights.point, 1.0, -1 + 0j)
     elif step.it.role == roles.MEAN:
         text = names.points.get(step.it, step.it.name)
-        yield Wanted(text, spot + graph.length, heights.number, 1.0, 1 + 0j)
+        yield Wanted(text, spot + graph.length, heights.number, BEHIND, 1 + 0j)
