@@ -270,7 +270,7 @@ def draw_works(
 def _level_pole(
     draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool
 ) -> tuple[Mark, Mark]:
-    """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
+    """Draw the constant moment; mark the pole on its level: from there the straight side is level.
 
     Returns the pole and the constant moment.
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
@@ -279,8 +279,15 @@ def _level_pole(
     slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1, why=why.CONSTANT_RAY)
     name = "M_c" if ahead else "M_d"
     constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN, why=why.CONSTANT)
+    sense = -1 if ahead else 1
     level = draft.draw(
-        parallel, f"({name})", constant, source.along, sense=-1 if ahead else 1, why=why.LEVEL
+        parallel,
+        f"({name})",
+        constant,
+        source.along,
+        sense=sense,
+        role=roles.STRAIGHT,
+        why=why.LEVEL,
     )
     found = draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE, why=why.LEVEL)
     return found, constant
