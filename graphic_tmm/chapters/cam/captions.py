@@ -55,3 +55,11 @@ CAPTIONS: dict[str, str] = {
     "left_roller_profile": said("[r] by curvature − r"),
     "left_curvature": "ρ_{min} − [ρ]",
 }
+
+SYMBOLS = (
+    ("r_0", said("least radius of the cam"), "m"),
+    ("α", said("pressure angle"), "°"),
+    ("κ", said("curvature of the profile"), "1/m"),
+    ("h", said("stroke of the follower"), "m"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -29,9 +29,10 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
-from graphic_tmm.chapters.engine.captions import CAPTIONS
+from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.engine.choice import choose
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
+from graphic_tmm.chapters.engine.note import concludes
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
@@ -99,4 +100,7 @@ CHAPTER = Chapter(
     results=engine_results,
     views=_views,
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky",),
+    symbols=SYMBOLS,
 )

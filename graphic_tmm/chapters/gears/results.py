@@ -5,14 +5,13 @@ from __future__ import annotations
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.plan import GEARS
-from graphic_tmm.drawn import MEASURED, Drawn, Results
+from graphic_tmm.drawn import Drawn, Results
 
 
 def gear_results(drawn: Drawn) -> Results:
     """Return each result with its unit: those of the pair, those of each wheel with its number behind them.
 
-    Behind them those that are drawn, mm on the sheet. ``contact_ratio`` is that of the formula,
-    ``contact_ratio_drawn`` ab over the base pitch as measured.
+    ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
     """
     gear, reading = GEARS.on(drawn), drawn.reading
     sizes, contact, beside = gear.sizes, gear.contact, BESIDE.on(drawn)
@@ -45,10 +44,8 @@ def gear_results(drawn: Drawn) -> Results:
             "arc_of_engagement": engaged.real,
         }
         marks |= {f"{name}{wheel.number}": mark for name, mark in own.items()}
-    lengths = {name: mark for name, mark in marks.items() if mark in beside.drawn}
-    marks |= {f"{name}_drawn": beside.drawn[mark] for name, mark in lengths.items()}
     units = {"alpha_w": "°"}
     return {
-        name: (reading[mark][:, 0].copy(), units.get(name, MEASURED.get(mark.kind, mark.unit)))
+        name: (reading[mark][:, 0].copy(), units.get(name, mark.unit))
         for name, mark in marks.items()
     }

@@ -10,12 +10,7 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.plan import GEARS
-from graphic_tmm.chapters.gears.sliding import VIEW
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, row_of
-
-PLAN = "sliding-stations"
-"""What the table of the stations is called."""
 
 
 class Station(NamedTuple):
@@ -50,24 +45,3 @@ def _places(drawn: Drawn) -> Iterator[Station]:
         for k in range(len(gear.order.stations)):
             x, *found = (reading[mark][:, k] for mark in marks)
             yield Station(str(k + 1), x, (found[0], found[1]))
-
-
-def station_columns(drawn: Drawn) -> tuple[Column, ...]:
-    """Return x and the sliding of both wheels at the places; nothing where a wheel's sliding has no end."""
-    places = stations(drawn)
-    at = tuple((one.name.translate(_PLAIN), None) for one in places)
-    mu = drawn.scales[VIEW].value
-
-    def row(values: list[Reals]) -> Reals:
-        found = np.stack(np.broadcast_arrays(*values), axis=1)
-        return row_of(found, range(len(places)), len(places))
-
-    x = row([one.x for one in places])
-    found = [Column(PLAN, "x", "x", "m", x, x * drawn.scales["gear"].value, at)]
-    for k in (0, 1):
-        values = row([one.sliding[k] for one in places])
-        found.append(Column(PLAN, f"theta{k + 1}", f"ϑ_{k + 1}", "", values / mu, values, at))
-    return tuple(found)
-
-
-_PLAIN = str.maketrans("", "", "_{}")

@@ -37,16 +37,10 @@ def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -
         gap = [""] * (1 - len(mates))
         return [symbol, *real, *gap, _unit(own, language), *laid, *gap]
 
-    rows = [row(symbol, *(_of(one, key) for one in sizes.wheels)) for symbol, key in WHEEL]
+    rows = [row(symbol, *(size_of(one, key) for one in sizes.wheels)) for symbol, key in WHEEL]
     one, other = made.contact.wheels
     rows.append(row("cd", one.real, other.real))
-    pair = (
-        ("u_{12}", beside.ratio), ("m", sizes.m), ("α_{w}", sizes.alpha_w), ("a_{w}", sizes.a_w),
-        ("y", sizes.y), ("Δy", sizes.dy), ("h", sizes.h), ("h_{w}", sizes.h_w), ("p", sizes.p),
-        ("p_{b}", sizes.p_b), ("s_{cd}", beside.arc), ("ε_{α}", sizes.contact_ratio),
-        ("ab/p_{b}", made.contact.drawn),
-    )  # fmt: skip
-    rows += [row(*one) for one in pair]
+    rows += [row(symbol, mark) for symbol, _, mark in pair_sizes(drawn)]
     _ = speaking(language)
     laid = [_("{wheel}, drawn, mm", wheel=k) for k in (1, 2)]
     heads = [words["value"], "1", "2", words["unit"], *laid]
@@ -70,7 +64,23 @@ WHEEL = (
 """What the table tells of a wheel: the symbol, the name in its sizes."""
 
 
-def _of(wheel: WheelSizes, key: str) -> Mark:
+def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
+    """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
+    made, beside = GEARS.on(drawn), BESIDE.on(drawn)
+    sizes = made.sizes
+    return (
+        ("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m),
+        ("α_{w}", "alpha_w", sizes.alpha_w), ("a_{w}", "a_w", sizes.a_w), ("y", "y", sizes.y),
+        ("Δy", "delta_y", sizes.dy), ("h", "h", sizes.h), ("h_{w}", "h_w", sizes.h_w),
+        ("p", "p", sizes.p), ("p_{b}", "p_b", sizes.p_b),
+        ("s_{cd}", "arc_of_engagement", beside.arc),
+        ("ε_{α}", "contact_ratio", sizes.contact_ratio),
+        ("ab/p_{b}", "contact_ratio_drawn", made.contact.drawn),
+    )  # fmt: skip
+
+
+def size_of(wheel: WheelSizes, key: str) -> Mark:
+    """Return a dimension of a wheel by its name among them."""
     mark = getattr(wheel, key)
     assert isinstance(mark, Mark)
     return mark

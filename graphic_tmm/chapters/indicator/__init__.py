@@ -41,4 +41,5 @@ CHAPTER = Chapter(
     record=record,
     charts=lambda made: (made.indicator.chart,),
     scale_key=lambda view: "mu_p" if view == VIEW else "",
+    sources=("artobolevsky",),
 )

@@ -13,9 +13,10 @@ from support.scenes import edited
 from graphic_tmm.board.execute import execute
 from graphic_tmm.bounds import TaskError
 from graphic_tmm.chapters.gears.beside import BESIDE, VIEW
+from graphic_tmm.chapters.gears.columns import SLIDING
+from graphic_tmm.chapters.gears.dimensions import VIEW as DIMENSIONS
 from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.chapters.gears.refusals import refuse_order
-from graphic_tmm.chapters.gears.stations import PLAN
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.drawn import Drawn, Results, single
@@ -23,6 +24,7 @@ from graphic_tmm.fitting.choice import choices
 from graphic_tmm.note.document import Number as Figure
 from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
+from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
@@ -97,13 +99,14 @@ def test_drawn_sizes_are_the_real_ones_in_the_scale_of_the_book(tmp_path: Path) 
     mu = drawn.scales["gear"].value
     assert mu == pytest.approx(float(due["axes"]) / 400.0, rel=SAME)
     assert choices(drawn).value(GEARS.on(drawn).line.mu) == pytest.approx(mu, rel=SAME)
-    rounded = {name: round(found[f"{name}_drawn"][0]) for name in ("r1", "r2", "s1", "s2", "a_w")}
-    assert rounded == {"r1": 142, "r2": 237, "s1": 41, "s2": 36, "a_w": 400}
-    assert (round(found["r_w1_drawn"][0]), round(found["r_w2_drawn"][0])) == (150, 250)
-    for name in ("h", "h_w", "p", "p_b", "arc_of_engagement", "r_a1", "r_b2", "r_f2"):
-        figure, unit = found[f"{name}_drawn"]
-        assert unit == "mm"
-        assert figure == pytest.approx(found[name][0] / mu, rel=SAME)
+    sizes = {one.segment: one for one in _columns(drawn) if one.plan == DIMENSIONS}
+    rounded = {k: np.round(sizes[k].mm[0]).tolist() for k in ("r", "r_w", "s", "a_w")}
+    assert rounded == {"r": [142, 237], "r_w": [150, 250], "s": [41, 36], "a_w": [400]}
+    for name in ("h", "h_w", "p", "p_b", "arc_of_engagement"):
+        assert sizes[name].mm.item() == pytest.approx(found[name][0] / mu, rel=SAME)
+    for name in ("r_a", "r_b", "r_f"):
+        real = [found[f"{name}{k}"][0] for k in (1, 2)]
+        assert sizes[name].mm[0] == pytest.approx(np.array(real) / mu, rel=SAME)
 
 
 def test_mu_and_the_drawn_distance_are_not_both_given() -> None:
@@ -116,9 +119,7 @@ def test_the_table_of_sliding_has_its_limits_the_pole_and_the_stations_of_the_ta
     """Sliding from the speeds along the flanks: ω₁·x against ω₂·(N₁N₂ − x), with z instead of ω."""
     drawn = part(read(SCENE))
     gear = GEARS.on(drawn)
-    columns = {
-        one.segment: one for one in drawn.project.chapters[0].columns(drawn) if one.plan == PLAN
-    }
+    columns = {one.segment: one for one in _columns(drawn) if one.plan == SLIDING}
     x, first, second = (columns[name].value[0] for name in ("x", "theta1", "theta2"))
     names = [name for name, _ in columns["x"].at]
     assert {"N1", "N2", "a", "b", "P", "1", "5"} <= set(names)
@@ -142,6 +143,10 @@ def test_that_all_checks_hold_is_told_in_words_and_only_then(tmp_path: Path) -> 
     assert "1.158" in words
     undercut = edited(tmp_path, ("x1 = 0.83", "x1 = 0.0"), name="gear-pair")
     assert not list(verdict(part(read(undercut)), "en"))
+
+
+def _columns(drawn: Drawn) -> list[Column]:
+    return list(drawn.project.chapters[0].columns(drawn))
 
 
 def _results(drawn: Drawn) -> Results:
