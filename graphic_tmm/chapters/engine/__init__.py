@@ -29,8 +29,10 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
+from graphic_tmm.chapters.engine.beside import CALCULATED, concludes, record_beside
 from graphic_tmm.chapters.engine.captions import CAPTIONS
 from graphic_tmm.chapters.engine.choice import choose
+from graphic_tmm.chapters.engine.given import given
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
@@ -64,7 +66,9 @@ def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
 
 def _views(project: Project) -> dict[str, list[str]]:
     charts = [chart.view for chart in ENGINE.on(project).charts]
-    return {ENGINE.chapter: [VIEW, HARMONICS, *charts]}
+    cylinder = INDICATOR.on(project)
+    own = [cylinder.indicator.chart.view] if cylinder.shown_by == ENGINE.chapter else []
+    return {ENGINE.chapter: [*own, VIEW, HARMONICS, *charts, CALCULATED]}
 
 
 CHAPTER = Chapter(
@@ -85,8 +89,10 @@ CHAPTER = Chapter(
     sizes=(GRAPH, Size("engine", least=0.5, small=0.7, cap=0.4)),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     charts=lambda made: made.charts,
     reach=reach,
     scales=engine_scales,
@@ -97,6 +103,7 @@ CHAPTER = Chapter(
     plans_rank=26,
     columns=engine_columns,
     results=engine_results,
+    concludes=concludes,
     views=_views,
     accuracy=ACCURACY,
 )
