@@ -40,6 +40,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import Chapter, Holder, Place
 from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
+from graphic_tmm.chapters.diagrams.beside import CALCULATED, record_beside
 from graphic_tmm.chapters.diagrams.captions import CAPTIONS, called
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
@@ -84,6 +85,7 @@ CHAPTER = Chapter(
     needs=lambda scene: {VELOCITIES: True},
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     charts=lambda made: made.charts.values(),
     scales=lambda fitting: fitting.shorter(
         GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
@@ -93,7 +95,10 @@ CHAPTER = Chapter(
     plans=(DIAGRAMS.chapter,),
     columns=diagram_columns,
     views=lambda project: {
-        DIAGRAMS.chapter: [chart.view for chart in DIAGRAMS.on(project).charts.values()]
+        DIAGRAMS.chapter: [
+            *(chart.view for chart in DIAGRAMS.on(project).charts.values()),
+            CALCULATED,
+        ]
     },
     titles=_title,
     accuracy=ACCURACY,
