@@ -40,6 +40,7 @@ from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
 from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views
 from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.plan import (
@@ -67,7 +68,7 @@ def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
 def _views(project: Project) -> dict[str, list[str]]:
     charts = [chart.view for chart in ENGINE.on(project).charts]
     cylinder = INDICATOR.on(project)
-    own = [cylinder.indicator.chart.view] if cylinder.shown_by == ENGINE.chapter else []
+    own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE.chapter else []
     return {ENGINE.chapter: [*own, VIEW, HARMONICS, *charts, CALCULATED]}
 
 

@@ -16,6 +16,7 @@ from support.scenes import edited
 
 from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED, concludes
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+from graphic_tmm.chapters.indicator.beside import BESIDE as STROKE
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number
 from graphic_tmm.readers.given import given_rows
@@ -160,3 +161,13 @@ def test_the_cylinder_and_the_masses_are_given() -> None:
 def test_the_indicator_diagram_is_told_with_the_engine_it_stands_with() -> None:
     text = "\n".join(protocol(exact(), ("engine",), "2", "ru"))
     assert text.index("Индикаторная диаграмма") < text.index("P = P_к − P_в")
+
+
+def test_the_scale_of_the_stroke_is_a_step_and_stands_below_the_diagram() -> None:
+    """2·115 mm on 100 mm; 2·300 mm on 100 mm."""
+    for name, due in (("locomobile", 0.0023), ("engine", 0.006)):
+        made = drawn(name, exact=True)
+        found = STROKE.on(made)
+        assert made.reading[found.mu].item() == pytest.approx(due, rel=1e-9)
+        text = "\n".join(protocol(made, ("engine", "flywheel"), "2", "en"))
+        assert "μ_S = S/L" in text
