@@ -42,6 +42,8 @@ _SOFT, HEAVY = (
     ("main", "medium", "joint", "body", "rod", "over"),
 )
 """Pens whose lines give way to letters; pens of lines that no letter may stand on."""
+LEADER = "leader"
+"""The part of a view that leads from points to letters: of one that letters break the longest piece stays."""
 HATCHING = "hatching"
 """The part of a view whose strokes may vanish under a letter."""
 DOT = 0.2
@@ -284,7 +286,7 @@ def leaders(wanted: Sequence[Wanted], labels: Sequence[Label]) -> tuple[Stroke, 
         found = _leader(one, rect)
         if found is not None:
             ink = line("thin", *found)
-            made.append(ink._replace(part="leader", of=one.of, position=one.position))
+            made.append(ink._replace(part=LEADER, of=one.of, position=one.position))
     return tuple(made)
 
 
@@ -302,5 +304,7 @@ def interrupt(strokes: Sequence[Ink], labels: Sequence[Label]) -> tuple[Ink, ...
     made: list[Ink] = []
     for k, stroke in enumerate(strokes):
         left = broken(stroke, hits[k], CLEAR) if k in hits else [stroke]
+        if stroke.part == LEADER and left:
+            left = [max(left, key=lambda piece: float(shape(piece).length))]
         made += left if left or stroke.part == HATCHING else [stroke]  # what would vanish stays
     return tuple(made)

@@ -34,10 +34,11 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
-from graphic_tmm.chapters.cam.captions import CAPTIONS
+from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.cam.choice import choose
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.given import given
+from graphic_tmm.chapters.cam.note import concludes
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
@@ -93,4 +94,7 @@ CHAPTER = Chapter(
     columns=cam_columns,
     results=lambda drawn: results_of(drawn, cam_marks(CAM.on(drawn))),
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

@@ -45,3 +45,11 @@ CAPTIONS: dict[str, str] = {
     "pressure_return": said("largest α, return"),
     "least_curvature": said("ρ_{min}"),
 }
+
+SYMBOLS = (
+    ("r_0", said("least radius of the cam"), "m"),
+    ("α", said("pressure angle"), "°"),
+    ("κ", said("curvature of the profile"), "1/m"),
+    ("h", said("stroke of the follower"), "m"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -41,7 +41,9 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import Chapter, Holder, Place
 from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
 from graphic_tmm.chapters.diagrams.beside import CALCULATED, record_beside
-from graphic_tmm.chapters.diagrams.captions import CAPTIONS, called
+from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS, called
+from graphic_tmm.chapters.diagrams.choice import choose
+from graphic_tmm.chapters.diagrams.note import concludes
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
@@ -87,6 +89,7 @@ CHAPTER = Chapter(
     record=record,
     aside=record_beside,
     charts=lambda made: made.charts.values(),
+    choice=choose,
     scales=lambda fitting: fitting.shorter(
         GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
@@ -102,4 +105,7 @@ CHAPTER = Chapter(
     },
     titles=_title,
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky",),
+    symbols=SYMBOLS,
 )

@@ -29,11 +29,12 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
-from graphic_tmm.chapters.engine.beside import CALCULATED, concludes, record_beside
-from graphic_tmm.chapters.engine.captions import CAPTIONS
+from graphic_tmm.chapters.engine.beside import CALCULATED, record_beside
+from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.engine.choice import choose
 from graphic_tmm.chapters.engine.given import given
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
+from graphic_tmm.chapters.engine.note import concludes
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
@@ -104,7 +105,9 @@ CHAPTER = Chapter(
     plans_rank=26,
     columns=engine_columns,
     results=engine_results,
-    concludes=concludes,
     views=_views,
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky",),
+    symbols=SYMBOLS,
 )

@@ -6,8 +6,7 @@ back to where it was do none, and there is no friction.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -27,14 +26,7 @@ from graphic_tmm.chapters.engine.formulas import KGF, in_kgf
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Side
-from graphic_tmm.drawn import Drawn, results_of
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import filled
-from graphic_tmm.note.document import Number as Told
-from graphic_tmm.note.document import Run, Runs, Source
 from graphic_tmm.project import Bench
 
 _SQUARE = "the rod stands square to the guide"
@@ -42,16 +34,6 @@ CALCULATED = "engine-calculation"
 """The view of what is calculated beside."""
 WORKS = ("work_T", "work_P", "work_apart")
 """What the results of the works are called."""
-EQUAL = said(
-    "Over a turn the tangential force does the work {work_T}, the gas {work_P}: they differ by {work_apart} %, "
-    "so they are equal but for what the graphs can show."
-)
-UNEQUAL = said(
-    "Over a turn the tangential force does the work {work_T}, the gas {work_P}: they differ by {work_apart} %, "
-    "more than the graphs explain."
-)
-CLOSE = 5.0
-"""Works that differ by no more than this, %, agree: graphs with twelve positions are no better."""
 
 
 @operation(
@@ -262,25 +244,3 @@ def _sense(draft: Draft, cylinder: Cylinder, side: Side) -> float:
     knots = execute(draft.board.construction(), given, [side.curve])[side.curve].knots[0]
     around = float(np.sum((np.conj(knots) * np.roll(knots, -1)).imag))
     return float(np.sign(-around if side.name == "cover" else around))
-
-
-def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
-    """Yield whether the tangential force does the work of the steam over a turn."""
-    beside, _ = BESIDE.of(drawn), speaking(language)
-    if beside is None:
-        return
-    found = results_of(drawn, dict(zip(WORKS, beside.works, strict=True)))
-    values = {name: float(figures[0]) for name, (figures, _unit) in found.items()}
-    if not all(map(math.isfinite, values.values())):
-        return
-    told = EQUAL if abs(values["work_apart"]) <= CLOSE else UNEQUAL
-    put: dict[str, Run] = {
-        name: Told(
-            number(value, language),
-            "" if name == "work_apart" else unit(found[name][1], language),
-            Source("result", drawn.board, name),
-            value,
-        )
-        for name, value in values.items()
-    }
-    yield filled(_(told), put)

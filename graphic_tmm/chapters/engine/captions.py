@@ -39,3 +39,12 @@ CAPTIONS: dict[str, str] = {
     "view engine K": said("Radial force K"),
     "view engine M": said("Turning moment M"),
 }
+
+SYMBOLS = (
+    ("P", said("force on the piston"), "N"),
+    ("N", said("force on the guide"), "N"),
+    ("Q", said("force along the rod"), "N"),
+    ("T", said("tangential force at the crank pin"), "N"),
+    ("K", said("radial force at the crank pin"), "N"),
+)
+"""Its letters in a note: what they stand for, their units."""

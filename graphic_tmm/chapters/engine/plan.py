@@ -28,6 +28,7 @@ from graphic_tmm.board.operations.statics import moment_on_arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.engine import reasons as why
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
     against_acceleration,
@@ -140,7 +141,7 @@ def draw_engine(
     draft.open(VIEW)
     values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
     used = harmonics.force if order.series else values["P_in"]
-    values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit)
+    values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit, why=why.TOGETHER)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
     charts, curves, turning = _diagrams(draft, machine, values, order)
     found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line, turning)
@@ -180,26 +181,32 @@ def _triangles(
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
     mu = draft.scale("μ_F", f"{unit}/mm")
     draft.lay_out()
-    inward = draft.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
-    end_p = draft.draw(lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]))
+    inward = draft.draw(
+        parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1, why=why.P_LINE
+    )
+    end_p = draft.draw(
+        lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]), why=why.P_LINE
+    )
     sense = 1 if machine.mechanism.drive.speed > 0 else -1
-    across = draft.draw(square, "(N)", end_p, inward, sense=sense)
-    rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
-    end_q = draft.draw(meet, "2", across, rod)
-    length_n = draft.draw(measure_along, "y_N", end_q, end_p, across)
-    length_q = draft.draw(measure_along, "y_Q", at_b, end_q, rod)
-    carried = draft.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
-    end_qa = draft.draw(lay_off, "3", carried, length_q)
-    tangent = draft.draw(square, "(T)", at_a, crank, sense=sense)
-    along = draft.draw(parallel, "(K)", end_qa, crank, sense=-1)
-    end_t = draft.draw(meet, "4", tangent, along)
-    length_t = draft.draw(measure_along, "y_T", at_a, end_t, tangent)
-    length_k = draft.draw(measure_along, "y_K", end_t, end_qa, along)
+    across = draft.draw(square, "(N)", end_p, inward, sense=sense, why=why.N_LINE)
+    rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1, why=why.Q_LINE)
+    end_q = draft.draw(meet, "2", across, rod, why=why.P_RESOLVED)
+    length_n = draft.draw(measure_along, "y_N", end_q, end_p, across, why=why.FORCE_READ)
+    length_q = draft.draw(measure_along, "y_Q", at_b, end_q, rod, why=why.FORCE_READ)
+    carried = draft.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1, why=why.Q_CARRIED)
+    end_qa = draft.draw(lay_off, "3", carried, length_q, why=why.Q_CARRIED)
+    tangent = draft.draw(square, "(T)", at_a, crank, sense=sense, why=why.T_LINE)
+    along = draft.draw(parallel, "(K)", end_qa, crank, sense=-1, why=why.K_LINE)
+    end_t = draft.draw(meet, "4", tangent, along, why=why.Q_RESOLVED)
+    length_t = draft.draw(measure_along, "y_T", at_a, end_t, tangent, why=why.FORCE_READ)
+    length_k = draft.draw(measure_along, "y_K", end_t, end_qa, along, why=why.FORCE_READ)
     for name, length in (("N", length_n), ("Q", length_q), ("T", length_t), ("K", length_k)):
         values[name] = draft.draw(in_si, name, length, unit=unit)
     moment = f"{unit}·m"
     values["M"] = draft.draw(moment_on_arm, "M", values["T"], machine.arm, unit=moment)
-    distance = draft.draw(measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b)
+    distance = draft.draw(
+        measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b, why=why.DISTANCE
+    )
     values["NOB"] = draft.draw(couple_of, "N·OB", values["N"], distance, unit=moment)
     return Triangles(at_b, end_p, end_q, at_a, end_qa, end_t), mu
 

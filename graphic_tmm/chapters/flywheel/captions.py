@@ -38,3 +38,15 @@ def graph_title(view: str, constant: str, speech: Speech) -> str:
     if view == "moment" and constant == "driving":
         return speech(_RESISTING)
     return speech(CAPTIONS[view])
+
+
+SYMBOLS = (
+    ("M_r", said("reduced moment"), "N·m"),
+    ("A", said("work"), "J"),
+    ("T", said("kinetic energy"), "J"),
+    ("J_F", said("moment of inertia of the flywheel"), "kg·m²"),
+    ("δ", said("coefficient of irregularity"), ""),
+    ("μ_M", said("scale factor of moments"), "N·m/mm"),
+    ("μ_A", said("scale factor of works"), "J/mm"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -36,6 +36,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
@@ -218,7 +219,9 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         )
     total = found[0]
     for more in found[1:]:
-        total = draft.draw(added, "ΣM", total, more, unit="N·mm", role=roles.SUM)
+        total = draft.draw(
+            added, "ΣM", total, more, unit="N·mm", role=roles.SUM, why=why.MOMENTS_SUM
+        )
     formula = moment_of_drive if constant == "resisting" else moment_of_resistance
     return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
@@ -250,12 +253,14 @@ def draw_works(
     pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
     curve_of_work = graphs.along_rays(draft, axes, found, pole.point, at, source)
-    straight = draft.draw(join, "(A′)", axes.origin, found.end, role=roles.STRAIGHT)
-    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    other = draft.draw(meet, "A′", straight, lines)
+    straight = draft.draw(
+        join, "(A′)", axes.origin, found.end, role=roles.STRAIGHT, why=why.STRAIGHT
+    )
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.STRAIGHT_AT)
+    other = draft.draw(meet, "A′", straight, lines, why=why.STRAIGHT_AT)
     ahead = order.constant == "resisting"
     ends = (other, found.points) if ahead else (found.points, other)
-    surplus = draft.draw(measure_along, "ΔT", *ends, axes.up)
+    surplus = draft.draw(measure_along, "ΔT", *ends, axes.up, why=why.SURPLUS)
     level, constant = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
@@ -265,17 +270,27 @@ def draw_works(
 def _level_pole(
     draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool
 ) -> tuple[Mark, Mark]:
-    """Mark the constant moment on the axis, and the pole on its level: from there the straight side is level.
+    """Draw the constant moment; mark the pole on its level: from there the straight side is level.
 
     Returns the pole and the constant moment.
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
     draft.open(source.view)
-    slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
+    slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1, why=why.CONSTANT_RAY)
     name = "M_c" if ahead else "M_d"
-    constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN)
-    level = draft.draw(parallel, f"({name})", constant, source.along, sense=-1 if ahead else 1)
-    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE), constant
+    constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN, why=why.CONSTANT)
+    sense = -1 if ahead else 1
+    level = draft.draw(
+        parallel,
+        f"({name})",
+        constant,
+        source.along,
+        sense=sense,
+        role=roles.STRAIGHT,
+        why=why.LEVEL,
+    )
+    found = draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE, why=why.LEVEL)
+    return found, constant
 
 
 def _energies(
@@ -294,7 +309,9 @@ def _energies(
     ahead = graphs.along_rays(draft, axes, gained, done.pole, at, source)
     links = graphs.lay_ordinates(draft, axes, heights, "l")
     carried = graphs.through(draft, axes, links)
-    rest = draft.draw(measure_along, "y_F", links.points, gained.points, axes.up)
+    rest = draft.draw(
+        measure_along, "y_F", links.points, gained.points, axes.up, why=why.OF_FLYWHEEL
+    )
     own = graphs.lay_ordinates(draft, axes, rest, "f")
     curve = graphs.difference(draft, axes, own, ahead, carried)
     readings = [
@@ -312,6 +329,8 @@ def draw_segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     ends = []
     for op, name in ((highest, "c"), (lowest, "d")):
         top = draft.draw(op, f"{name}′", own, axes.origin, axes.end)
-        level = draft.draw(parallel, f"({name})", top, axes.along, sense=1)
-        ends.append(draft.draw(meet, name, axes.up, level, role=roles.EXTREME))
-    return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up)
+        level = draft.draw(parallel, f"({name})", top, axes.along, sense=1, why=why.EXTREME_LEVEL)
+        ends.append(
+            draft.draw(meet, name, axes.up, level, role=roles.EXTREME, why=why.EXTREME_LEVEL)
+        )
+    return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up, why=why.CD)

@@ -29,16 +29,17 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
-from graphic_tmm.chapters.gears.captions import CAPTIONS
+from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.gears.choice import choose
+from graphic_tmm.chapters.gears.columns import gear_columns
 from graphic_tmm.chapters.gears.given import given
+from graphic_tmm.chapters.gears.note import concludes, note
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene.records import Scene
 
 
@@ -65,7 +66,11 @@ CHAPTER = Chapter(
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
     plans=(GEARS.chapter,),
-    columns=measured_columns,
+    columns=gear_columns,
     results=gear_results,
     accuracy=ACCURACY,
+    concludes=concludes,
+    note=note,
+    sources=("artobolevsky", "popov", "contour", "geometry"),
+    symbols=SYMBOLS,
 )

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
+
+import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle
+from graphic_tmm.board.values import Angle, Reals
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.gears.dimensions import WheelSizes
 from graphic_tmm.chapters.gears.plan import Gear
@@ -30,15 +33,13 @@ def dimension_table(
     one, other = sizes.wheels
     rows = []
     for symbol, key in WHEEL:
-        own, mate = _of(one, key), _of(other, key)
+        own, mate = size_of(one, key), size_of(other, key)
         cells = [_cell(reading, mark, language) for mark in (own, mate)]
         rows.append([symbol, *cells, _unit(own, language)])
-    pair = (
-        ("m", sizes.m), ("α_{w}", sizes.alpha_w), ("a_{w}", sizes.a_w), ("y", sizes.y),
-        ("Δy", sizes.dy), ("h", sizes.h), ("p", sizes.p), ("p_{b}", sizes.p_b),
-        ("ε_{α}", sizes.contact_ratio), ("ab/p_{b}", made.contact.drawn),
-    )  # fmt: skip
-    rows += [[s, _cell(reading, mark, language), "", _unit(mark, language)] for s, mark in pair]
+    rows += [
+        [symbol, _cell(reading, mark, language), "", _unit(mark, language)]
+        for symbol, _, mark in pair_sizes(made)
+    ]
     heads = [words["value"], "1", "2", words["unit"]]
     align = ["left", "centre", "centre", "left"]
     return breakable(
@@ -60,7 +61,19 @@ WHEEL = (
 """What the table tells of a wheel: the symbol, the name in its sizes."""
 
 
-def _of(wheel: WheelSizes, key: str) -> Mark:
+def pair_sizes(made: Gear) -> tuple[tuple[str, str, Mark], ...]:
+    """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
+    sizes = made.sizes
+    return (
+        ("m", "m", sizes.m), ("α_{w}", "alpha_w", sizes.alpha_w), ("a_{w}", "a_w", sizes.a_w),
+        ("y", "y", sizes.y), ("Δy", "delta_y", sizes.dy), ("h", "h", sizes.h), ("p", "p", sizes.p),
+        ("p_{b}", "p_b", sizes.p_b), ("ε_{α}", "contact_ratio", sizes.contact_ratio),
+        ("ab/p_{b}", "contact_ratio_drawn", made.contact.drawn),
+    )  # fmt: skip
+
+
+def size_of(wheel: WheelSizes, key: str) -> Mark:
+    """Return a dimension of a wheel by its name among them."""
     mark = getattr(wheel, key)
     assert isinstance(mark, Mark)
     return mark
@@ -79,28 +92,42 @@ def _unit(mark: Mark, language: str) -> str:
     return unit("mm" if mark.unit == "m" else mark.unit, language)
 
 
+class SlidingPlace(NamedTuple):
+    """A place on the line of action: its name, x (mm from N1) and the slidings of both wheels, (trial,)."""
+
+    name: str
+    x: Reals
+    sliding: tuple[Reals, Reals]
+
+
+def sliding_places(reading: Reading, made: Gear) -> list[SlidingPlace]:
+    """Return the places of which the sliding is told: the limits, the ends, the pole, those of the task."""
+    sliding, none, whole = made.sliding, np.full(1, -np.inf), np.ones(1)
+    found = [
+        SlidingPlace("N_{1}", np.zeros(1), (none, whole)),
+        SlidingPlace("N_{2}", reading[made.line.length][:, 0], (whole, none)),
+    ]
+    named = (("a", sliding.ends[0]), ("P", sliding.pole), ("b", sliding.ends[1]))
+    told = [(name, stations, 0) for name, stations in named]
+    if sliding.further is not None:
+        told += [(str(k + 1), sliding.further, k) for k in range(len(made.order.stations))]
+    for name, stations, k in told:
+        x, first, second = (reading[mark][:, k] for mark in (stations.x, *stations.sliding))
+        found.append(SlidingPlace(name, x, (first, second)))
+    return found
+
+
 def sliding_table(
     reading: Reading, made: Gear, language: str, title: str, heights: Heights
 ) -> Drawing:
     """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task."""
-    sliding, words = made.sliding, captions(language)
-    length = float(reading[made.line.length][0, 0])
-    places = [(0.0, "N_{1}", -math.inf, 1.0), (length, "N_{2}", 1.0, -math.inf)]
-    named = (("a", sliding.ends[0]), ("P", sliding.pole), ("b", sliding.ends[1]))
-    for name, stations in named:
-        first, second = (float(reading[mark][0, 0]) for mark in stations.sliding)
-        places.append((float(reading[stations.x][0, 0]), name, first, second))
-    if sliding.further is not None:
-        for k in range(len(made.order.stations)):
-            x, first, second = (
-                float(reading[mark][0, k]) for mark in (sliding.further.x, *sliding.further.sliding)
-            )
-            places.append((x, str(k + 1), first, second))
-    places.sort(key=lambda place: place[0])
-    rows = [["x", unit("mm", language), *(fixed(x, 1, language) for x, *_ in places)]]
-    for k, found in ((1, [place[2] for place in places]), (2, [place[3] for place in places])):
-        rows.append([f"ϑ_{{{k}}}", "", *(_sliding(value, language) for value in found)])
-    heads = [words["value"], words["unit"], *(name for _, name, *_ in places)]
+    words = captions(language)
+    places = sorted(sliding_places(reading, made), key=lambda place: float(place.x[0]))
+    rows = [["x", unit("mm", language), *(fixed(float(p.x[0]), 1, language) for p in places)]]
+    for k in (0, 1):
+        cells = [_sliding(float(place.sliding[k][0]), language) for place in places]
+        rows.append([f"ϑ_{{{k + 1}}}", "", *cells])
+    heads = [words["value"], words["unit"], *(place.name for place in places)]
     align = ["left", "left", *["centre"] * len(places)]
     return breakable(
         "table-sliding",

@@ -43,4 +43,5 @@ CHAPTER = Chapter(
     aside=record_beside,
     charts=lambda made: (made.indicator.chart,),
     scale_key=lambda view: "mu_p" if view == VIEW else "",
+    sources=("artobolevsky",),
 )

@@ -14,7 +14,8 @@ from support.boards import drawn_of
 from support.gallery import SHEETS, drawn
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED, concludes
+from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED
+from graphic_tmm.chapters.engine.note import concludes
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.indicator.beside import BESIDE as STROKE
 from graphic_tmm.drawn import Drawn, single
@@ -131,7 +132,7 @@ def test_a_compressor_takes_the_work_that_its_crank_gives(tmp_path: Path) -> Non
 def test_the_conclusion_tells_the_results_and_nothing_else() -> None:
     made = drawn("locomobile", exact=True)
     for language, word in (("en", "equal"), ("ru", "равны")):
-        (one,) = concludes(made, language)
+        *_, one = concludes(made, language)
         numbers = [run for run in one if isinstance(run, Number)]
         results = single(engine_results(made))
         assert [n.value for n in numbers] == [results[n.source.name][0] for n in numbers]
