@@ -13,6 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.graphs import Axes
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import in_si, to_board, turn_per_mm
 from graphic_tmm.board.operations.instruments import (
@@ -70,7 +71,7 @@ class Engine:
     """The forces as drawn; ``values``: the marks of P, P_in, P′, N, Q, T, K (force unit), M, NOB (times metre).
 
     ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram;
-    ``guide``: the line that B slides along.
+    ``guide``: the line that B slides along; ``turning``: the axes of the diagram of M, and its curve.
     """
 
     order: EngineTask
@@ -83,6 +84,7 @@ class Engine:
     charts: tuple[Chart, ...]
     curves: dict[str, tuple[str, ...]]
     guide: Mark
+    turning: tuple[Axes, Mark]
 
 
 ENGINE: Made[Engine] = Made("engine")
@@ -141,8 +143,8 @@ def draw_engine(
     used = harmonics.force if order.series else values["P_in"]
     values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit, why=why.TOGETHER)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
-    charts, curves = _diagrams(draft, machine, values, order)
-    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line)
+    charts, curves, turning = _diagrams(draft, machine, values, order)
+    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line, turning)
     return Engine(order, lumped, harmonics, *found)
 
 
@@ -220,8 +222,8 @@ def ordinate(symbol: str, letter: str) -> str:
 
 def _diagrams(
     draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineTask
-) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
-    """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M."""
+) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]], tuple[Axes, Mark]]:
+    """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M, the last one told."""
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
     mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
@@ -239,8 +241,9 @@ def _diagrams(
             heights = draft.draw(to_board, ordinate("h", letter), values[letter])
             at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
             # the links' own inertia is smooth, what the gas has a part in is not
-            (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)
+            draw_curve = graphs.through if letter == "P_in" else graphs.taut
+            curve = draw_curve(draft, axes, at)
             found.append(graphs.read(draft, axes, at.points, ordinate("y", letter)))
         charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
         curves[view] = letters
-    return tuple(charts), curves
+    return tuple(charts), curves, (axes, curve)

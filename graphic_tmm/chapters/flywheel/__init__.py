@@ -49,6 +49,7 @@ from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_resul
 from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
@@ -123,7 +124,11 @@ CHAPTER = Chapter(
     columns=flywheel_columns,
     results=flywheel_results,
     views=lambda project: {
-        FLYWHEEL.chapter: [*(chart.view for chart in FLYWHEEL.on(project).charts), CALCULATED]
+        FLYWHEEL.chapter: [
+            *(chart.view for chart in FLYWHEEL.on(project).charts),
+            STROKE,
+            CALCULATED,
+        ]
     },
     titles=_title,
     accuracy=ACCURACY,

@@ -6,14 +6,18 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapter import Given
 from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
+from graphic_tmm.chapters.indicator.given import given_of as given_of_cylinder
 from graphic_tmm.scene.records import Scene
 
 
 def given(scene: Scene) -> Iterator[Given]:
     """Yield what a scene gives of its flywheel, the diameter in mm."""
     order = ASKED.of(scene)
-    if order is not None:
-        yield from given_of(order)
+    if order is None:
+        return
+    if order.indicator is not None:
+        yield from given_of_cylinder(order.indicator)
+    yield from given_of(order)
 
 
 def given_of(order: FlywheelTask) -> Iterator[Given]:

@@ -58,7 +58,8 @@ class Side:
 class Indicator:
     """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force.
 
-    ``divisions``: the points on the auxiliary ray by which the base is divided.
+    ``divisions``: the points on the auxiliary ray by which the base is divided; ``stroke``: the piston's, as
+    read there (Length).
     """
 
     order: IndicatorTask
@@ -67,6 +68,7 @@ class Indicator:
     end: Mark
     feet: Mark
     divisions: Mark
+    stroke: Mark
     sides: tuple[Side, ...]
     force: Mark
 
@@ -101,7 +103,7 @@ def draw_indicator(
         force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
     chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
-    return Indicator(order, chart, origin, end, feet, divisions, tuple(sides), force)
+    return Indicator(order, chart, origin, end, feet, divisions, stroke, tuple(sides), force)
 
 
 class _Ground(NamedTuple):
