@@ -85,7 +85,7 @@ class Sizes:
         # what is laid off may be measured in this plan
         self._extents[view] = reach
         laid = [
-            self.of(mark)
+            np.where(np.isfinite(self.found.values[mark.slot]), self.of(mark), 0.0)
             for step in self.steps.values()
             if step.it.view == view and step.it.kind is Point
             for mark in step.uses

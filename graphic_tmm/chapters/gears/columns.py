@@ -6,9 +6,11 @@ from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
+from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import VIEW
 from graphic_tmm.chapters.gears.plan import GEARS
-from graphic_tmm.chapters.gears.tables import WHEEL, pair_sizes, size_of, sliding_places
+from graphic_tmm.chapters.gears.stations import stations
+from graphic_tmm.chapters.gears.tables import WHEEL, pair_sizes, size_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, listed
 from graphic_tmm.readers.measured import measured_columns
@@ -25,20 +27,25 @@ def gear_columns(drawn: Drawn) -> tuple[Column, ...]:
 
 
 def _dimensions(drawn: Drawn) -> Iterator[Column]:
-    made, reading = GEARS.on(drawn), drawn.reading
-    for symbol, key in WHEEL:
-        marks = [size_of(wheel, key) for wheel in made.sizes.wheels]
+    made, reading, laid = GEARS.on(drawn), drawn.reading, BESIDE.on(drawn).drawn
+
+    def column(symbol: str, key: str, heads: tuple[str, ...], *marks: Mark) -> Column:
         figures = [reading.figure(mark)[:, 0] for mark in marks]
-        yield listed(VIEW, key, symbol, _unit(marks[0]), figures, ("1", "2"))
-    for symbol, key, mark in pair_sizes(made):
-        symbol = key if "/" in symbol else symbol  # a word of the catalogue, as results are called
-        yield listed(VIEW, key, symbol, _unit(mark), [reading.figure(mark)[:, 0]], ())
+        lengths = [reading.figure(laid[mark])[:, 0] for mark in marks if mark in laid]
+        return listed(VIEW, key, symbol, _unit(marks[0]), figures, heads, lengths)
+
+    for symbol, key in WHEEL:
+        marks = (size_of(wheel, key) for wheel in made.sizes.wheels)
+        yield column(symbol, key, ("1", "2"), *marks)
+    arcs = (one.real for one in made.contact.wheels)
+    yield column("cd", "arc_of_engagement_drawn", ("1", "2"), *arcs)
+    for symbol, key, mark in pair_sizes(drawn):
+        # a word of the catalogue, as results are called
+        yield column(key if "/" in symbol else symbol, key, (), mark)
 
 
 def _sliding(drawn: Drawn) -> Iterator[Column]:
-    made = GEARS.on(drawn)
-    places = sliding_places(drawn.reading, made)
-    places.sort(key=lambda place: float(place.x[0]))
+    places = stations(drawn)
     heads, x = [place.name.translate(_BARE) for place in places], [place.x for place in places]
     mu = drawn.scales["gear"].value
     yield listed(SLIDING, "x", "x", "m", [mu * one for one in x], heads, x)

@@ -38,8 +38,9 @@ from graphic_tmm.chapters.planetary.given import given
 from graphic_tmm.chapters.planetary.note import concludes, note
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
+from graphic_tmm.chapters.planetary.verdict import train_results, verdict
 from graphic_tmm.chapters.planetary.views import planetary_views
-from graphic_tmm.drawn import results_of, view_scales
+from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.given import given_place
 from graphic_tmm.scene.records import Scene
 
@@ -76,9 +77,9 @@ CHAPTER = Chapter(
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(_NAME,),
     columns=planetary_columns,
-    results=lambda drawn: results_of(drawn, PLANETARY_TRAIN.on(drawn).results),
+    results=train_results,
     note=note,
-    concludes=concludes,
+    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

@@ -18,6 +18,9 @@ CAPTIONS: dict[str, str] = {
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),
     "planetary_difference": said("Δ_{U}"),
+    "planetary_mesh_1": said("U^{H} of the first mesh"),
+    "planetary_mesh_2": said("U^{H} of the second mesh"),
+    "planetary_most": "k_{max}",
     "overall_ratio": "U_{0}",
 }
 
