@@ -18,7 +18,7 @@ LAYERS = (
     ("sections", "formulas", "law_formulas", "rack", "operations", "rolling"),
     (),  # plans: what no other layer names
     ("table", "results", "tables", "scales", "findings", "assumed", "any"),
-    ("ink", "outline", "accuracy", "choice"),
+    ("ink", "outline", "accuracy", "choice", "columns"),
     ("views",),
     ("note",),
     ("__init__",),
