@@ -115,10 +115,15 @@ class Doubts:
         return np.asarray(self.figure(mark, value) == 0.0)
 
     def _unread(self, told: Any, mark: Mark, by: Any, places: Any) -> Mask:
-        """Return where a figure is too small for its plan, or for what it is computed from, to be read."""
-        size = at(np.fmax(self._sizes.of(mark), self._sizes.plan(mark)), places)
+        """Return where a figure is too small for its plan, or for what it is computed from, to be read.
+
+        A plan counts by its least extent: a point that lies far off in one position tells nothing of others.
+        Where there is a plan, what a length is computed from does not count: a sine of half a turn divides it.
+        """
+        plan = np.fmin.reduce(self._sizes.plan(mark), axis=1, keepdims=True)
+        size = plan if (plan > 0.0).all() else at(self._sizes.of(mark), places)
         if told.shape[1] == 1:
-            size = np.fmax.reduce(size, axis=1, keepdims=True)
+            size = np.fmin.reduce(size, axis=1, keepdims=True)
         least = UNREAD * size * np.abs(by)
         return np.asarray(np.isfinite(least) & (np.abs(told) < least))
 
