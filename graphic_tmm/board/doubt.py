@@ -117,9 +117,12 @@ class Doubts:
         return np.asarray(self.figure(mark, value) == 0.0)
 
     def _unread(self, told: Any, mark: Mark, by: Any, places: Any) -> Mask:
-        """Return where a figure is too small for its plan, or for what it is the difference of, to be read."""
+        """Return where a figure is too small for its plan, or for what it is the difference of, to be read.
+
+        A plan counts by its least reach: a point that lies far off in one position tells nothing of others.
+        """
         if mark.kind is Length:
-            size = self._sizes.reach(mark.view)
+            size = np.fmin.reduce(self._sizes.reach(mark.view), axis=1, keepdims=True)
         else:
             shaken = self.bound(mark) > SHAKEN * np.abs(self._found.values[mark.slot])
             size = np.where(shaken, self._sizes.of(mark), 0.0) if shaken.any() else np.zeros((1, 1))

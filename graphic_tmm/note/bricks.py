@@ -117,8 +117,34 @@ def plan(
         elsewhere=_elsewhere(drawn, view, told),
         known=known,
         bare=bare,
+        usual=_usual(drawn, view, known),
     )
     yield from shown
+
+
+OPERATION = "operation "
+"""Among what is known: an operation of a graph that was told, by its name."""
+
+
+def _usual(drawn: Drawn, view: str, known: Known | None) -> frozenset[str]:
+    """Return the operations that graphs before this one were drawn by; enter its own.
+
+    Graphs are drawn alike: their axes, their divisions, their ordinates are told of the first of them.
+    """
+    log = drawn.construction
+    if known is None or not any(f.kind == AXES and f.view == view for f in log.figures):
+        return frozenset()
+    told = frozenset(
+        one.removeprefix(OPERATION)
+        for one in known
+        if isinstance(one, str) and one.startswith(OPERATION)
+    )
+    known |= {OPERATION + step.op.name for step in log.steps if step.it.view == view}
+    return told
+
+
+AXES = "axes"
+"""The kind of figure that a graph has and no other view."""
 
 
 def _elsewhere(drawn: Drawn, view: str, told: Told) -> list[tuple[int, str]]:

@@ -5,7 +5,7 @@ What is done is told as running text, a calculation where it stands; what was to
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 
 from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
@@ -36,12 +36,13 @@ def protocol_blocks(
     elsewhere: Sequence[tuple[int, str]] = (),
     known: Known | None = None,
     bare: bool = False,
+    usual: Container[str] = (),
 ) -> Iterator[Block]:
     """Yield the protocol of a view as blocks: headings of groups, equations, sentences, formulas.
 
     ``elsewhere``: other positions by index and name, see `readers.narration.protocol`. ``known``: what was told
     already and is not told again; that of this view is entered. ``bare``: only what is calculated or read is
-    told. What is not there in the position is left out.
+    told; ``usual``: operations that go without saying, by name. What is not there in the position is left out.
     """
     lines = protocol(
         told.log,
@@ -54,7 +55,8 @@ def protocol_blocks(
     )
     solved = {one.group: one for one in equations(told.log, told.view, turned=turned)}
     places = [told.place, *(k for k, _ in elsewhere)]
-    page = _Page(told, places, solved, set() if known is None else known, bare)
+    page = _Page(told, places, solved, set() if known is None else known, usual)
+    page.bare = bare
     for line in lines:
         if line.number:
             yield from page.line(line)
@@ -70,10 +72,10 @@ class _Page:
         places: Sequence[int],
         solved: dict[str, Equation],
         known: Known,
-        bare: bool,
+        usual: Container[str],
     ) -> None:
         self.told, self.places, self.solved = told, places, solved
-        self.known, self.bare = known, bare
+        self.known, self.usual, self.bare = known, usual, False
         self.steps = [step for step in told.log.steps if step.it.view == told.view]
         self.heads: list[Block] = []
         self.words: list[Run] = []
@@ -110,7 +112,7 @@ class _Page:
             self.known.add(sentence_runs(here, step))
             yield from self.say(_sentence(sentence_runs(here, step), formula), new=True)
             yield from self.reason(here, step)
-        elif not self.bare:
+        elif not self.bare and step.op.name not in self.usual:
             yield from self.say(sentence_runs(here, step))
             yield from self.reason(here, step)
 

@@ -18,7 +18,7 @@ LAYERS = (
     ("sections", "formulas", "law_formulas", "rack", "operations", "rolling"),
     (),  # plans: what no other layer names
     ("table", "results", "tables", "scales", "findings", "assumed", "any"),
-    ("ink", "outline", "accuracy", "choice", "columns"),
+    ("ink", "outline", "accuracy", "choice", "columns", "verdict"),
     ("views",),
     ("note",),
     ("__init__",),
