@@ -82,12 +82,19 @@ def _unit(mark: Mark, language: str) -> str:
 def sliding_table(
     reading: Reading, made: Gear, language: str, title: str, heights: Heights
 ) -> Drawing:
-    """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task."""
+    """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task.
+
+    At N1 and N2 one of the teeth stands still, at P neither slides, whatever the ruler makes of x.
+    """
     sliding, words = made.sliding, captions(language)
     length = float(reading[made.line.length][0, 0])
-    places = [(0.0, "N_{1}", -math.inf, 1.0), (length, "N_{2}", 1.0, -math.inf)]
-    named = (("a", sliding.ends[0]), ("P", sliding.pole), ("b", sliding.ends[1]))
-    for name, stations in named:
+    pole = float(reading[sliding.pole.x][0, 0])
+    places = [
+        (0.0, "N_{1}", -math.inf, 1.0),
+        (pole, "P", 0.0, 0.0),
+        (length, "N_{2}", 1.0, -math.inf),
+    ]
+    for name, stations in zip("ab", sliding.ends, strict=True):
         first, second = (float(reading[mark][0, 0]) for mark in stations.sliding)
         places.append((float(reading[stations.x][0, 0]), name, first, second))
     if sliding.further is not None:
@@ -116,4 +123,6 @@ def sliding_table(
 
 
 def _sliding(value: float, language: str) -> str:
-    return "−∞" if value == -math.inf else fixed(value, 2 if abs(value) > 4.0 else 3, language)
+    if value in (0.0, -math.inf):
+        return "−∞" if value else "0"
+    return fixed(value, 2 if abs(value) > 4.0 else 3, language)
