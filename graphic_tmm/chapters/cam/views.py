@@ -8,6 +8,7 @@ from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.cam.diagrams import LETTERS, VIEWS
 from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
@@ -125,7 +126,12 @@ def _scale(drawn: Drawn, made: Cam, view: str) -> str:
     language, scale = drawn.scene.language, drawn.scales.get(view)
     along = math.degrees(_one(drawn, made.diagrams.base.mu))
     base = f"μ_φ = {number(along, language)} {unit('°/mm', language)}"
-    return base if scale is None else f"{mu_text(scale, language)}, {base}"
+    if scale is None:
+        return base
+    if view == VIEWS["V"]:
+        # of a quantity of its own, though it may be the same number as that of S
+        scale = scale._replace(symbol=f"μ_{{{LETTERS['V']}}}")
+    return f"{mu_text(scale, language)}, {base}"
 
 
 def _mm(drawn: Drawn, mark: Mark) -> str:

@@ -39,6 +39,8 @@ def _places(drawn: Drawn) -> Iterator[Station]:
     named = (("a", sliding.ends[0]), ("P", sliding.pole), ("b", sliding.ends[1]))
     for name, one in named:
         x, *found = (reading[mark][:, 0] for mark in (one.x, *one.sliding))
+        if one is sliding.pole:  # neither slides there, whatever the ruler makes of x
+            found = [np.zeros_like(row) for row in found]
         yield Station(name, x, (found[0], found[1]))
     if sliding.further is not None:
         marks = (sliding.further.x, *sliding.further.sliding)

@@ -127,4 +127,6 @@ def sliding_table(drawn: Drawn, language: str, title: str, heights: Heights) -> 
 
 
 def _sliding(value: float, language: str) -> str:
-    return "−∞" if value == -math.inf else fixed(value, 2 if abs(value) > 4.0 else 3, language)
+    if value in (0.0, -math.inf):
+        return "−∞" if value else "0"
+    return fixed(value, 2 if abs(value) > 4.0 else 3, language)

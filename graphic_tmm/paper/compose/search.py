@@ -20,8 +20,11 @@ from graphic_tmm.paper.packing import Room
 
 TRIES = 60
 """How many orders of a sheet are tried."""
-QUICK, FEW = 40, 4
-"""How many are tried to find out whether a sheet holds all that is ordered, or a part of it."""
+QUICK, FEW = TRIES, 4
+"""How many are tried to find out whether a sheet holds all that is ordered, or a part of it.
+
+For all as many as composing tries: what it would find room for shall not be taken for too large.
+"""
 KEPT = 4096
 """Of so many sets of boxes it is kept whether a sheet holds them."""
 LEAD = "\0lead"

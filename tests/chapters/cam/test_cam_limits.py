@@ -140,3 +140,10 @@ def test_the_limits_of_the_pressure_angle_bear_their_signs_clear_of_their_lines(
     ends = [shape(one).bounds[2] for one in view.strokes if one.part == "limit"]
     for label in told.values():
         assert box(label).bounds[0] > max(ends) + DASHED[1] + 1.0
+
+
+def test_every_diagram_tells_the_scale_of_its_own_quantity() -> None:
+    (work,) = gallery.made("cam").boards
+    view = next(one for one in cam_views(work, True) if one.name == "cam-diagrams")
+    told = [label.text.split(" = ")[0] for label in view.labels if label.text.startswith("μ_")]
+    assert told == ["μ_S", "μ_{S′}", "μ_{S″}"]
