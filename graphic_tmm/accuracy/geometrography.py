@@ -105,6 +105,7 @@ SYMBOLS: dict[str, str] = {
     "coincide": FREE,
     "at_zero": FREE,
     "following": FREE,
+    "standing": FREE,
     "next_satellite": FREE,
     "phase_end": FREE,
     "arrival": FREE,
@@ -145,6 +146,7 @@ SYMBOLS: dict[str, str] = {
     "crest_of_curve": "E1 + E2",
     "farthest": "2C1",
     "planimeter": "A1 + A2",
+    "mean_of_row": "N1",
     # a trial of a refinement: its angle laid off, its last segment read; the trial itself comes on top
     "refine": "nP1 + nP2 + nM1 + nR1 + nM3",
 }

@@ -15,7 +15,6 @@ from support.teeth import Pair, dense, pair, profile
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
@@ -239,8 +238,7 @@ def test_feet_that_stand_close_are_numbered_by_fives() -> None:
 def test_at_the_pitch_point_neither_tooth_slides_whatever_the_ruler_makes_of_it() -> None:
     (work,) = gallery.made("gear-pair").boards
     assert work.scene.ruler is not None
-    made = GEARS.on(work)
-    view = sliding_table(work.reading, made, "ru", "X", WALL)
+    view = sliding_table(work, "ru", "X", WALL)
     (column,) = (label.at.real for label in view.labels if label.text == "P")
     below = [label.text for label in view.labels if abs(label.at.real - column) < 1.0]
     assert below[0] == "P"
