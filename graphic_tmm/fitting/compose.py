@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
+from graphic_tmm.board.scales import LENGTHS as STANDARD
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
@@ -23,8 +25,8 @@ from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
 
-LENGTHS = "μ_l"
-"""The symbol of the scale factors of which the title block tells the first."""
+LENGTHS = "m/mm"
+"""The unit of the scale factors of views in which lengths stand as they are, but for graphs."""
 
 
 class Composed(NamedTuple):
@@ -67,7 +69,8 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         return Composed((), given, remarks)
     if laid is None:
         laid = sheets.composed(wanted)
-        remarks = (*oversized(wanted, laid, scene.language), *_spared(wanted, laid))
+        written = [one for one in laid if not scene.sheets[one[0].order].chosen]
+        remarks = (*oversized(wanted, written, scene.language), *_spared(wanted, laid))
     made = []
     papers = documents(scene)
     numbers = [papers[sheet.order] for sheet, _ in laid]
@@ -80,7 +83,7 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
             first=own == 1,
             number=own,
             count=numbers.count(numbers[index]),
-            fields=_fields(scene, boards, sheet.order),
+            fields=_fields(scene, boards, sheet.order, [there[k] for k in sorted(places)]),
             check=scene.print_check,
         )
         name = f"sheet-{index + 1}" if len(laid) > 1 else "sheet"
@@ -151,18 +154,43 @@ def _spared(wanted: Sequence[sheets.Order], laid: Laid) -> Iterator[str]:
             )
 
 
-def _fields(scene: Scene, boards: Sequence[Drawn], k: int) -> dict[str, str]:
-    """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0."""
+def _fields(
+    scene: Scene, boards: Sequence[Drawn], k: int, views: Sequence[Drawing]
+) -> dict[str, str]:
+    """Return what the title block of a sheet tells that was ordered as the ``k``-th, from 0.
+
+    ``views``: that stand on it.
+    """
     fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
     paper = documents(scene)[k] + 1
     series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{paper:02d}")
     fields["name"] = order.name or fields.get("name") or scene.title
     fields["designation"] = order.designation or fields.get("designation") or series
-    scales = [s for one in boards for s in one.scales.values() if s.symbol == LENGTHS]
-    if scales:
-        reduction = scales[0].value * 1000.0
+    reduction = _reduction(boards, views)
+    if reduction is not None:
         fields.setdefault("scale", _ratio(reduction, scene.language))
     return fields
+
+
+def _reduction(boards: Sequence[Drawn], views: Sequence[Drawing]) -> float | None:
+    """Return how many mm a millimetre is on the leading view of a sheet, or else on all its views.
+
+    None if they differ, or where that is no standard scale: the captions tell the scale factors.
+    """
+    graphs = {f.view for one in boards for f in one.construction.figures if f.kind == "axes"}
+    scales = {
+        view: scale.value * 1000.0
+        for one in boards
+        for view, scale in one.scales.items()
+        if scale.unit == LENGTHS and view not in graphs
+    }
+    leading = [view for view in views if view.stand.kind == "lead"]
+    for among in (leading, views):
+        found = {scales[shown] for view in among for shown in view.shows if shown in scales}
+        if len(found) == 1:
+            (mm,) = found
+            return mm if any(math.isclose(mm, 1000.0 * mu) for mu in STANDARD) else None
+    return None
 
 
 def _ratio(reduction: float, language: str) -> str:

@@ -29,12 +29,12 @@ from graphic_tmm.paper.symbols.kinematic import pole
 
 ASIDE = 14.0
 """From the axis of the ordinates to a dimension line, mm."""
+BEHIND = 3.0
+"""From the end of a level line to its name, mm: nearer a stroke of it reads as a minus."""
 ABOVE = 1.0
 """From the highest point of a graph to the dimension line of a pole's distance, mm."""
 UNDER = 9.0
 """From the lowest point of a graph to a dimension line below it, mm."""
-ON_AXIS = {roles.EXTREME: (True, -1 + 0j), roles.MEAN: (False, -1 - 0.5j)}
-"""Points on the axis of the ordinates that bear their letters: large as at points, or as numbers; the side."""
 
 
 class Level(NamedTuple):
@@ -189,7 +189,7 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
     yield Wanted(names.up, tip, point, 1.5, 1 + 0j if aside else -1 + 0j)
     yield Wanted(names.along, complex(graph.length + OVER, 0), point, 1.5, -1j)
     for height, text in names.levels:
-        yield Wanted(text, complex(graph.length, height), small, 0.5, 1 + 0j)
+        yield Wanted(text, complex(graph.length, height), small, BEHIND, 1 + 0j)
     for place, text in names.at:
         yield Wanted(text, complex(place, 0), small, TICK, -1j)
     yield from curve_names(graph, names.curves, small)
@@ -200,7 +200,7 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
 
 
 def _point_name(graph: Graph, names: Names, step: Step, heights: Heights) -> Iterator[Wanted]:
-    """The letter of a pole, of a point where a curve turns, of what is carried to the axis."""
+    """The letter of a pole, of a point where a curve turns, of what is carried to the axis; of a mean."""
     if step.it.kind is not Point:
         return
     spot = graph.point(step.it, 0)
@@ -209,7 +209,8 @@ def _point_name(graph: Graph, names: Names, step: Step, heights: Heights) -> Ite
     elif step.op in EXTREMES:
         way = 1j if step.op is g.highest else -1j
         yield Wanted(step.it.name, spot, heights.number, 1.0, way)
-    elif step.it.role in ON_AXIS:
-        large, way = ON_AXIS[step.it.role]
+    elif step.it.role == roles.EXTREME:
+        yield Wanted(step.it.name, spot, heights.point, 1.0, -1 + 0j)
+    elif step.it.role == roles.MEAN:
         text = names.points.get(step.it, step.it.name)
-        yield Wanted(text, spot, heights.point if large else heights.number, 1.0, way)
+        yield Wanted(text, spot + graph.length, heights.number, BEHIND, 1 + 0j)

@@ -145,9 +145,12 @@ def _at_x(x: list[float], to: float) -> float:
 def ends_of(seen: Seen, step: Step, k: int) -> tuple[complex, complex]:
     """Return the ends of a line: where it begins, or was met behind its beginning, and where it was met.
 
-    A line that is the same in all positions reaches to what was found on it in any.
+    A line that is the same in all positions reaches to what was found on it in any; a level that is itself a
+    graph goes over the whole base, as its curve does.
     """
     at, along = seen.line(step.it, k)
+    if step.it.role == roles.STRAIGHT and isinstance(seen, Graph) and step.op is not join:
+        return complex(0.0, at.imag), complex(seen.length, at.imag)
     spots = [seen.point(step.uses[1], k)] if step.op is join else []
     shown = seen.shown if isinstance(seen, Graph) else seen.point
     there = (k,) if seen.varies(step) else seen.positions
@@ -274,10 +277,11 @@ def stays(graph: Graph, step: Step) -> bool:
             return False  # the height of the first point, taken over with the dividers
         met = any(use.op is meet for use in graph.uses.get(step.it, ()))
         lasting = (graph.axes.along, graph.axes.up)
-        return met or step.it in lasting or step.op in (join, g.touching)
-    if step.op is lay_off:
-        return step.it in (graph.axes.feet, graph.axes.end) or not laid_along_base(graph, step)
+        graph_of_its_own = step.it.role == roles.STRAIGHT
+        return met or graph_of_its_own or step.it in lasting or step.op in (join, g.touching)
     if step.it.role == roles.LEVEL_POLE:
         return False  # from there the rays of another diagram are drawn
+    if step.op is lay_off:
+        return step.it in (graph.axes.feet, graph.axes.end) or not laid_along_base(graph, step)
     lasting_points = (g.erect, g.level_off, g.succession, *EXTREMES)
     return step.it.kind is Curve or step.it in graph.curved or step.op in lasting_points

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from support.gallery import SHEETS
+from support.each import each
+from support.gallery import SHEETS, made
 
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SceneError
+from graphic_tmm.fitting.compose import composed
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.lettering.letters import missing, plain
 from graphic_tmm.scene.read import read
@@ -62,6 +66,37 @@ def test_the_title_block_tells_what_a_sheet_does_not() -> None:
     assert "Проект" in told[0]
     assert "Знаки" in told[-1]
     assert "Проект" not in told[-1]
+
+
+def scales(found: DrawnScene) -> list[str]:
+    """What the title blocks of its sheets tell of a scale."""
+    told = [texts(sheet).split() for sheet in composed(found.scene, found.boards).sheets]
+    return ["".join(text for text in one if re.fullmatch(r"[0-9,]+:[0-9,]+", text)) for one in told]
+
+
+@each("name", ["crank-press", "gear-pair", "planetary", "lever"])
+def test_a_sheet_tells_the_standard_scale_of_its_own_main_view(name: str) -> None:
+    """The plan of positions leads its sheet; groups of one sheet differ; 1:3 is no scale of ГОСТ 2.302."""
+    wanted = {
+        "crank-press": ["1:2"],
+        "gear-pair": ["2,5:1"],
+        "planetary": ["1:2,5"],
+        "lever": ["", ""],
+    }
+    assert scales(made(name)) == wanted[name]
+
+
+@pytest.mark.slow
+def test_sheets_of_one_scene_tell_each_its_own_scale() -> None:
+    """Mechanism 1:4; groups 1:2, 1:5 and 1:1; graphs; a cam 1:1; gears 1:1 beside a train 1:5."""
+    found = scales(made("project"))
+    assert (found[0], found[1], found[2], found[3]) == ("1:4", "", "", "1:1")
+
+
+def test_the_scale_that_the_author_writes_stands_on_all_sheets() -> None:
+    found = made("planetary")
+    block = {**found.scene.title_block, "scale": "1:7"}
+    assert scales(DrawnScene(replace(found.scene, title_block=block), found.boards)) == ["1:7"]
 
 
 def test_a_scene_says_all_of_it(tmp_path: Path) -> None:

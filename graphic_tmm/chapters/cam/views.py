@@ -90,8 +90,8 @@ def _limits(drawn: Drawn, made: Cam) -> list[Level]:
     order, language = made.order, drawn.scene.language
     scale, back = _one(drawn, made.pressure.chart.mu), order.pressure_return or order.pressure
     return [
-        Level(sign * angle / scale, f"[α] = {number(angle, language)}°")
-        for sign, angle in ((1, order.pressure), (-1, back))
+        Level(sign * angle / scale, f"{minus}[α] = {minus}{number(angle, language)}°")
+        for sign, minus, angle in ((1, "", order.pressure), (-1, "−", back))
     ]
 
 

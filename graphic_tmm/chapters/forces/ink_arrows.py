@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+import shapely
+
 from graphic_tmm.board.naming import (
     segment_name,
 )
@@ -15,6 +17,7 @@ from graphic_tmm.board.values import Kind, Length, Line, Point
 from graphic_tmm.paper.drawing import Data, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.rules import PRICK, TRACELESS
 from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 
@@ -33,6 +36,8 @@ ROUND, ROUNDS = 9.0, 7.0
 SWEEP, PEN = 210.0, 0.6
 """How far the arrow of a couple goes round, degrees: its letter stands at the middle; how far off its line a
 leader to it ends, mm."""
+BESIDE, ON_LINK = 5.0, 1.0
+"""How far from a link an arrow along it stands that finds no end of it; what is nearer lies on it, mm."""
 STAGGER = 10.0
 """By how much the farther of two arrows on one line outreaches the other, mm."""
 
@@ -87,6 +92,7 @@ class Arrows:
         self.strokes: list[Stroke] = []
         self._named: list[Wanted] = []
         self.taken: list[tuple[complex, complex, float]] = []
+        self.links: shapely.Geometry = shapely.MultiLineString()
 
     @property
     def wanted(self) -> list[Wanted]:
@@ -108,26 +114,52 @@ class Arrows:
         )
         return max(there, default=0.0)
 
+    def stands_on(self, links: Iterable[Ink]) -> None:
+        """Tell the links that arrows stand on (see `beside`)."""
+        self.links = shapely.union_all([shape(stroke) for stroke in links])
+
+    def beside(self, at: complex, way: complex, length: float) -> complex:
+        """Return where an arrow of a point begins that shall not lie on the line of a link, mm.
+
+        Where the link is on one side of its point only it stands on the other; where it is on both, beside it.
+        """
+        if not self._on_link(at, at + length * way):
+            return at
+        taken = self.reach(at, -way) or self._on_link(at, at - length * way)
+        return at + BESIDE * 1j * way if taken else at - length * way
+
+    def _on_link(self, start: complex, end: complex) -> bool:
+        """Whether most of a line lies on the lines of links."""
+        drawn = shapely.LineString([(z.real, z.imag) for z in (start, end)])
+        return drawn.intersection(shapely.buffer(self.links, ON_LINK)).length > abs(end - start) / 2
+
     def put(
         self, at: complex, way: complex, length: float, called: str, told: Told, pen: str = "over"
     ) -> None:
         """Draw an arrow along ``way`` (of length 1) from its point; to it where another goes there already.
 
-        Where both sides are taken it outreaches the other.
+        Where both sides are taken it outreaches the other. A thin one does not lie on the links.
         """
         if not (finite(at, way) and length >= LEAST and way):
             return
-        start = at
-        if self.reach(at, way) and not self.reach(at, -way):
-            start = at - length * way
-        elif self.reach(at, way):
-            length = max(length, self.reach(at, way) + STAGGER)
-        self.taken.append((at, way if start == at else -way, length))
+        start = self.beside(at, way, length) if pen == "thin" else at
+        if start == at:
+            start, length = self._apart(at, way, length)
+        to_it = ((start - at) * way.conjugate()).real < -LEAST
+        self.taken.append((at, -way if to_it else way, length))
         shaft, *head = arrow(start, start + length * way, pen)
         self._add([shaft._replace(title=told.title, data=told.data), *head], told.of)
-        end = start + length * way if start == at else start
+        end = start if to_it else start + length * way
         own = (start, start + length * way)
         self._named.append(Wanted(called, end, self.size, 1.5, end - at, told.of, self.index, own))
+
+    def _apart(self, at: complex, way: complex, length: float) -> tuple[complex, float]:
+        """Return where an arrow of a point begins, and its length, so that it does not lie on another, mm."""
+        if not self.reach(at, way):
+            return at, length
+        if not self.reach(at, -way):
+            return at - length * way, length
+        return at, max(length, self.reach(at, way) + STAGGER)
 
     def couples(self, start: complex, end: complex, told: Sequence[tuple[str, Told]]) -> None:
         """Draw couples as round arrows in their senses, beside one another along a line."""

@@ -136,7 +136,9 @@ def draw_group(
     traces = figure(seen, Manner(rules, stays))
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
     bodies = Bodies(seen, reaches, shown.links, shown.figure.points, times)
+    links = [*bodies.strokes()]
     loads = _Loads(seen, shown, index, high, language)
+    loads.arrows.stands_on(links)
     for force in shown.forces:
         loads.force(force)
     for reaction in shown.reactions:
@@ -146,7 +148,7 @@ def draw_group(
     circles = [*loads.friction(bodies.middle)]
     above = _Above(construction, reading, shown, index)
     displaced = loads.displaced(above, times, decimals)
-    strokes = (*bodies.strokes(), *circles, *loads.arrows.strokes, *displaced, *traces.staying)
+    strokes = (*links, *circles, *loads.arrows.strokes, *displaced, *traces.staying)
     drawn = (*strokes, *traces.rubbed)
     rubbed = (*traces.rubbed, *pricks(seen, drawn, index), *pricks(above, drawn, index, times))
     wanted = (*bodies.letters(high), *loads.arrows.wanted, *loads.arms(traces.staying, decimals))

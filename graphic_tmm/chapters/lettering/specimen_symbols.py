@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import said
@@ -32,6 +33,12 @@ LINES = (
 )
 WIDTH, PITCH = 70.0, 9.0
 """Length of a line shown, distance of two, mm."""
+OPEN = 15.0
+"""Length of a stroke of the open line, mm (ГОСТ 2.303: 8…20)."""
+CAM, NOSE, LIFT = 8.0, 3.0, 9.0
+"""Radii of the base circle of the cam shown and of its nose, from one centre to the other, mm."""
+ROLLER = 3.5
+"""Radius of its roller, mm."""
 CELL, COLUMNS, TALL = 72.0, 5, 52.0
 """Width of a symbol's cell, how many stand in a row, height of a row, mm."""
 
@@ -46,11 +53,18 @@ def _lines(title: str, speech: Speech, high: Heights) -> Drawing:
     labels, strokes = [Label(title, 0j, high.title)], list[Stroke | Bezier]()
     for k, (pen, name) in enumerate(LINES):
         start = -1j * PITCH * (k + 1.5)
-        strokes.append(
-            wavy(start, start + WIDTH) if pen == "wavy" else line(pen, start, start + WIDTH)
-        )
+        strokes += _shown(pen, start, start + WIDTH)
         labels.append(Label(speech(name), start + WIDTH + 5.0 - 1.7j, high.point))
     return Drawing("lines", title, tuple(strokes), tuple(labels))
+
+
+def _shown(pen: str, start: complex, end: complex) -> list[Stroke | Bezier]:
+    """Return a line as it is drawn; the open one is two strokes at the ends of a section's plane."""
+    if pen == "wavy":
+        return [wavy(start, end)]
+    if pen == "thick":
+        return [line(pen, start, start + OPEN), line(pen, end - OPEN, end)]
+    return [line(pen, start, end)]
 
 
 def _symbols(title: str, speech: Speech, high: Heights) -> Drawing:
@@ -70,7 +84,7 @@ def _gallery() -> list[tuple[str, tuple[Stroke, ...]]]:
     corner = (line("rod", -18 - 8j, 0j), line("rod", 0j, 18 - 8j))
     triangle = (-14 - 9j, 14 - 9j, 2 + 13j)
     pins = tuple(stroke for z in triangle for stroke in turning_pair(z))
-    profile = [cmath.rect(9.0 + 4.0 * max(0.0, cmath.cos(t).real), t) for t in _turn(48)]
+    high = (CAM + ROLLER - 6.0) * 1j
     return [
         (said("fixed pivot"), fixed_pivot(0j)),
         (said("turning pair"), (*rod, *turning_pair(0j))),
@@ -93,14 +107,23 @@ def _gallery() -> list[tuple[str, tuple[Stroke, ...]]]:
         (
             said("cam with a roller follower"),
             (
-                *cam(-6j, profile),
-                circle("joint", 6.5j, 3.5),
-                line("rod", 6.5j, 20j),
-                *turning_pair(6.5j),
+                *cam(-6j, _profile()),
+                circle("joint", high, ROLLER),
+                line("rod", high, 20j),
+                *turning_pair(high),
             ),
         ),
     ]
 
 
-def _turn(count: int) -> list[float]:
-    return [2 * cmath.pi * k / count for k in range(count)]
+def _profile(toward: float = math.radians(200.0), parts: int = 40) -> list[complex]:
+    """Return a cam: base circle and nose with their common tangents; ``toward``: where the nose points, rad."""
+    half = math.acos((CAM - NOSE) / LIFT)
+    turns = (2.0 * (math.pi - half), 2.0 * half)
+    starts = (toward + half, toward - half)
+    centres = (0j, cmath.rect(LIFT, toward))
+    return [
+        centre + cmath.rect(radius, start + turn * k / parts)
+        for centre, radius, start, turn in zip(centres, (CAM, NOSE), starts, turns, strict=True)
+        for k in range(parts + 1)
+    ]

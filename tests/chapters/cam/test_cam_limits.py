@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support import gallery
 from support.cams import C6, Made, curvatures, least_radius, made, motion, pressure_angles
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.chapters.cam.findings import CamFinding, cam_findings
 from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower, RollerFollower
+from graphic_tmm.chapters.cam.views import cam_views
+from graphic_tmm.paper.pens import DASHED
+from graphic_tmm.paper.shapes import box, shape
 
 FINE = np.arange(0.0, 360.0, 0.02)
 
@@ -124,3 +128,15 @@ def test_a_ruler_of_half_a_millimetre_gives_nearly_the_same_cam() -> None:
     due = found.one(found.cam.least)
     bound = 0.25 * (2 + 1 / np.tan(np.radians(30))) * 0.00056
     assert abs(float(read[found.cam.least][0, 0]) - due) < bound
+
+
+def test_the_limits_of_the_pressure_angle_bear_their_signs_clear_of_their_lines() -> None:
+    """A stroke of a dashed line that ran up to "[α] = 30°" would read as a minus."""
+    (work,) = gallery.made("cam").boards
+    view = next(one for one in cam_views(work, True) if one.name == "cam-limits")
+    named = {"[α] = 30°", "−[α] = −30°"}
+    told = {label.text: label for label in view.labels if label.text in named}
+    assert told.keys() == named
+    ends = [shape(one).bounds[2] for one in view.strokes if one.part == "limit"]
+    for label in told.values():
+        assert box(label).bounds[0] > max(ends) + DASHED[1] + 1.0

@@ -13,10 +13,12 @@ from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.scene.read import read
 
 WHEELS = asking("flywheel")
@@ -33,6 +35,26 @@ def energy_mass(work: Drawn) -> Drawing:
 def test_the_energy_mass_curve_of_the_scenes(name: str) -> None:
     work = drawn(name, exact=True)
     assert_read_off_the_log(work.construction, [energy_mass(work)])
+
+
+@each("name", WHEELS)
+def test_the_constant_moment_is_one_line_over_the_cycle_named_at_its_end(name: str) -> None:
+    work = drawn(name, exact=True)
+    log, view = work.construction, VIEWS["moment"]
+    marks = {step.it.letter: step for step in log.steps if step.it.view == view}
+    letter = "M_c" if "M_c" in marks else "M_d"
+    height = complex(work.reading[marks[letter].it][0, 0]).imag
+    length = float(work.reading[axes_of(log, view).length][0, 0])
+    names = Names([str(k) for k in range(work.project.count)], "M", "φ", points={})
+    graph = finished(draw_graph(log, work.reading, view, work.project.count, names, "X"), True)
+    level = marks[f"({letter})"].it
+    (line,) = (s for s in graph.strokes if level.slot in s.of and isinstance(s, Stroke))
+    (start, low, _), (end, high, _) = line.path
+    assert (start, end) == pytest.approx((0.0, length))
+    assert (low, high) == pytest.approx((height, height))
+    assert line.pen == "main"
+    (label,) = (one for one in graph.labels if one.of == (marks[letter].it.slot,))
+    assert label.at.real > length
 
 
 @pytest.mark.slow

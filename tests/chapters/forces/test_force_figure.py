@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 from support.each import each
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.force_views import LOADED, loaded_drawing, views_of
@@ -12,11 +13,13 @@ from support.loaded import weighed
 from support.mechanisms import sample
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces.ink_arrows import Arrows, Told
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.drawing import Stroke
+from graphic_tmm.paper.drawing import Stroke, line
+from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.arrows import SHAFT
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH
 
@@ -141,3 +144,32 @@ def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles
                 touching.add(one.of)
     assert len(rounds) == 5  # O, A of the crank; A, B of the rod, B of the ram
     assert len(touching) == 2  # in the group the circles lie under the signs of the pins
+
+
+@pytest.mark.parametrize(
+    ("point", "away"),
+    [(0j, 1), (0j, -1), (100 + 0j, 1), (100 + 0j, -1), (40 + 0j, 1), (40 + 0j, -1)],
+)
+def test_a_reaction_along_a_link_stands_off_the_line_of_the_link(point: complex, away: int) -> None:
+    """Outside the pair at an end of the link, whichever way it points; beside the link anywhere else."""
+    arrows = Arrows(0, 5.0)
+    arrows.stands_on([line("main", 0j, 100 + 0j)])
+    arrows.put(point, complex(away), 18.0, "R", Told("R", 1.0, "N", (1,)), "thin")
+    (x, y, _), _ = arrows.strokes[0].path
+    x_end = x + 18.0 * away
+    assert shape(arrows.strokes[0]).length <= 18.0
+    inside = 0.0 < point.real < 100.0
+    assert abs(y) > 3.0 if inside else y == 0.0
+    assert inside or not 0.5 < (x + x_end) / 2 < 99.5
+    assert min(abs(one - point.real) for one in (x, x_end)) < 1e-9
+
+
+@each("name", ["crank-press"])
+def test_no_reaction_to_be_found_lies_on_a_link(name: str) -> None:
+    work = drawn(name, exact=True)
+    for view in views_of(work, FORCES.on(work).places[0]):
+        bars = shapely.union_all([shape(one) for one in view.strokes if one.part == "link"])
+        for one in view.strokes:
+            if one.pen == "thin" and dict(one.data).get("segment", "").startswith("R"):
+                under = shape(one).intersection(shapely.buffer(bars, 0.6))
+                assert under.length < 0.25 * shape(one).length
