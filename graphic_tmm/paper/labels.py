@@ -15,8 +15,8 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.clipping import Frame, broken
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, line
 from graphic_tmm.paper.lettering.letters import letter
-from graphic_tmm.paper.occupied import Line, Occupied, Rect, upright
-from graphic_tmm.paper.raster import FAR, Raster
+from graphic_tmm.paper.occupied import NEXT, Line, Occupied, Rect, upright
+from graphic_tmm.paper.raster import FAR, Raster, Spots
 from graphic_tmm.paper.shapes import box, frame, outline, shape
 
 CLEAR = 0.8
@@ -32,7 +32,7 @@ RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0, 36.0))
 DIRECTIONS = 24
 """Directions in which a label is tried, every 15°; chosen by eye."""
 WEIGHED = 48
-"""Of so many of the cheapest places it is found out what their leaders cross."""
+"""Of so many of the cheapest places it is found out what their leaders cross; of all, if all of these do."""
 BESIDE = 2.2
 """A label farther than this from the ink of its point, mm, gets a leader line."""
 SHORTEST, FLAT = 6.0, 20.0
@@ -52,12 +52,21 @@ SHORT = 8.0
 """Of a line shorter than this, mm, nothing may be left where a letter stands on it: letters keep off it."""
 RINGED = "number"
 """The part of a view that is circles about numbers, and lines to them: no letter may stand on it."""
-_LABEL, _CROSSED, _MISREAD, _ASTRAY = 1000.0, 150.0, 400.0, 450.0
+_LABEL, _CROSSED, _MISREAD, _ASTRAY = 1000.0, 460.0, 600.0, 450.0
 """What it costs to stand on a label, to cross one with a leader, to have one that is read as a minus, to be
 taken for the name of another line."""
+_PAST, _PASSED, _ALONG, _THROUGH = 0.6, 120.0, {"heavy": 3.0, "firm": 3.0, "soft": 0.5}, 60.0
+"""A leader passes other labels with so much room more, mm; what it costs that one does not, that it runs on a
+line, per mm, and that it passes through another point that is lettered."""
+_FOOT, _TOUCH, _SAMPLES = 1.5, 1.0, 24
+"""So far from its point a leader may run on lines, mm; so near to another point it seems to lead there, mm; of
+so many places of it it is found out whether they are on a line."""
+_VALUE, _MINUS, _STROKE = 12.0, 150.0, 0.35
+"""What it costs to stand level beside another label, as if they were one term; with a stroke between them that
+reads as a minus; of how much of the way between them there is one."""
 _NEARER = 0.94
 """The middle of a name is so many times nearer to its own line than to another, at least."""
-_COSTS = {"heavy": 200.0, "firm": 60.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
+_COSTS = {"heavy": 480.0, "firm": 60.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
 """What it costs to stand on a line once, to be a millimetre farther, to stand 60° off where it is wanted."""
 
 
@@ -71,13 +80,15 @@ _TURNS = np.exp(2j * np.pi * np.arange(DIRECTIONS) / DIRECTIONS)
 class _Lines(NamedTuple):
     """Lines of a kind: where they lie, how clear of them a box keeps (mm), what it costs to stand on one.
 
-    ``graze``: the least share of that which it costs to come near one.
+    ``graze``: the least share of that which it costs to come near one; ``along``: what it costs that a leader
+    runs on one, per mm.
     """
 
     raster: Raster
     clear: float
     cost: float
     graze: float
+    along: float
 
 
 class _Boxes(NamedTuple):
@@ -113,7 +124,8 @@ def place(
     for label in taken:
         occupied.letter(*upright(frame(label)))
     inks = _inks(wanted, strokes)
-    return tuple(_placed(one, inks, occupied) for one in wanted)
+    spots = np.array([one.at for one in wanted])
+    return tuple(_placed(one, inks, occupied, spots) for one in wanted)
 
 
 def gives_way(stroke: Ink) -> bool:
@@ -142,6 +154,7 @@ def _inks(wanted: Sequence[Wanted], strokes: Sequence[Ink]) -> list[_Lines]:
             CLEAR / 2 + wide.get(kind, 0.0),
             _COSTS[kind],
             _GRAZED if kind == "soft" else 1.0,
+            _ALONG[kind],
         )
         for kind, lines in kinds.items()
     ]
@@ -186,7 +199,7 @@ def _tried(one: Wanted, rings: Reals, inks: Sequence[_Lines]) -> _Boxes:
         aim = one.toward / abs(one.toward)
         cost += _COSTS["turn"] * np.tile(np.abs(turns - aim) ** 2, len(rings))
     boxes = _Boxes(x, y, width, height, cost)
-    for raster, by, weight, least in inks:
+    for raster, by, weight, least, _ in inks:
         w, h = width + 2 * by, height + 2 * by
         length = raster.length(*boxes.grown(by))
         chord = math.pi * w * h / (2 * (w + h))  # of a line through a box, in the mean
@@ -229,11 +242,11 @@ def polylines(lines: Sequence[Sequence[complex]]) -> shapely.MultiLineString:
     return shapely.MultiLineString([[(z.real, z.imag) for z in line] for line in there])
 
 
-def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied) -> Label:
-    """Return a label at the place that costs least, and take it."""
+def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied, spots: Spots) -> Label:
+    """Return a label at the place that costs least, and take it; ``spots``: all points that are lettered."""
     found: list[tuple[float, Rect]] = []
     for rings in RINGS:
-        found.append(_cheapest(one, _tried(one, np.array(rings), inks), occupied))
+        found.append(_cheapest(one, _tried(one, np.array(rings), inks), inks, occupied, spots))
         if found[-1][0] <= _DEAR:
             break
     _, rect = min(found, key=lambda one: one[0])
@@ -246,20 +259,77 @@ def _placed(one: Wanted, inks: Sequence[_Lines], occupied: Occupied) -> Label:
     return Label(one.text, at, one.size, of=one.of, position=one.position)
 
 
-def _cheapest(one: Wanted, tried: _Boxes, occupied: Occupied) -> tuple[float, Rect]:
+def _cheapest(
+    one: Wanted, tried: _Boxes, inks: Sequence[_Lines], occupied: Occupied, spots: Spots
+) -> tuple[float, Rect]:
     """Return what the best of some places costs, and the place."""
     left, low, right, high = tried.grown(CLEAR / 2 + APART)
     standing = occupied.letters_at(left - ASIDE, low, right + ASIDE, high)
     tried = tried._replace(cost=np.round(tried.cost + _LABEL * standing, 6))
-    cheap = np.argsort(tried.cost, kind="stable")[:WEIGHED]
-    few = tried.chosen(cheap)
-    way, there = _way(one, few), np.zeros(cheap.shape, dtype=bool)
-    led = np.abs(way) > one.radius + BESIDE
-    unit = way[led] / np.abs(way[led])
-    there[led] = occupied.crossing(one.at + one.radius * unit, one.at + way[led] - CLEAR / 2 * unit)
-    crossed = occupied.leaders_at(*few.grown(CLEAR / 2)).astype(float) + there
-    best = int(np.argmin(few.cost + _CROSSED * crossed))
-    return float(few.cost[best] + _CROSSED * crossed[best]), few.rect(best)
+    order = np.argsort(tried.cost, kind="stable")
+    cost, rect = _weighed(one, tried.chosen(order[:WEIGHED]), inks, occupied, spots)
+    if cost < _CROSSED:
+        return cost, rect
+    more = _weighed(one, tried.chosen(order[WEIGHED:]), inks, occupied, spots)
+    return min((cost, rect), more, key=lambda found: found[0])
+
+
+def _weighed(
+    one: Wanted, few: _Boxes, inks: Sequence[_Lines], occupied: Occupied, spots: Spots
+) -> tuple[float, Rect]:
+    """Return what the best of some places costs with its neighbours and its leader, and the place."""
+    cost = few.cost + _CROSSED * occupied.leaders_at(*few.grown(CLEAR / 2))
+    cost += _PASSED * occupied.leaders_at(*few.grown(CLEAR / 2 + _PAST))
+    cost += _beside(few, inks, occupied)
+    way, best = _way(one, few), int(np.argmin(cost))
+    led = np.flatnonzero(np.abs(way) > one.radius + BESIDE)
+    if best in led:  # leaders only cost more: they matter where the best place so far has one
+        unit = way[led] / np.abs(way[led])
+        starts, ends = one.at + one.radius * unit, one.at + way[led] - CLEAR / 2 * unit
+        cost[led] += _PASSED * occupied.crossing(starts, ends, _PAST)
+        cost[led] += _CROSSED * occupied.crossing(starts, ends)
+        cost[led] += _run(starts, ends, inks) + _THROUGH * _through(one, starts, ends, spots)
+        best = int(np.argmin(np.round(cost, 6)))
+    return float(cost[best]), few.rect(best)
+
+
+def _beside(boxes: _Boxes, inks: Sequence[_Lines], occupied: Occupied) -> Reals:
+    """Return what it costs that labels stand level with others, as one term or with a minus between."""
+    which, *gap = occupied.level(*boxes.grown(CLEAR / 2))
+    if not which.size:
+        return np.zeros(boxes.x.shape)
+    left, low, right, high = gap
+    middle, half = (low + high) / 2, (high - low) / 3
+    inked = sum(lines.raster.length(left, middle - half, right, middle + half) for lines in inks)
+    minus = (inked > _STROKE * (right - left)) & (inked > CLEAR)
+    costs = np.where(minus, _MINUS, np.where(right - left < NEXT, _VALUE, 0.0))
+    return np.asarray(np.bincount(which, costs, minlength=boxes.x.size), dtype=float)
+
+
+def _run(starts: Spots, ends: Spots, inks: Sequence[_Lines]) -> Reals:
+    """Return what it costs that leaders cross lines and run on them."""
+    way, cost = ends - starts, np.zeros(starts.shape)
+    far = np.abs(way)
+    first = np.minimum(_FOOT / np.maximum(far, _FOOT), 1.0)
+    share = first[:, None] + (1 - first[:, None]) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    at, by = starts[:, None] + way[:, None] * share, CLEAR / 2
+    for lines in inks:
+        x, y = at.real, at.imag
+        met = lines.raster.length(x - by, y - by, x + by, y + by) > 0
+        cost += lines.along * met.mean(axis=1) * (1 - first) * far
+    return cost
+
+
+def _through(one: Wanted, starts: Spots, ends: Spots, spots: Spots) -> NDArray[np.bool_]:
+    """Whether leaders touch another point that is lettered."""
+    reach = float(np.abs(ends - one.at).max()) + _TOUCH
+    away = np.abs(spots - one.at)
+    others = spots[(away < reach) & (away > one.radius + _TOUCH)]
+    way = ends - starts
+    far = np.maximum(np.abs(way), _TOUCH)
+    seen = (others - starts[:, None]) * (way / far).conjugate()[:, None]
+    along = np.clip(seen.real, 0.0, far[:, None])
+    return np.asarray((np.abs(seen - along) < _TOUCH).any(axis=1))
 
 
 def _way(one: Wanted, boxes: _Boxes) -> NDArray[np.complex128]:

@@ -17,6 +17,13 @@ SQUARE = 16.0
 """Side of a square, mm: a few labels wide, so that letters, which keep off each other, are few in one."""
 
 
+NEXT, ROW = 3.0, 8.0
+"""Labels level with each other and nearer than this, mm, are read as one term; of those nearer than that a
+stroke between them is read as a minus."""
+LEVEL = 0.5
+"""Labels are level with each other where the smaller shares so much of its height with the other."""
+
+
 class Rect(NamedTuple):
     """An upright rectangle: left, bottom, right, top, mm."""
 
@@ -105,18 +112,36 @@ class Occupied:
     def leaders_at(self, left: Reals, bottom: Reals, right: Reals, top: Reals) -> NDArray[np.bool_]:
         """Whether each of some rectangles meets a leader."""
         near = self._near(self._leaders, left, bottom, right, top)
+        if not near:
+            return np.zeros(left.shape, dtype=bool)
         starts, ends = np.array([self.lines[k] for k in near], dtype=complex).reshape(-1, 2).T
         edges = (v[:, None] for v in (left, bottom, right, top))
         first, last = spans(starts[None, :], ends[None, :], *edges)
         return np.asarray((first <= last).any(axis=1))
 
-    def crossing(self, starts: Spots, ends: Spots) -> NDArray[np.bool_]:
-        """Whether each of some straight lines meets a label."""
+    def level(
+        self, left: Reals, bottom: Reals, right: Reals, top: Reals
+    ) -> tuple[NDArray[np.int64], Reals, Reals, Reals, Reals]:
+        """Return which of some rectangles stand level beside a label, and what lies between: its four edges."""
+        near = self._near(self._letters, left - ROW, bottom, right + ROW, top)
+        x0, y0, x1, y1 = np.array([self.rects[k] for k in near]).reshape(-1, 4).T
+        low, high = np.maximum(bottom[:, None], y0), np.minimum(top[:, None], y1)
+        shared = high - low >= LEVEL * np.minimum((top - bottom)[:, None], y1 - y0)
+        before = x0 - right[:, None]
+        behind = left[:, None] - x1
+        gap = np.maximum(before, behind)
+        one, other = np.nonzero(shared & (gap > 0.0) & (gap < ROW))
+        first = before[one, other] > 0
+        start, end = np.where(first, right[one], x1[other]), np.where(first, x0[other], left[one])
+        return one, start, low[one, other], end, high[one, other]
+
+    def crossing(self, starts: Spots, ends: Spots, past: float = 0.0) -> NDArray[np.bool_]:
+        """Whether each of some straight lines meets a label, or passes one nearer than ``past`` mm."""
         if not starts.size:
             return np.zeros(0, dtype=bool)
         x, y = (np.sort([u, v], axis=0) for u, v in zip(*map(_sides, (starts, ends)), strict=True))
-        near = self._near(self._letters, x[0], y[0], x[1], y[1])
-        rects = np.array([self.rects[k] for k in near]).reshape(-1, 4).T
+        near = self._near(self._letters, x[0] - past, y[0] - past, x[1] + past, y[1] + past)
+        rects = np.array([self.rects[k].grown(past) for k in near]).reshape(-1, 4).T
         first, last = spans(starts[:, None], ends[:, None], *rects[:, None, :])
         return np.asarray((first <= last).any(axis=1))
 

@@ -49,7 +49,8 @@ class Raster:
         cells = np.maximum(y, 0) * self.wide + np.maximum(x, 0)
         ink = np.bincount(cells, minlength=self.wide * self.high).reshape(self.high, self.wide)
         self.sums = np.zeros((self.high + 1, self.wide + 1), dtype=np.int64)
-        self.sums[1:, 1:] = ink.cumsum(axis=0).cumsum(axis=1)
+        np.cumsum(ink, axis=0, out=self.sums[1:, 1:])
+        np.cumsum(self.sums, axis=1, out=self.sums)
 
     def length(self, left: Reals, bottom: Reals, right: Reals, top: Reals) -> Reals:
         """Return about how long the lines are inside boxes, mm; arrays of one shape."""
@@ -59,7 +60,7 @@ class Raster:
         return np.asarray(found * (self.cell / SAMPLES))
 
     def _edge(self, way: Reals, most: int) -> Counts:
-        return np.clip(np.rint(way / self.cell), 0, most).astype(np.int64)
+        return np.maximum(np.minimum(np.rint(way / self.cell), most), 0).astype(np.int64)
 
 
 def _pieces(lines: Iterable[Sequence[complex]]) -> tuple[Spots, Spots]:

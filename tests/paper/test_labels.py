@@ -120,6 +120,56 @@ def test_labels_of_a_crowded_field_stand_apart_and_off_heavy_lines(seed: int) ->
     assert not any(a.intersects(b) for a in boxes for b in heavy)
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_no_leader_passes_another_label_so_that_one_breaks_the_other(seed: int) -> None:
+    wanted, lines = field(200 + seed, 14)
+    labels = place(wanted, lines)
+    for one, own in zip(wanted, labels, strict=True):
+        for leader in leaders([one], [own]):
+            others = [box(label) for label in labels if label is not own]
+            assert all(shape(leader).distance(other) > 0.4 for other in others), own.text
+
+
+def level(a: Label, b: Label) -> float:
+    """The gap between two labels that stand level with each other, mm; infinite if they do not."""
+    (x0, y0, x1, y1), (u0, v0, u1, v1) = box(a).bounds, box(b).bounds
+    if min(y1, v1) - max(y0, v0) < 0.6 * min(y1 - y0, v1 - v0):
+        return math.inf
+    return max(u0 - x1, x0 - u1)
+
+
+@pytest.mark.parametrize("apart", [9.0, 10.0, 11.0, 12.0])
+def test_letters_of_two_vectors_side_by_side_do_not_read_as_a_product(apart: float) -> None:
+    wanted = [
+        Wanted(text, complex(at), 5.0, 1.0, 1j)
+        for text, at in (("R_{34}", 0.0), ("R_{34}^n", apart))
+    ]
+    assert level(*place(wanted, [])) > 3.5
+
+
+@pytest.mark.parametrize("long", [3.0, 4.0])
+def test_a_stroke_between_two_labels_does_not_read_as_a_minus(long: float) -> None:
+    taken = Label("S_2", -4.0 - 1.75j, 3.5)
+    (_, low, right, high) = box(taken).bounds
+    middle = (low + high) / 2
+    stroke = line("thin", complex(right + 1, middle), complex(right + 1 + long, middle))
+    one = Wanted("1", complex(right + 2 + long, middle), 3.5, 1.0, 1 + 0j)
+    (label,) = place([one], [stroke._replace(data=(("mm", "3"),))], [taken])
+    low, high = box(label).bounds[1::2]
+    assert level(taken, label) > 8.0 or abs((low + high) / 2 - middle) > 1.2
+
+
+def test_a_leader_leads_past_other_points_that_bear_letters() -> None:
+    """Its own point is hemmed in; the nearest way out goes through another point."""
+    walls = [line("main", complex(x, -14), complex(x, 6)) for x in (-2.0, 2.0)]
+    walls += [line("main", complex(-2, -14), complex(2, -14))]
+    walls += [line("main", complex(x, y), complex(x + 9, y)) for x in (-11, 2) for y in (-3, 2, 6)]
+    wanted = [Wanted("b_4", 7j, 3.5, toward=1j), Wanted("s_3", 0j, 3.5)]
+    labels = place(wanted, walls)
+    for leader in leaders(wanted[1:], labels[1:]):
+        assert shape(leader).distance(shapely.Point(0, 7)) > 0.9
+
+
 def fine(stroke: Stroke | Bezier) -> shapely.LineString:
     """A stroke as a polyline of short pieces."""
     if not isinstance(stroke, Bezier):

@@ -62,6 +62,21 @@ def test_no_leader_can_be_read_as_a_minus(folder: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_no_leader_passes_through_another_label(folder: Path) -> None:
+    """It reaches its own label unbroken, and none of the others touches it."""
+    for sheet in paper(folder.name)[1]:
+        for drawing in sheet.drawings:
+            labels = [(label, box(label)) for label in drawing.labels]
+            for one in (s for s in drawing.strokes if s.part == "leader"):
+                own = [k for label, k in labels if label.of == one.of]
+                others = [k for label, k in labels if label.of != one.of]
+                where = (drawing.name, shape(one).coords[0])
+                assert min(map(shape(one).distance, own)) < 1.0, where
+                assert all(shape(one).distance(k) > 0.2 for k in others), where
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_no_letter_stands_on_another_and_no_view_on_another(folder: Path) -> None:
     for sheet in paper(folder.name)[1]:
         labels = [box(label) for drawing in sheet.drawings for label in drawing.labels]

@@ -33,6 +33,9 @@ FURTHER = 3.0
 """How far a line of action goes on behind the foot of its arm, mm."""
 ROUND, ROUNDS = 9.0, 7.0
 """Radius of the arrow of a couple, mm, and of each of several on a link."""
+SWEEP, PEN = 210.0, 0.6
+"""How far the arrow of a couple goes round, degrees: its letter stands at the middle; how far off its line a
+leader to it ends, mm."""
 BESIDE, ON_LINK = 5.0, 1.0
 """How far from a link an arrow along it stands that finds no end of it; what is nearer lies on it, mm."""
 STAGGER = 10.0
@@ -87,9 +90,20 @@ class Arrows:
     def __init__(self, index: int, size: float) -> None:
         self.index, self.size = index, size
         self.strokes: list[Stroke] = []
-        self.wanted: list[Wanted] = []
+        self._named: list[Wanted] = []
         self.taken: list[tuple[complex, complex, float]] = []
         self.links: shapely.Geometry = shapely.MultiLineString()
+
+    @property
+    def wanted(self) -> list[Wanted]:
+        """The letters: each nearer to its own arrow than to another."""
+        lines = [one.line for one in self._named]
+        return [
+            one._replace(others=tuple(line for line in lines if line and line != one.line))
+            if one.line
+            else one
+            for one in self._named
+        ]
 
     def reach(self, at: complex, way: complex) -> float:
         """Return how far arrows go from a place in a direction already, mm; 0 if none does."""
@@ -136,7 +150,8 @@ class Arrows:
         shaft, *head = arrow(start, start + length * way, pen)
         self._add([shaft._replace(title=told.title, data=told.data), *head], told.of)
         end = start if to_it else start + length * way
-        self.wanted.append(Wanted(called, end, self.size, 1.5, end - at, told.of, self.index))
+        own = (start, start + length * way)
+        self._named.append(Wanted(called, end, self.size, 1.5, end - at, told.of, self.index, own))
 
     def _apart(self, at: complex, way: complex, length: float) -> tuple[complex, float]:
         """Return where an arrow of a point begins, and its length, so that it does not lie on another, mm."""
@@ -165,11 +180,11 @@ class Arrows:
         if not (finite(at, told.value) and told.value and way):
             return
         sense, out = math.copysign(1.0, told.value), way / abs(way)
-        start = math.degrees(cmath.phase(out)) + sense * 30.0
-        bow, *head = round_arrow(at, radius, start, sense * 210.0)
+        start = math.degrees(cmath.phase(out)) - sense * SWEEP / 2
+        bow, *head = round_arrow(at, radius, start, sense * SWEEP)
         self._add([bow._replace(title=told.title, data=told.data), *head], told.of)
         top = at + radius * out
-        self.wanted.append(Wanted(called, top, self.size, 2.0, out, told.of, self.index))
+        self._named.append(Wanted(called, top, self.size, PEN, out, told.of, self.index))
 
     def _add(self, strokes: Iterable[Stroke], of: tuple[int, ...]) -> None:
         self.strokes += [s._replace(of=of, position=self.index) for s in strokes]

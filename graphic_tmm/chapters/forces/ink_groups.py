@@ -6,6 +6,7 @@ they show points, directions and which of two is larger.
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
@@ -48,6 +49,8 @@ SEEN = 2.0
 """A smaller circle of friction, mm, lies under the sign of its pin: no line touches it."""
 TOUCH, STEP = 14.0, 3.5
 """Half of what is drawn of a line that touches a circle of friction, mm; between two couples about a pin."""
+ASIDE = cmath.exp(-2j * math.pi / 3)
+"""By how much the letter of the next couple about a pin is turned, so that they are told apart."""
 SHOWN = 18.0
 """Length of the arrow of a reaction that is not known yet, mm."""
 
@@ -279,7 +282,8 @@ class _Loads:
                     yield touching._replace(of=(*of, *more), position=k)
             radius = max(ROUNDS, rho + 2.0) + STEP * pins.count(one.pin)
             called, told = self._couple(one.couple, turns)
-            self.arrows.couple(at, radius, called, told, at - middle or 1j)
+            out = (at - middle or 1j) * ASIDE ** pins.count(one.pin)
+            self.arrows.couple(at, radius, called, told, out)
             pins.append(one.pin)
 
     def _touching(self, one: Rubbed, at: complex, rho: float) -> Iterator[Stroke]:

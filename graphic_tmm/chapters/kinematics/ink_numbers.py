@@ -1,8 +1,8 @@
 """Numbers and names about a plan of positions: of links, of positions along every path, of guides.
 
 A link bears its number in a thin circle with a line to it. The numbers of the positions stand at the crank pin,
-at every slider and at every end of a rocker; where these stand too close they share a label. A guide bears at
-both ends the name that the equations call it by.
+at every slider and at every end of a rocker; those within the height of a number share a label. A guide bears
+at both ends the name that the equations call it by.
 """
 
 from __future__ import annotations
@@ -37,7 +37,9 @@ from graphic_tmm.readers.equations import ends_of
 PIN = 1.2
 """How far a pin of a thin position reaches, with some room, mm."""
 CLOSE = 2.4
-"""Positions nearer than this to a numbered one share its label, mm."""
+"""A position nearer than twice this to its crank pin, mm, bears no number beside that of the pin."""
+TICK, RIVAL = 6.0, 40.0
+"""Half of the line across a path where a number stands, mm; of those farther off, mm, none is taken for it."""
 MOST, RANGE = 2, "…"
 """Of more positions than this that follow each other a label gives first and last, and this between them."""
 ROUND = 0.85
@@ -83,20 +85,43 @@ def path_numbers(
     """
     order = [*first, *(k for k in places if k not in first)]
     for path in _paths(ink, crank):
-        groups: list[tuple[complex, complex, list[int]]] = []
-        for k in order:
-            spot, away = path.aside(k)
-            if abs(spot - ink.at(crank[1], k)) < 2 * CLOSE:
-                continue
-            near = next((one for one in groups if abs(one[0] - spot) < CLOSE), None)
-            if near is None:
-                groups.append((spot, away, [k]))
-            else:
-                near[2].append(k)
-        for spot, away, found in groups:
-            told = _listed(names, found)
+        ticks = {k: path.aside(k) for k in order}
+        clear = [k for k, (z, _) in ticks.items() if abs(z - ink.at(crank[1], k)) >= 2 * CLOSE]
+        groups = together([ticks[k][0] for k in clear], size)
+        drawn = [_ticks([ticks[clear[i]] for i in group]) for group in groups]
+        for group, own in zip(groups, drawn, strict=True):
+            found = [clear[i] for i in group]
+            spots = [ticks[k][0] for k in found]
+            middle, away = sum(spots) / len(spots), ticks[found[0]][1]
+            others = tuple(one for one in drawn if one is not own and abs(one[0] - own[0]) < RIVAL)
+            told, of = _listed(names, found), (path.mark.slot,)
             at = found[0] if len(found) == 1 else None
-            yield Wanted(told, spot, size, path.reach, away, (path.mark.slot,), at)
+            yield Wanted(told, middle, size, path.reach, away, of, at, own, others)
+
+
+def together(spots: Sequence[complex], within: float) -> list[list[int]]:
+    """Return points in groups, those nearest each other first: none holds two farther apart than ``within``.
+
+    Of points alike up to a scale the groups of the one are made of whole groups of the other.
+    """
+    z = np.array(spots, dtype=complex)
+    away = np.round(np.abs(z[:, None] - z), 6)
+    group = {k: [k] for k in range(len(spots))}
+    pairs = np.argwhere(np.triu(away <= within, 1))
+    for i, j in sorted(pairs.tolist(), key=lambda pair: (away[*pair], pair)):
+        one, other = group[i], group[j]
+        if one is not other and (away[np.ix_(one, other)] <= within).all():
+            one += other
+            group |= dict.fromkeys(other, one)
+    found = {id(one): one for one in group.values()}
+    return [sorted(one) for one in sorted(found.values(), key=min)]
+
+
+def _ticks(ends: Sequence[tuple[complex, complex]]) -> tuple[complex, ...]:
+    """Return lines across a path where positions stand that share a number, as one line."""
+    first, last = (f(ends, key=lambda one: (one[0].real, one[0].imag)) for f in (min, max))
+    corners = [z + side * TICK * way / abs(way) for z, way in (first, last) for side in (-1, 1)]
+    return (*corners[:2], *corners[:1:-1])
 
 
 def _listed(names: Sequence[str], found: Sequence[int]) -> str:

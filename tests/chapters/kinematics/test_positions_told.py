@@ -11,12 +11,14 @@ from pathlib import Path
 
 import pytest
 import shapely
+from hypothesis import given
+from hypothesis import strategies as st
 from support.boards import drawn_of
 from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import views
-from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE
+from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE, together
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
@@ -172,6 +174,44 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
             for part in told_by(label.text):
                 at = spot(work, mark, work.names.index(part))
                 assert box(label).distance(shapely.Point(at.real, at.imag)) < 22.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_number_beside_a_path_stands_at_its_own_tick(name: str) -> None:
+    """Seen along the guide no other position is nearer to it than its own ones."""
+    work, view = drawn(name), plan(name)
+    for one in (f for f in work.construction.figures if f.kind == "slider"):
+        mark = one.marks[0]
+        spots = {number: spot(work, mark, k) for k, number in enumerate(work.names)}
+        ends = [*spots.values()]
+        way = max((b - a for a in ends for b in ends), key=abs)
+        way /= abs(way)
+        told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
+        numbered = {part for label in told for part in told_by(label.text)}
+        for label in told:
+            own = told_by(label.text)
+            off = {n: abs(((middle(label) - spots[n]) / way).real) for n in numbered}
+            leads = any(s.part == "leader" and s.of == label.of for s in view.strokes)
+            if not leads:
+                assert min(off[n] for n in own) <= min(off.values()) + 0.5, label.text
+            high = max(abs(spots[a] - spots[b]) for a in own for b in own)
+            assert high <= label.size, label.text
+
+
+@given(st.lists(st.complex_numbers(max_magnitude=30.0), min_size=1, max_size=14))
+def test_positions_share_a_number_only_within_its_height(spots: list[complex]) -> None:
+    groups = together(spots, 3.5)
+    assert sorted(k for group in groups for k in group) == [*range(len(spots))]
+    for group in groups:
+        assert all(abs(spots[a] - spots[b]) <= 3.5 + 1e-6 for a in group for b in group)
+
+
+def test_positions_that_lie_alike_share_numbers_alike() -> None:
+    """Farther from the pivot of a rocker 1 and 11 part from 0, not from each other."""
+    angles = (0.0, 0.040, 0.047, 0.2)
+    for radius in (20.0, 40.0, 70.0, 85.0):
+        groups = together([radius * cmath.exp(1j * angle) for angle in angles], 3.5)
+        assert [1, 2] in groups or [0, 1, 2] in groups
 
 
 def made(tmp_path: Path, **said: object) -> Drawn:
