@@ -210,7 +210,9 @@ class Chapter:
     called, English, by name; ``called``: a view whose name it makes up -> what that is called in a language;
     ``titles``: a view -> what it is called in the protocol of what was made, where that tells more.
     ``note``: a drawn board, a language -> its section of the explanatory note; None: what the log tells of it;
-    ``concludes``: what follows from its results, a sentence each. ``sources``: the books that it follows.
+    ``noted``: the places that it shows of, whatever sheets ask for;
+    ``concludes``: what follows from its results, a sentence each; ``sources``: the books that it follows, as
+    the note calls them; ``symbols``: its letters, what they stand for, their units.
     ``accuracy``: what it tells of its accuracy.
 
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
@@ -264,8 +266,10 @@ class Chapter:
     called: Callable[[str, Speech], str] = lambda view, speech: ""
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
     note: Callable[[Drawn, str], Iterable[Block] | None] = lambda drawn, language: None
+    noted: tuple[str, ...] = ()
     concludes: Callable[[Drawn, str], Iterable[Runs]] = lambda drawn, language: ()
     sources: tuple[str, ...] = ()
+    symbols: tuple[tuple[str, str, str], ...] = ()
     accuracy: Accuracy = NOTHING
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 import stat
+import sys
 import unicodedata
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -21,6 +22,8 @@ from graphic_tmm.errors import Fault, SceneError, SheetError, printable
 from graphic_tmm.language.said import said
 
 HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
+STANDARD_INPUT = Path("-")
+"""The name by which standard input is read."""
 _PART = re.compile(r"\.graphic-tmm-([A-Za-z0-9-]+)-([0-9]+)-[0-9]+\.part")
 _INPUTS: ContextVar[list[Path] | None] = ContextVar("inputs", default=None)
 
@@ -84,9 +87,9 @@ def opened(file: Path, kind: Kind) -> BinaryIO:
 
 
 def read(file: Path, kind: Kind) -> bytes:
-    """Return the bytes of a file; raises as `opened`."""
+    """Return the bytes of a file, or of standard input; raises as `opened`."""
     try:
-        with opened(file, kind) as stream:
+        with _standard_input() if file == STANDARD_INPUT else opened(file, kind) as stream:
             data = stream.read(kind.largest + 1)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
@@ -97,6 +100,12 @@ def read(file: Path, kind: Kind) -> bytes:
     if len(data) > kind.largest:  # it grew, or does not tell its size
         _refuse(file, _large(kind))
     return data
+
+
+@contextmanager
+def _standard_input() -> Iterator[BinaryIO]:
+    """Give standard input, and leave it open: it is the system's."""
+    yield sys.stdin.buffer
 
 
 def _large(kind: Kind) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.files import STANDARD_INPUT
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene.misfits import near
 
@@ -28,6 +29,8 @@ def scene_path(name: str | None) -> Path:
     SceneError
         If there is neither.
     """
+    if name == str(STANDARD_INPUT):
+        return STANDARD_INPUT
     wanted = DEFAULT if name is None else name
     if name is not None and Path(name).exists():
         return Path(name)
@@ -46,5 +49,7 @@ def scene_path(name: str | None) -> Path:
 
 def scene_name(source: str) -> str:
     """Return the name that a scene's sheets bear: that of its folder, or of its file."""
+    if source == str(STANDARD_INPUT):
+        return "scene"
     path = Path(source).resolve()
     return path.parent.name if path.name == "scene.toml" else path.stem

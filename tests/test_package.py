@@ -15,6 +15,7 @@ from support.gallery import ROOT
 import graphic_tmm
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.operations import (
+    choice,
     curve,
     energetics,
     graph_curves,
@@ -37,7 +38,11 @@ from graphic_tmm.chapters.cam import (
 from graphic_tmm.chapters.cam import (
     operations as cams,
 )
+from graphic_tmm.chapters.cycle import plan as cycle_plan
+from graphic_tmm.chapters.diagrams import beside as diagrams_beside
+from graphic_tmm.chapters.engine import beside as engine_beside
 from graphic_tmm.chapters.engine import formulas as engines
+from graphic_tmm.chapters.flywheel import beside as flywheel_beside
 from graphic_tmm.chapters.gears import formulas as gearing
 from graphic_tmm.chapters.gears import rack, rolling
 from graphic_tmm.chapters.planetary import formulas as trains
@@ -76,7 +81,12 @@ def test_every_operation_is_in_the_table() -> None:
         calculations,
         cam_formulas,
         cam_law_formulas,
+        cycle_plan,
+        diagrams_beside,
+        engine_beside,
+        flywheel_beside,
         cams,
+        choice,
         curve,
         energetics,
         engines,

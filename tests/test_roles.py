@@ -28,6 +28,8 @@ ALLOWED = {
     "readers/sentences.py: mark.name in elsewhere",
     # a column of a table is known by what it is called
     "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
+    # the sides of conditions are told once each, by what they are called
+    "chapters/planetary/columns.py: found.setdefault(plain(mark.name), mark)",
     # words that stand for the name of a column
     "readers/result_table.py: words.get(column.letter)",
     "readers/text.py: captions(language).get(column.letter)",

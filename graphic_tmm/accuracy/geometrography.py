@@ -113,6 +113,7 @@ SYMBOLS: dict[str, str] = {
     "extreme_of_two": FREE,
     "stand": FREE,
     "in_turn": FREE,
+    "nearest_standard": _LOOK,
     "next_ratio": _LOOK,
     "next_standard": _LOOK,
     "next_standard_length": _LOOK,

@@ -20,7 +20,15 @@ Dimension = tuple[tuple[str, float], ...]
 """Powers of base units, in the order of their names, none of them 0."""
 
 PLAIN: Dimension = ()
-_NAMED = {"N": "kg·m/s²", "J": "kg·m²/s²", "Pa": "kg/(m·s²)", "rad": "1", "%": "1", "rpm": "1/s"}
+_NAMED = {
+    "N": "kg·m/s²",
+    "J": "kg·m²/s²",
+    "W": "kg·m²/s³",
+    "Pa": "kg/(m·s²)",
+    "rad": "1",
+    "%": "1",
+    "rpm": "1/s",
+}
 _KNOWN: dict[str, Dimension] = {base: ((base, 1.0),) for base in ("kg", "kgf", "m", "mm", "s", "°")}
 
 

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.shaking import NOTHING, Shaken, shaken
 from graphic_tmm.board.sizes import DIGIT, FIGURES, Sizes
-from graphic_tmm.board.values import Curve, Point, Reals, Side, at
+from graphic_tmm.board.values import Curve, Length, Point, Reals, Side, at
 from graphic_tmm.board.values import given as as_value
 
 DOUBTFUL = 1e-6
@@ -31,7 +31,9 @@ DOUBTFUL = 1e-6
 WRITTEN = 1e-12
 """A bound below this share of a figure shows in no digit that is written."""
 UNREAD = 1e-9
-"""What is a smaller share of its natural size is nothing: a nanometre on a plan of a metre."""
+"""What is a smaller share of its plan is nothing: a nanometre on a plan of a metre."""
+SHAKEN = 1e-8
+"""A number so small beside its natural size is a difference: its bound is a larger share of it."""
 
 Mask = NDArray[np.bool_]
 
@@ -115,10 +117,18 @@ class Doubts:
         return np.asarray(self.figure(mark, value) == 0.0)
 
     def _unread(self, told: Any, mark: Mark, by: Any, places: Any) -> Mask:
-        """Return where a figure is too small for its plan, or for what it is computed from, to be read."""
-        size = at(np.fmax(self._sizes.of(mark), self._sizes.plan(mark)), places)
+        """Return where a figure is too small for its plan, or for what it is the difference of, to be read.
+
+        A plan counts by its least reach: a point that lies far off in one position tells nothing of others.
+        """
+        if mark.kind is Length:
+            size = np.fmin.reduce(self._sizes.reach(mark.view), axis=1, keepdims=True)
+        else:
+            shaken = self.bound(mark) > SHAKEN * np.abs(self._found.values[mark.slot])
+            size = np.where(shaken, self._sizes.of(mark), 0.0) if shaken.any() else np.zeros((1, 1))
+        size = at(size, places)
         if told.shape[1] == 1:
-            size = np.fmax.reduce(size, axis=1, keepdims=True)
+            size = np.fmin.reduce(size, axis=1, keepdims=True)
         least = UNREAD * size * np.abs(by)
         return np.asarray(np.isfinite(least) & (np.abs(told) < least))
 

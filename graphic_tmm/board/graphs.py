@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.board import graph_reasons as why
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import abscissa
@@ -111,7 +112,7 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
         )
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers)
-    x = draft.draw(abscissa, "x_{n}", n, length, intervals)
+    x = draft.draw(abscissa, "x_{n}", n, length, intervals, why=why.STATION)
     return Base(count, length, x, mu, draft.direction(0.0))
 
 
@@ -128,10 +129,10 @@ def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     """Draw axes alone: what stands on them is laid out by another."""
     draft.open(view)
     origin = draft.take(Point, "O", 0j)
-    along = draft.draw(ray, "(Ox)", origin, base.zero)
-    up = draft.draw(square, "(Oy)", origin, along, sense=1)
-    feet = draft.draw(lay_off, "i", along, base.x)
-    end = draft.draw(lay_off, str(base.intervals), along, base.length)
+    along = draft.draw(ray, "(Ox)", origin, base.zero, why=why.BASE_AXIS)
+    up = draft.draw(square, "(Oy)", origin, along, sense=1, why=why.UP_AXIS)
+    feet = draft.draw(lay_off, "i", along, base.x, why=why.FOOT)
+    end = draft.draw(lay_off, str(base.intervals), along, base.length, why=why.END)
     after = draft.draw(following, "i+1", feet, end, row=base.intervals)
     middles = draft.draw(halve, "m", feet, after)
     return Axes(base, view, mu, origin, along, up, feet, end, middles, after)
@@ -139,22 +140,24 @@ def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
 
 def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
     """Lay off an ordinate for every position; the graph is closed: its end stands as high as its beginning."""
-    line = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    points = draft.draw(lay_off, letter, line, lengths)
+    line = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.ORDINATE_LINE)
+    points = draft.draw(lay_off, letter, line, lengths, why=why.ORDINATE)
     return close(draft, axes, points)
 
 
 def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
     """Carry the height of the first point across to the end of the base."""
     first = draft.draw(at_zero, f"{points.letter}_0", points, free=True)
-    level = draft.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1)
-    last = draft.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1)
-    return Boundaries(points, draft.draw(meet, f"{points.letter}_N", level, last))
+    level = draft.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1, why=why.REPEATS)
+    last = draft.draw(
+        square, f"({axes.end.letter})", axes.end, axes.along, sense=1, why=why.REPEATS
+    )
+    return Boundaries(points, draft.draw(meet, f"{points.letter}_N", level, last, why=why.REPEATS))
 
 
 def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
     """Measure the ordinates of points at the boundaries, with their signs."""
-    return draft.draw(measure_along, letter, axes.feet, points, axes.up)
+    return draft.draw(measure_along, letter, axes.feet, points, axes.up, why=why.ORDINATE_READ)
 
 
 def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
@@ -200,8 +203,8 @@ def on_curve(draft: Draft, axes: Axes, curve: Mark, letter: str) -> Boundaries:
 def set_pole(draft: Draft, axes: Axes, distance: Mark) -> Pole:
     """Mark the pole at its distance H to the left of the origin."""
     draft.open(axes.view)
-    left = draft.draw(square, "(OP)", axes.origin, axes.up, sense=1)
-    return Pole(draft.draw(lay_off, "P", left, distance, role=roles.POLE), distance)
+    left = draft.draw(square, "(OP)", axes.origin, axes.up, sense=1, why=why.POLE_LINE)
+    return Pole(draft.draw(lay_off, "P", left, distance, role=roles.POLE, why=why.POLE), distance)
 
 
 def by_chords(
@@ -212,9 +215,11 @@ def by_chords(
     after = draft.draw(
         following, f"{at.points.letter}+1", at.points, at.end, row=source.base.intervals
     )
-    chord = draft.draw(join, f"({at.points.letter},{after.letter})", at.points, after)
+    chord = draft.draw(
+        join, f"({at.points.letter},{after.letter})", at.points, after, why=why.CHORD
+    )
     draft.open(to.view)
-    rays = draft.draw(parallel, "(P)", pole.point, chord, sense=1)
+    rays = draft.draw(parallel, "(P)", pole.point, chord, sense=1, why=why.RAY)
     return Middles(_carried(draft, to, rays, to.middles, letter))
 
 
@@ -225,16 +230,16 @@ def by_tangents(
     draft.open(source.view)
     slopes = draft.draw(touching, f"(τ_{{{curve.letter.strip('()')[0]}}})", curve, source.feet)
     draft.open(to.view)
-    rays = draft.draw(parallel, "(P)", pole.point, slopes, sense=1)
+    rays = draft.draw(parallel, "(P)", pole.point, slopes, sense=1, why=why.RAY)
     return close(draft, to, _carried(draft, to, rays, to.feet, letter))
 
 
 def _carried(draft: Draft, axes: Axes, rays: Mark, feet: Mark, letter: str) -> Mark:
     """Carry where rays from the pole meet the ordinate axis across to over their feet."""
-    cut = draft.draw(meet, f"{letter}_y", axes.up, rays)
-    level = draft.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1)
-    over = draft.draw(square, f"({feet.letter})", feet, axes.along, sense=1)
-    return draft.draw(meet, letter, over, level)
+    cut = draft.draw(meet, f"{letter}_y", axes.up, rays, why=why.CUT_OFF)
+    level = draft.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1, why=why.CARRIED)
+    over = draft.draw(square, f"({feet.letter})", feet, axes.along, sense=1, why=why.CARRIED)
+    return draft.draw(meet, letter, over, level, why=why.CARRIED)
 
 
 def integrate(
@@ -256,9 +261,11 @@ def integrate(
     row = source.base.intervals
     draft.open(source.view)
     high = _mean_ordinates(draft, source, curve, mean, at)
-    level = draft.draw(parallel, f"({high.letter})", high, source.along, sense=1)
-    cut = draft.draw(meet, "h_y", source.up, level, free=True)
-    rays = draft.draw(join, f"(P{cut.letter})", pole.point, cut)
+    level = draft.draw(
+        parallel, f"({high.letter})", high, source.along, sense=1, why=why.MEAN_LEVEL
+    )
+    cut = draft.draw(meet, "h_y", source.up, level, free=True, why=why.MEAN_LEVEL)
+    rays = draft.draw(join, f"(P{cut.letter})", pole.point, cut, why=why.MEAN_RAY)
     draft.open(to.view)
     points = draft.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)
     return Boundaries(

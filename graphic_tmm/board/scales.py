@@ -20,6 +20,10 @@ MANTISSAS = (1.0, 1.5, 2.0, 2.5, 4.0, 5.0, 7.5)
 """Mantissas of a standard scale factor: those of the reductions that stand between 1:10 and 1:100."""
 
 
+PREFERRED = (1.0, 2.0, 2.5, 4.0, 5.0)
+"""Mantissas of the scales of ГОСТ 2.302 that go on in every decade."""
+
+
 class Scale(NamedTuple):
     """A scale factor: its symbol, its value in SI units per mm, its unit."""
 
@@ -48,6 +52,19 @@ def standard(largest: float, room: float) -> float:
     decade = math.floor(math.log10(least)) - 1
     tried = (float(f"{m}e{d}") for d in range(decade, decade + 4) for m in MANTISSAS)
     return next(mu for mu in tried if mu >= least * (1 - 1e-12))
+
+
+def nearest(exact: float) -> float:
+    """Return the scale factor of the decades of `PREFERRED` that is nearest to one, by their ratio.
+
+    >>> nearest(0.003), nearest(1.5)
+    (0.0025, 2.0)
+    """
+    if not (exact > 0 and math.isfinite(exact)):
+        return 1.0
+    decade = math.floor(math.log10(exact))
+    tried = [float(f"{m}e{d}") for d in (decade - 1, decade, decade + 1) for m in PREFERRED]
+    return min(tried, key=lambda mu: (abs(math.log(mu / exact)), -mu))
 
 
 def standard_length(largest: float, room: float) -> float:

@@ -52,10 +52,15 @@ class Sizes:
                 left += [use for use in step.uses if use.kind in FIGURES] if step else []
         return [found[slot] for slot in sorted(found)]
 
-    def plan(self, mark: Mark) -> Reals:
-        """Return how far the plan reaches that a length is laid off in, (1, position); 0 of others."""
-        drawn = mark.kind is Length and mark.view in self._points
-        return self.extent(mark.view) if drawn else NOTHING
+    def reach(self, view: str) -> Reals:
+        """Return how far the points of a plan lie apart that are drawn, (1, position); 0 without points."""
+        if not self._points.get(view):
+            return NOTHING
+        rows = np.broadcast_arrays(*(self.found.values[mark.slot] for mark in self._points[view]))
+        x, y = ([part(z) for z in rows] for part in (np.real, np.imag))
+        sides = [np.fmax.reduce(row) - np.fmin.reduce(row) for row in (x, y)]
+        found: Reals = np.hypot(*sides)
+        return found
 
     def extent(self, view: str) -> Reals:
         """Return how far a plan reaches, (1, position): its known points, what is laid off for the others."""
@@ -80,7 +85,7 @@ class Sizes:
         # what is laid off may be measured in this plan
         self._extents[view] = reach
         laid = [
-            self.of(mark)
+            np.where(np.isfinite(self.found.values[mark.slot]), self.of(mark), 0.0)
             for step in self.steps.values()
             if step.it.view == view and step.it.kind is Point
             for mark in step.uses

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from graphic_tmm.commands.shared.progress import progress
-from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import say, show
 from graphic_tmm.language.said import said
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Command)
-@click.argument("scene", required=False)
+@click.argument("scene", required=False, type=SceneName())
 @click.option(
     "-o", "--output", help=said("Folder for the figure, as SVG and PNG; none if left out.")
 )

@@ -9,7 +9,8 @@ import click
 
 from graphic_tmm.commands.shared.ending import WRONG
 from graphic_tmm.commands.shared.numbers import Finite
-from graphic_tmm.commands.shared.scenes import read_scene
+from graphic_tmm.commands.shared.progress import waiting
+from graphic_tmm.commands.shared.scenes import SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import show, tell
 from graphic_tmm.language.said import said
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Command)
-@click.argument("scene")
+@click.argument("scene", type=SceneName())
 @click.argument("readings", required=False)
 @click.option(
     "--template", is_flag=True, help=said("Print a CSV file to be filled in, and check nothing.")
@@ -111,18 +112,23 @@ def check(
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
     from graphic_tmm.checking.template import template_of
 
+    if not template:
+        _refuse_half_asked(scene, readings, photo, sheet, corners)
     task = read_scene(scene, lettered=True)
     if template:
-        click.echo(template_of(task), nl=False)
+        with waiting(said("drawing the plans")):
+            text = template_of(task)
+        click.echo(text, nl=False)
         return
-    _refuse_half_asked(readings, photo, sheet, corners)
     report = None
     if readings is not None:
-        report = _judged(task, readings, hand, points, trials, (doubtful, wrong))
-    if photo is not None:
-        written = _underlaid(task, photo, corners or "", overlay or "photo.svg", sheet or 1)
-    else:
-        written = _overlaid(task, report, overlay, enlarge)
+        with waiting(said("drawing by the hand, to tell what is usual")):
+            report = _judged(task, readings, hand, points, trials, (doubtful, wrong))
+    with waiting(said("drawing the plans")):
+        if photo is not None:
+            written = _underlaid(task, photo, corners or "", overlay or "photo.svg", sheet or 1)
+        else:
+            written = _overlaid(task, report, overlay, enlarge)
     for path in written:
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
     if report is None:
@@ -133,10 +139,12 @@ def check(
 
 
 def _refuse_half_asked(
-    readings: str | None, photo: str | None, sheet: int | None, corners: str | None
+    scene: str, readings: str | None, photo: str | None, sheet: int | None, corners: str | None
 ) -> None:
     if photo is None and (sheet is not None or corners is not None):
         raise click.UsageError(said("--sheet and --corners go with a photograph: add --photo FILE"))
+    if scene == readings == "-":
+        raise click.UsageError(said("one of SCENE and READINGS can be standard input, not both"))
     if readings is None and photo is None:
         raise click.UsageError(said("name the file of READINGS, or ask for --template"))
 

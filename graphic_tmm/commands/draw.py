@@ -9,7 +9,7 @@ import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
 from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
 from graphic_tmm.language.reader import asked
@@ -17,7 +17,7 @@ from graphic_tmm.language.said import said
 
 
 @click.command(cls=Command)
-@click.argument("scene", required=False)
+@click.argument("scene", required=False, type=SceneName())
 @click.option(
     "-o", "--output", default="out", show_default=True, help=said("Folder for the sheets.")
 )

@@ -34,6 +34,7 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.note.formats import FORMATS, refuse_missing
     from graphic_tmm.note.note import note_files
+    from graphic_tmm.note.note import wanted as drawn_for
     from graphic_tmm.scenes import scene_name
     from graphic_tmm.studio import make
 
@@ -51,7 +52,7 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     language = asked() or task.language
     spoken = task if language == task.language else replace(task, language=language)
     with waiting(said("choosing scale factors and writing the note")):
-        made = make(spoken, given=given)
+        made = make(spoken, wanted=drawn_for(spoken), given=given)
         texts = note_files(made, f"{scene_name(task.source)}-note", wanted)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))

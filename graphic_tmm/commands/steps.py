@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphic_tmm.commands.shared.scenes import read_scene
+from graphic_tmm.commands.shared.progress import waiting
+from graphic_tmm.commands.shared.scenes import SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
 from graphic_tmm.language.reader import asked
@@ -37,7 +38,7 @@ class Plans(Choice):
 
 
 @click.command(cls=Command)
-@click.argument("scene", required=False)
+@click.argument("scene", required=False, type=SceneName())
 @click.option(
     "-p",
     "--plan",
@@ -53,7 +54,9 @@ def steps(scene: str | None, plan: str, position: str | None, why: bool, exact: 
     from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
-    drawn = make(read_scene(scene), exact=exact)
+    task = read_scene(scene)
+    with waiting(said("drawing the plans")):
+        drawn = make(task, exact=exact)
     chosen = plans() if plan == "all" else (plan,)
     language = asked() or drawn.scene.language
     for line in steps_of(drawn, chosen, position, language, why=why):

@@ -5,14 +5,15 @@ from __future__ import annotations
 import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
-from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.progress import waiting
+from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import show, terminal_width, warn
 from graphic_tmm.language.said import said
 
 
 @click.command(cls=Command)
-@click.argument("scene", required=False)
+@click.argument("scene", required=False, type=SceneName())
 @click.option(
     "-f",
     "--format",
@@ -60,8 +61,10 @@ def table(
     from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
 
-    drawn = make(within(drawn_by(read_scene(scene), hand, seed), budget), exact=exact)
+    task = within(drawn_by(read_scene(scene), hand, seed), budget)
     wide = width or terminal_width()
-    text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
+    with waiting(said("drawing the plans")):
+        drawn = make(task, exact=exact)
+        text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
     show("\ufeff" + text if bom and form == "csv" and isinstance(text, str) else text, wide)
     warn(drawn)

@@ -147,8 +147,6 @@ class Ledger:
         """
         if mark.slot in self.chosen:
             return self.chosen[mark.slot]
-        if mark.name in self._known:
-            return self._known[mark.name]
         value, step = self.value_of(drawn, mark), steps.get(mark)
         if step is not None and step.op.formula:
             uses = [self.copied(drawn, steps, one) for one in step.uses]
@@ -207,9 +205,13 @@ def _crosses(drawn: Drawn, chart: Chart) -> bool:
 
 
 def _calculated(drawn: Drawn, ledger: Ledger) -> None:
-    """Record scale factors that follow from others by formulas of the log, and the lengths that follow."""
-    log = drawn.construction
+    """Record scale factors that are given with the log, or follow from others there, and what follows."""
+    log, fixed = drawn.construction, drawn.project.given
     steps = {step.it: step for step in log.steps}
+    for mark in (view.scale for view in log.views):
+        if mark in fixed and mark.slot not in ledger.chosen:
+            ledger.of(mark.view)
+            ledger.told(mark, ledger.value_of(drawn, mark))
     wanted = [view.scale for view in log.views if view.scale in steps]
     wanted += [step.it for step in log.steps if step.op in FOLLOWING]
     for mark in sorted({mark for mark in wanted if mark is not None}):

@@ -69,7 +69,8 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
         return Composed((), given, remarks)
     if laid is None:
         laid = sheets.composed(wanted)
-        remarks = (*oversized(wanted, laid, scene.language), *_spared(wanted, laid))
+        written = [one for one in laid if not scene.sheets[one[0].order].chosen]
+        remarks = (*oversized(wanted, written, scene.language), *_spared(wanted, laid))
     made = []
     papers = documents(scene)
     numbers = [papers[sheet.order] for sheet, _ in laid]

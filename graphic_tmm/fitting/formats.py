@@ -63,7 +63,7 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     found = [
         order
         if order.format != AUTO
-        else replace(order, format=told.get(k) or _smallest(scene, order, drawn))
+        else replace(order, format=told.get(k) or _smallest(scene, order, drawn), chosen=True)
         for k, order in enumerate(scene.sheets)
     ]
     made = replace(scene, sheets=tuple(found))

@@ -55,8 +55,8 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"(?<=[φΦNnuαβO]_)r(?=[\])]?$)", "%s", (said("r", context="index: rise"),)),
     (r"(?<=[φΦNnuαβO]_)f(?=[\])]?$)", "%s", (said("f", context="index: return"),)),
     (r"(?<=[ph]_\{[kv])m(?=\})", ",%s", (_MEAN,)),
-    (r"(?<=[pPFDdnfhc]_)k(?=0?$)|(?<=[ph]_\{)k(?=,)", "%s", (_C,)),
-    (r"(?<=[pPFDdnfhc]_)v(?=0?$)|(?<=[ph]_\{)v(?=,)", "%s", (_S,)),
+    (r"(?<=[pPFDdnfhcAσ]_)k(?=0?$)|(?<=[ph]_\{)k(?=,)", "%s", (_C,)),
+    (r"(?<=[pPFDdnfhcAσ]_)v(?=0?$)|(?<=[ph]_\{)v(?=,)", "%s", (_S,)),
 )
 """Where a word stands in an index. The log's own letter is left where a language has the same."""
 _NOT_ITS_OWN = frozenset({_C, _S, _MEAN, _WORDS[0][2][1]})

@@ -19,6 +19,7 @@ BASE: dict[str, str] = {
         said("kgf", context="unit"),
         said("Pa", context="unit"),
         said("J", context="unit"),
+        said("W", context="unit"),
         said("rpm", context="unit"),
     )
 }

@@ -35,7 +35,8 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.steps import Told, protocol_blocks
+from graphic_tmm.note.protocol import Known, protocol_blocks
+from graphic_tmm.note.steps import Told
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column, known_at
@@ -51,6 +52,10 @@ MANY = 8
 
 WIDEST = 0.12
 """What share of a page's width the column of a position takes at most."""
+
+
+SEE = said("The construction is shown in {}.")
+ALSO = said("Shown besides: {}.")
 
 
 def worked(drawn: Drawn) -> int:
@@ -88,12 +93,12 @@ def plan(
     language: str,
     shown: Sequence[Picture] = (),
     level: int = 2,
-    known: set[Runs] | None = None,
+    known: Known | None = None,
     bare: bool = False,
 ) -> Iterator[Block]:
     """Yield the section of a view: heading, protocol in a position, the figures that show it.
 
-    ``known``: what was told already; ``bare``: only what is calculated or read; see `steps.protocol_blocks`.
+    ``known``: what was told already; ``bare``: only what is calculated or read; see `protocol.protocol_blocks`.
     """
     told = at_position(drawn, view, place, language)
     if told is None or not any(step.it.view == view for step in drawn.construction.steps):
@@ -112,8 +117,34 @@ def plan(
         elsewhere=_elsewhere(drawn, view, told),
         known=known,
         bare=bare,
+        usual=_usual(drawn, view, known),
     )
     yield from shown
+
+
+OPERATION = "operation "
+"""Among what is known: an operation of a graph that was told, by its name."""
+
+
+def _usual(drawn: Drawn, view: str, known: Known | None) -> frozenset[str]:
+    """Return the operations that graphs before this one were drawn by; enter its own.
+
+    Graphs are drawn alike: their axes, their divisions, their ordinates are told of the first of them.
+    """
+    log = drawn.construction
+    if known is None or not any(f.kind == AXES and f.view == view for f in log.figures):
+        return frozenset()
+    told = frozenset(
+        one.removeprefix(OPERATION)
+        for one in known
+        if isinstance(one, str) and one.startswith(OPERATION)
+    )
+    known |= {OPERATION + step.op.name for step in log.steps if step.it.view == view}
+    return told
+
+
+AXES = "axes"
+"""The kind of figure that a graph has and no other view."""
 
 
 def _elsewhere(drawn: Drawn, view: str, told: Told) -> list[tuple[int, str]]:
@@ -148,17 +179,14 @@ def _row(drawn: Drawn, step: Step) -> int:
     return max((part.shape[1] for part in parts if hasattr(part, "shape")), default=1)
 
 
-def referred(shown: Sequence[Picture | Table], language: str) -> Paragraph:
-    """Return the sentence that leads to figures or tables."""
+def referred(shown: Sequence[Picture], language: str, told: str = SEE) -> Paragraph:
+    """Return the sentence that leads to figures."""
     runs: list[Run] = []
     for k, one in enumerate(shown):
         runs += [Text(", ")] if k else []
         runs.append(Ref(one.id))
-    before, behind = speaking(language)(SEE).split("{}")
+    before, behind = speaking(language)(told).split("{}")
     return Paragraph((Text(before), *runs, Text(behind)))
-
-
-SEE = said("The construction is shown in {}.")
 
 
 def figures_of(
@@ -299,9 +327,8 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
         rows.append((_result(name, chapter.name, language), (told,), _unit(of, language)))
     if rows:
         heads = (text(words["value"]), text(words["figure"]), text(words["unit"]))
-        yield Table(
-            f"table-results-{chapter.name}", text(words["results"]), heads, tuple(rows), "lcc"
-        )
+        id, title = f"table-results-{chapter.name}", text(words["results"])
+        yield folded(Table(id, title, heads, tuple(rows), "lcc"))
 
 
 def _result(name: str, chapter: str, language: str) -> Runs:
@@ -323,6 +350,13 @@ def result_number(drawn: Drawn, results: Results, name: str, language: str) -> N
     """Return a result as a number with its unit."""
     value, of = single({name: results[name]})[name]
     return Number(number(value, language), of, Source("result", drawn.board, name), value)
+
+
+def asked(drawn: Drawn, section: str, key: str, of: str, language: str) -> Number:
+    """Return what a section of the scene asks for by a key, as a number with its unit."""
+    value = float(getattr(drawn.scene.tasks[section], key))
+    source = Source("asked", drawn.board, f"{section}.{key}")
+    return Number(number(value, language), of, source, value)
 
 
 def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:

@@ -219,12 +219,3 @@ def symbols(document: Document) -> Iterator[Symbol]:
     for block in walk(document.blocks):
         for run in runs_of(block):
             yield from (leaf for leaf in leaves(run) if isinstance(leaf, Symbol))
-
-
-def formulas(document: Document) -> int:
-    """Return how many formulas a note has: what its writers write as such."""
-
-    def count(run: Run) -> int:
-        return int(isinstance(run, Formula | Symbol))
-
-    return sum(count(run) for block in walk(document.blocks) for run in runs_of(block))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from graphic_tmm.drawn import Drawn
@@ -13,9 +14,11 @@ from graphic_tmm.paper.write.svg import clean
 
 FORMAT = "A4"
 """The format whose pens and letters figures are drawn with: a note is held in the hand."""
-WIDTH, HEIGHT, WHOLE = 165.0, 130.0, 215.0
+WALL, SMALL = "A1", 0.65
+"""The format whose letters are larger, and below how much of its size a figure is lettered so."""
+WIDTH, HEIGHT, WHOLE = 165.0, 105.0, 215.0
 """Room for a figure on a page, mm: its width, its usual height, the height of a page."""
-SMALLEST = 0.75
+SMALLEST = 0.6
 """A figure takes more of a page than usual before it is made smaller than this. Chosen by eye."""
 LARGEST = 1.25
 """How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""
@@ -23,11 +26,19 @@ EDGE = 1.5
 """White about a figure, mm: half of its thickest line, and a little."""
 
 
-def in_hand(drawn: Drawn) -> Drawn:
-    """Return a board whose views are lettered as those of a sheet held in the hand, without sheets."""
+def in_hand(drawn: Drawn, format: str = FORMAT) -> Drawn:
+    """Return a board whose views are lettered as those of a sheet held in the hand, or of another."""
     scene = drawn.scene
-    orders = tuple(replace(order, format=FORMAT) for order in scene.sheets)
+    orders = tuple(replace(order, format=format) for order in scene.sheets)
     return replace(drawn, project=replace(drawn.project, scene=replace(scene, sheets=orders)))
+
+
+def readable(drawn: Drawn, draw: Callable[[Drawn, bool], list[Drawing]]) -> list[Drawing]:
+    """Return lettered views; those that are made much smaller for a page in the letters of a wall's sheet."""
+    found = draw(in_hand(drawn), False)
+    boxes = [bounds(view) for view in found]
+    least = min((scale(b[2] - b[0], b[3] - b[1]) for b in boxes), default=1.0)
+    return draw(in_hand(drawn, FORMAT if least > SMALL else WALL), True)
 
 
 def is_figure(drawing: Drawing) -> bool:

@@ -13,7 +13,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc, word
-from graphic_tmm.note.document import Document, Picture, walk
+from graphic_tmm.note.document import Document, Picture, Table, walk
 from graphic_tmm.note.figures import scale, sheet_of
 from graphic_tmm.note.pandoc import Outline, Target, raw
 from graphic_tmm.note.styles import CSS, TYPST
@@ -29,6 +29,14 @@ PPI = 200.0
 Tree = dict[str, Any]
 
 
+TALL = 80.0
+"""A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
+
+
+SHORT = 24
+"""A table of so many rows stands on one page."""
+
+
 class Drawn(NamedTuple):
     """A figure ready to be shown: its file's name, its paper, how wide it stands on the page, mm."""
 
@@ -36,6 +44,11 @@ class Drawn(NamedTuple):
     sheet: Sheet
     width: float
     alt: str
+
+    @property
+    def height(self) -> float:
+        """How high it stands on the page, mm."""
+        return self.width * self.sheet.height / self.sheet.width
 
 
 def drawn_figures(document: Document) -> dict[str, Drawn]:
@@ -117,8 +130,8 @@ def _inline(one: Drawn) -> str:
     return f'{head} role="img" aria-label="{label}" style="width:{one.width}mm">{rest}'
 
 
-def _listed_contents(language: str) -> Callable[[Outline], list[Tree]]:
-    """Return the contents as a list of links."""
+def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline], list[Tree]]:
+    """Return the contents as a list, of links if places have names."""
 
     def told(outline: Outline) -> list[Tree]:
         items: list[list[Tree]] = []
@@ -127,7 +140,7 @@ def _listed_contents(language: str) -> Callable[[Outline], list[Tree]]:
                 continue
             words = [{"t": "Str", "c": entry.text}]
             link = {"t": "Link", "c": [pandoc.NONE, words, [f"#{entry.id}", ""]]}
-            plain = {"t": "Plain", "c": [link]}
+            plain = {"t": "Plain", "c": [link] if linked else words}
             if entry.level == 1 or not items:
                 items.append([plain])
             elif len(items[-1]) == 1:
@@ -157,15 +170,25 @@ def markdown(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[
     target = Target(
         pandoc.MARKDOWN[0],
         picture,
-        _listed_contents(document.language),
+        _listed_contents(document.language, linked=False),
         lambda: [{"t": "HorizontalRule"}],
         ("--wrap=none",),
+        _emphasised,
         captioned=False,
+        linked=False,
     )
     found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
     for one in shown.values():
         found[f"{stem}-{one.name}.svg"] = svg(one.sheet)
     return found
+
+
+def _emphasised(block: Tree, style: str) -> list[Tree]:
+    """Return a paragraph of the title page as Markdown has it."""
+    if style == "space":
+        return []
+    strong = {"t": "Strong", "c": block["c"]}
+    return [{"t": "Para", "c": [strong]}] if style == "title" else [block]
 
 
 # ---------------------------------------------------------------- PDF
@@ -175,20 +198,25 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
     typst = _typst("pdf")
 
-    def picture(block: Picture) -> Tree:
+    def figure(block: Picture, caption: Tree) -> list[Tree]:
         one = shown[block.id]
-        told = f'#image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
-        return raw("typst", told)
+        image = f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
+        where = "bottom" if one.height > TALL else "none"
+        opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
+        closing = raw("typst", f"]) <{block.id}>", block=True)
+        return [raw("typst", opening, block=True), caption, closing]
 
     contents = f"#contents({quoted(speaking(document.language)(CONTENTS))})"
     target = Target(
         "typst",
-        picture,
+        lambda block: raw("typst", ""),
         lambda outline: [raw("typst", contents, block=True)],
         lambda: [raw("typst", "#pagebreak(weak: true)", block=True)],
         ("--wrap=none",),
         _set,
-        _bare,
+        _tabled,
+        _part,
+        figure=figure,
     )
     body = pandoc.written(document, target).decode("utf-8")
     head = (
@@ -214,10 +242,17 @@ def _set(block: Tree, style: str) -> list[Tree]:
     return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
 
 
-def _bare(table: Tree) -> list[Tree]:
-    """Return a table as typst sets it without lines."""
-    opening = raw("typst", "#bare[", block=True)
-    return [opening, table, raw("typst", "]", block=True)]
+def _part(heading: Tree) -> list[Tree]:
+    """Return a heading as typst sets it in the middle."""
+    return [raw("typst", "#part[", block=True), heading, raw("typst", "]", block=True)]
+
+
+def _tabled(made: Tree, table: Table) -> list[Tree]:
+    """Return a table as typst sets it: without lines if it has none, on one page if it is short."""
+    if table.ruled and len(table.rows) > SHORT:
+        return [made]
+    opening = raw("typst", "#whole[" if table.ruled else "#bare[", block=True)
+    return [opening, made, raw("typst", "]", block=True)]
 
 
 def quoted(text: str) -> str:
@@ -263,7 +298,7 @@ def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
             ("--reference-doc=reference.docx",),
         )
         pandoc.written(document, target, out="note.docx", folder=folder)
-        made = word.settled((home / "note.docx").read_bytes())
+        made = word.settled((home / "note.docx").read_bytes(), pandoc.parts(document))
     return {f"{stem}.docx": made}
 
 

@@ -3,16 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 
+from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.document import Block, Document
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.sections.chapter import chapter_section
 from graphic_tmm.note.sections.conclusions import conclusions
+from graphic_tmm.note.sections.literature import literature
 from graphic_tmm.note.sections.scales import scales
+from graphic_tmm.note.sections.symbols import symbol_list
 from graphic_tmm.note.sections.synthesis import synthesis
 from graphic_tmm.note.sections.task import task
 from graphic_tmm.note.sections.title import title_page
+from graphic_tmm.scene.records import Scene
+
+
+def wanted(scene: Scene) -> set[str]:
+    """Return what is drawn for a note: what the scene calls for, and what chapters show besides."""
+    noted = (one.noted for one in chapters() if one.asked(scene))
+    return {*scene.called, *chain.from_iterable(noted)}
 
 
 def note(made: DrawnScene) -> Document:
@@ -34,6 +45,8 @@ def note(made: DrawnScene) -> Document:
         if (_, board, chapter) not in first:
             blocks += chapter_section(board, chapter, language)
     blocks += conclusions(made, language)
+    blocks += symbol_list(made, blocks, language)
+    blocks += literature(made, language)
     return Document(made.scene.title, language, tuple(blocks))
 
 

@@ -32,9 +32,11 @@ from graphic_tmm.note.document import (
     Run,
     Symbol,
     Table,
+    runs_of,
     walk,
 )
 from graphic_tmm.note.tex import spelt, tex, whole
+from graphic_tmm.note.widths import packed
 
 API = [1, 23, 1]
 """The version of pandoc's tree that is written."""
@@ -62,8 +64,9 @@ class Target(NamedTuple):
     """A format as pandoc is asked for it: its name there, options, and what it has of its own.
 
     ``picture``: the inline that shows a figure, ``contents`` and ``break_page``: blocks; ``styled``: a
-    paragraph of the title page, ``unruled``: a table without lines. ``captioned``: a figure and its caption
-    are one.
+    paragraph of the title page, ``tabled``: a table as it stands,
+    ``part``: a heading without a number. ``captioned``: a figure and its caption
+    are one; ``figure``: what they are instead. ``linked``: places in it have names.
     """
 
     name: str
@@ -72,8 +75,11 @@ class Target(NamedTuple):
     break_page: Callable[[], list[Tree]]
     options: tuple[str, ...] = ()
     styled: Callable[[Tree, str], list[Tree]] = lambda block, style: [classed(block, style)]
-    unruled: Callable[[Tree], list[Tree]] = lambda table: [table]
+    tabled: Callable[[Tree, Table], list[Tree]] = lambda made, table: [made]
+    part: Callable[[Tree], list[Tree]] = lambda heading: [heading]
     captioned: bool = True
+    linked: bool = True
+    figure: Callable[[Picture, Tree], list[Tree]] | None = None
 
 
 class Numbered(NamedTuple):
@@ -133,17 +139,18 @@ class _Writer:
 
     def block(self, block: Block, k: int = 0) -> list[Tree]:
         if isinstance(block, Heading):
-            return [self.heading(block, k)]
+            made = self.heading(block, k)
+            return [made] if block.numbered else self.target.part(made)
         if isinstance(block, Paragraph):
             told = _of("Para", self.inlines(block.runs))
             return self.target.styled(told, block.style) if block.style else [told]
         if isinstance(block, Display):
-            return [_of("Para", [self.math(one, display=True)]) for one in block.formulas]
+            return [_of("Para", [self.row(one)]) for one in packed(block.formulas)]
         if isinstance(block, Listed):
             return list(self.listed(block))
         if isinstance(block, Table):
             made = self.table(block)
-            return [made] if block.ruled else self.target.unruled(made)
+            return self.target.tabled(made, block)
         if isinstance(block, Picture):
             return self.figure(block)
         if isinstance(block, Contents):
@@ -155,10 +162,9 @@ class _Writer:
         number = self.numbers.headings.get(k)
         told = _words(f"{number} ") if number else []
         classes = [] if block.numbered else ["unnumbered"]
-        attributes = [] if block.numbered else [["custom-style", "Part"]]
         return _of(
             "Header",
-            [block.level, [_section(k), classes, attributes], [*told, *self.inlines(block.runs)]],
+            [block.level, [_section(k), classes, []], [*told, *self.inlines(block.runs)]],
         )
 
     def listed(self, block: Listed) -> Iterator[Tree]:
@@ -167,9 +173,9 @@ class _Writer:
         if all(labels):
             start = int(labels[0].partition("–")[0])
             style = [start, {"t": "Decimal"}, {"t": "OneParen"}]
-            yield _of("OrderedList", [style, [_plain(item) for item in items]])
+            yield _of("OrderedList", [style, items])
         else:
-            yield _of("BulletList", [_plain(item) for item in items])
+            yield _of("BulletList", items)
 
     def table(self, block: Table) -> Tree:
         aligned = [
@@ -182,7 +188,11 @@ class _Writer:
             caption = [_of("Plain", [*_words(number), *self.inlines(block.caption)])]
         rows = [[self.cell(cell) for cell in row] for row in block.rows]
         heads = [_row([self.cell(cell) for cell in block.heads])] if any(block.heads) else []
-        attributes = [block.id, [] if block.ruled else ["unruled"], []]
+        attributes = [
+            block.id if self.target.linked else "",
+            [] if block.ruled else ["unruled"],
+            [],
+        ]
         return _of(
             "Table",
             [
@@ -205,6 +215,8 @@ class _Writer:
         shown = self.target.picture(block)
         if not self.target.captioned:
             return [_of("Para", [shown]), _of("Para", caption)]
+        if self.target.figure is not None:
+            return self.target.figure(block, _of("Plain", caption))
         whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", [shown])]]
         return [_of("Figure", whole)]
 
@@ -219,7 +231,8 @@ class _Writer:
         if isinstance(run, Number):
             return [_of("Str", self.plain(run))]
         if isinstance(run, Ref):
-            return [_of("Link", [NONE, _words(self.plain(run)), [f"#{run.to}", ""]])]
+            words = _words(self.plain(run))
+            return [_of("Link", [NONE, words, [f"#{run.to}", ""]])] if self.target.linked else words
         inside = _words(run.text)
         if run.style == "strong":
             return [_of("Strong", inside)]
@@ -236,10 +249,34 @@ class _Writer:
             return self.speech(TABLE_AT, number=self.numbers.tables[run.to])
         return run.text if not isinstance(run, Formula | Symbol) else ""
 
-    def math(self, one: Formula | Symbol, *, display: bool = False) -> Tree:
-        kind = "DisplayMath" if display else "InlineMath"
-        told = tex(one, self.document.language, self.put)
-        return _of("Math", [{"t": kind}, told])
+    def row(self, beside: Sequence[Formula]) -> Tree:
+        """Return formulas beside one another on a line of their own."""
+        told = [tex(one, self.document.language, self.put) for one in beside]
+        return _of("Math", [{"t": "DisplayMath"}, r";\qquad ".join(told)])
+
+    def math(self, one: Formula | Symbol) -> Tree:
+        """Return a formula among words."""
+        return _of("Math", [{"t": "InlineMath"}, tex(one, self.document.language, self.put)])
+
+
+def parts(document: Document) -> list[str]:
+    """Return the ids of the headings without numbers."""
+    return [
+        _section(k)
+        for k, block in enumerate(document.blocks)
+        if isinstance(block, Heading) and not block.numbered
+    ]
+
+
+def formulas(document: Document) -> int:
+    """Return how many formulas a note has as it is written: beside one another they are one."""
+    found = 0
+    for block in walk(document.blocks):
+        if isinstance(block, Display):
+            found += len(packed(block.formulas))
+        else:
+            found += sum(isinstance(run, Formula | Symbol) for run in runs_of(block))
+    return found
 
 
 MARKDOWN = ("gfm+tex_math_dollars", "markdown")
@@ -255,13 +292,6 @@ def _section(k: int) -> str:
 
 def _row(cells: list[Any]) -> list[Any]:
     return [NONE, cells]
-
-
-def _plain(blocks: list[Tree]) -> list[Tree]:
-    """Return the blocks of an item; one that is a paragraph only stands close to the others."""
-    if len(blocks) == 1 and blocks[0]["t"] == "Para":
-        return [{**blocks[0], "t": "Plain"}]
-    return blocks
 
 
 def classed(block: Tree, style: str) -> Tree:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterator, Sequence
 from string import Formatter
 from typing import NamedTuple
@@ -13,16 +15,14 @@ from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
 from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.board.values import Number as BoardNumber
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.document import (
-    Block,
-    Display,
     Formula,
     Leaf,
     Number,
-    Paragraph,
     Run,
     Runs,
     Source,
@@ -30,15 +30,15 @@ from graphic_tmm.note.document import (
     Text,
     Tree,
 )
-from graphic_tmm.note.widths import broken
-from graphic_tmm.readers.equations import Equation, equations
-from graphic_tmm.readers.narration import defined, protocol, remark
-from graphic_tmm.readers.sentences import phrase
+from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase
 
 PLAIN = (to_board, rescaled, in_si, on_lever, moment)
 """Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
 LEAST = 2
 """A formula of more sides than these stands on a line of its own; what is only read stands in its sentence."""
+
+
+_INDEX = re.compile(r"_(\w[\w–-]+)")
 
 
 class Told(NamedTuple):
@@ -65,128 +65,32 @@ class Told(NamedTuple):
         return Number(told, of if unit or of == "°" else "", source, value)
 
     def symbol(self, mark: Mark) -> Symbol:
-        """Return the letter of a mark."""
-        return Symbol(symbol(mark.name, self.language))
+        """Return the letter of a mark; an index of several signs is one."""
+        return Symbol(symbol(_INDEX.sub(r"_{\1}", mark.name), self.language))
 
     def leaf(self, mark: Mark) -> Leaf:
         """Return the letter of a mark, or its value if it has none."""
         return self.symbol(mark) if mark.name else self.number(mark)
 
 
-def protocol_blocks(
-    told: Told,
-    *,
-    turned: bool = False,
-    elsewhere: Sequence[tuple[int, str]] = (),
-    known: set[Runs] | None = None,
-    bare: bool = False,
-) -> Iterator[Block]:
-    """Yield the protocol of a view as blocks: headings of groups, equations, sentences.
-
-    ``elsewhere``: other positions by index and name, see `readers.narration.protocol`. ``known``: sentences
-    that were told already and are not told again; those of this view are entered. ``bare``: only what is
-    calculated or read is told. What is not there in the position is left out.
-    """
-    known = set() if known is None else known
-    log, view = told.log, told.view
-    steps = [step for step in log.steps if step.it.view == view]
-    solved = {e.group: e for e in equations(log, view, turned=turned)}
-    own = [told.place, *(k for k, _ in elsewhere)]
-    words: list[Run] = []
-    after = 0
-    for line in protocol(
-        log,
-        view,
-        told.reading,
-        told.place,
-        told.language,
-        turned=turned,
-        elsewhere=elsewhere,
-    ):
-        if not line.number:
-            continue
-        notes = [note for step in steps[after : line.number] for note in _notes(step)]
-        if notes:
-            yield from _flushed(words)
-        for note in notes:
-            yield from _heading(note, solved.get(note), told.language)
-        step, first = steps[line.number - 1], steps[max(line.first, 1) - 1 : line.number]
-        at = next((k for k in own if defined(told.reading, step.it, k)), told.place)
-        here = told._replace(place=at)
-        after = line.number
-        if not defined(told.reading, step.it, at):
-            continue
-        formula = calculated(here, step, _terms(first) if len(first) > 1 else ())
-        if formula is not None and len(formula.sides) > LEAST and step.op not in PLAIN:
-            yield from _flushed(words)
-            yield Display(broken(formula))
-            continue
-        more = _told(here, step, formula)
-        if formula is None:
-            if bare or tuple(more) in known:
-                continue
-            known.add(tuple(more))
-        words += [Text(" "), *more] if words else more
-    yield from _flushed(words)
-
-
-def _flushed(words: list[Run]) -> Iterator[Block]:
-    """Yield the paragraph of what was told so far, which begins anew."""
-    if words:
-        yield Paragraph(tuple(words))
-        words.clear()
-
-
-def _told(told: Told, step: Step, formula: Formula | None) -> list[Run]:
-    """Return what is done in a step as words, with what was read."""
-    if formula is not None and step.op.formula:
-        return [formula._replace(flat=True), Text(".")]
-    runs = list(sentence_runs(told, step))
-    if formula is None:
-        return runs
-    last = runs[-1]
-    if isinstance(last, Text) and last.text.endswith("."):
-        runs[-1] = Text(last.text[:-1] + ": ")
-    return [*runs, formula, Text(".")]
-
-
-def _notes(step: Step) -> list[str]:
-    return [note for note in step.note.split("\n") if note]
-
-
-def _terms(steps: Sequence[Step]) -> tuple[Mark, ...]:
-    """Return the terms of a sum that was added up in several steps."""
-    return (*steps[0].uses, *(mark for step in steps[1:] for mark in step.uses[1:]))
-
-
-def _heading(note: str, equation: Equation | None, language: str) -> Iterator[Block]:
-    told = symbol(note, language)
-    if "=" in told:
-        sides, _, behind = told.partition(",  ")
-        yield Display((Formula((Symbol(sides),), behind=(Symbol(behind),) if behind else ()),))
-        return
-    yield Paragraph((Text(remark(note, language) + ":", "emphasis"),))
-    if equation is not None:
-        yield Display(
-            (
-                Formula((Symbol(symbol(equation.markup, language)),)),
-                Formula((Symbol(symbol(equation.directions, language)),)),
-            )
-        )
-
-
 def sentence_runs(told: Told, step: Step) -> Runs:
     """Return what is done in a step, its letters as symbols."""
-    template, words = phrase(step, told.language, told.reading, told.place)
-    return put(template, words, _marks(step), told)
+    return put(phrase(step, told.language, told.reading, told.place), _marks(step), told)
+
+
+def reason_runs(told: Told, step: Step) -> Runs:
+    """Return why a step is done, its letters as symbols; none if nobody gave a reason."""
+    found = grounds(step, told.language, told.reading, told.place)
+    return put(found, _marks(step), told) if found is not None else ()
 
 
 def _marks(step: Step) -> dict[str, Mark]:
     return dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
 
 
-def put(template: str, words: dict[str, str], marks: dict[str, Mark], told: Told) -> Runs:
+def put(said: Phrase, marks: dict[str, Mark], told: Told) -> Runs:
     """Return a sentence: what stands for the names of its template, letters as symbols."""
+    template, words = said
     found: list[Run] = []
     for text, name, _, _ in Formatter().parse(template):
         if text:
@@ -240,11 +144,13 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
 
     ``terms``: of a sum that was added up in several steps.
     """
-    if not (step.op.reads or step.op.formula):
+    if step.op.proportion:
+        return _proportion(told, step)
+    if not (step.op.reads or step.op.formula or step.op.leaves is BoardNumber):
         return None
     it = told.symbol(step.it)
     result = told.number(step.it, unit=True)
-    if step.op.reads:
+    if not step.op.formula:
         return Formula((it, result))
     if terms:
         node, marks = _sum(terms)
@@ -257,6 +163,45 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
     if isinstance(only := _alone(figures), Number) and only.text == result.text:
         sides.remove(figures)
     return Formula(tuple(sides))
+
+
+_SEGMENT = re.compile(r"\{(\w+)\}\{(\w+)\}")
+
+
+def _proportion(told: Told, step: Step) -> Formula | None:
+    """Return the segment sought by the proportion of a figure drawn similar to another: pc = pb·AC/AB."""
+    marks = _marks(step)
+    segments = [(marks[a], marks[b]) for a, b in _SEGMENT.findall(step.op.proportion)]
+    sizes = [_segment(told, *ends) for ends in segments]
+    sought, base, part, whole = sizes
+    if not (math.isfinite(sought.value) and min(base.value, whole.value) > NOTHING):
+        return None
+    node = tree_of("{base}·{part}/{whole}", FUNCTIONS)
+    names = [_between(told, *ends) for ends in segments]
+    keys = ("base", "part", "whole")
+    letters = Tree(node, dict(zip(keys, names[1:], strict=True)))
+    figures = Tree(node, dict(zip(keys, (base, part, whole), strict=True)))
+    return Formula((names[0], letters, figures, sought._replace(unit="mm")))
+
+
+def _segment(told: Told, first: Mark, second: Mark) -> Number:
+    """Return how long a segment between two points is, mm."""
+    rows = (told.reading[mark][0] for mark in (first, second))
+    start, end = (row[told.place if row.size > 1 else 0] for row in rows)
+    value = float(abs(end - start))
+    source = Source("segment", told.board, f"{first.slot} {second.slot}", told.place, told.view)
+    return Number(number(value, told.language), "", source, value)
+
+
+def _between(told: Told, first: Mark, second: Mark) -> Symbol:
+    """Return the letters of a segment."""
+    ends = [told.symbol(mark).markup for mark in (first, second)]
+    dash = "" if all(END.fullmatch(end) for end in ends) else "–"
+    return Symbol(dash.join(ends))
+
+
+END = re.compile(r"[^\W\d_]\d*′?")
+"""Ends of a segment that are told apart as they stand together: OA, aa3."""
 
 
 def _alone(tree: Tree) -> Leaf | None:

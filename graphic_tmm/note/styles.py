@@ -11,11 +11,11 @@ h1.unnumbered { text-align: center; }
 figure { margin: 1.5rem 0; text-align: center; }
 figure svg { max-width: 100%; height: auto; }
 figcaption { text-align: center; }
-table { border-collapse: collapse; margin: 1.5rem 0; display: block; max-width: 100%; overflow-x: auto; }
+table { border-collapse: collapse; margin: 1.5rem 0; }
 caption { text-align: left; margin-bottom: .3rem; white-space: nowrap; }
 th, td { border: 1px solid #555; padding: .15rem .4rem; font-size: .85rem; font-weight: normal; }
 table.unruled th, table.unruled td { border: 0; font-size: 1rem; }
-math[display="block"] { margin: .6rem 0; max-width: 100%; overflow-x: auto; overflow-y: hidden; }
+math[display="block"] { margin: .6rem 0; }
 p { margin: .5rem 0; } li > p { margin: .2rem 0; }
 ul { list-style: none; padding-left: 1.2rem; }
 a { color: #0b4a8f; }
@@ -52,7 +52,6 @@ TYPST = """\
 #show figure.where(kind: table): set figure.caption(position: top)
 #show figure.where(kind: table): set align(left)
 #show figure.where(kind: image): set block(breakable: false)
-#show figure.where(kind: image): set figure(placement: bottom)
 #show figure.caption: it => {
   set par(first-line-indent: 0mm, justify: false)
   block(sticky: true, width: 100%, it.body)
@@ -68,6 +67,8 @@ TYPST = """\
 #show link: set text(fill: black)
 #let contents(title) = {
   align(center, text(size: 15pt, weight: "bold", title))
+  set text(size: 11pt)
+  set par(leading: 0.55em, spacing: 0.55em)
   outline(title: none, depth: 2, indent: 6mm)
   pagebreak(weak: true)
 }
@@ -78,6 +79,11 @@ TYPST = """\
 #let bare(told) = {
   set table(stroke: none)
   show table: set text(size: 12pt)
+  told
+}
+#let part(told) = align(center, told)
+#let whole(told) = {
+  show figure: set block(breakable: false)
   told
 }
 #show enum: it => { show math.equation.where(block: true): set align(left); it }

@@ -6,7 +6,7 @@ Only what pandoc understands in all its formats is written; a letter that TeX ha
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby
 
 from graphic_tmm.board.formula_text import Node
@@ -21,6 +21,7 @@ SIGNS = {
     "·": r" \cdot ",
     "−": "-",
     "–": r"\text{–}",
+    "-": r"\text{-}",
     "×": r" \times ",
     "±": r" \pm ",
     "=": " = ",
@@ -67,7 +68,7 @@ SIGNS = {
     "ω": r"\omega ",
 }
 """What TeX calls the signs of sheets."""
-_PLAIN = frozenset("0123456789+-()[]|/.:;!'")
+_PLAIN = frozenset("0123456789+()[]|/.:;!'")
 _ESCAPED = {c: "\\" + c for c in "{}$%#&_"} | {
     "\\": r"\textbackslash ",
     "~": r"\textasciitilde ",
@@ -77,8 +78,8 @@ _WORDS = frozenset(
     {"in", "dr", "ser", "mean", "red", "max", "min", "lim", "Zh", "bal", "fly", "bl"}
 )
 """Indices that are words: they stand upright."""
-_WORD = re.compile("[а-яА-Я–-]")
-"""An index with one of these is words, or a range: no product of letters."""
+_WORD = re.compile("[–\u0400-\u04ff-]")
+"""An index with one of these, a Cyrillic letter or a dash, is words, or a range: no product of letters."""
 _NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
 _RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
 
@@ -237,26 +238,23 @@ class _Writer:
         return told if node.head in ("figure", "π", "abs") else rf"{{\left({told}\right)}}"
 
     def _product(self, node: Node, put: Mapping[str, Leaf]) -> str:
-        above, below = list[str](), list[str]()
+        above, below = list[Node](), list[Node]()
         for factor, over in _factors(node):
-            row = below if over else above
-            told = self._within(factor, put, ("+", "−", "±", "neg"), first=not row)
-            row.append(told)
-        upper, lower = r" \cdot ".join(above), r" \cdot ".join(below)
+            (below if over else above).append(factor)
         if not below:
-            return upper
-        if self.flat:
-            return f"{upper}/{lower}" if len(below) == 1 else f"{upper}/({lower})"
-        bare = self._bare(node, put)
-        return rf"\frac{{{upper}}}{{{lower}}}" if bare is None else bare
+            return self._row(above, put)
+        if not self.flat:
+            return rf"\frac{{{self._row(above, put)}}}{{{self._row(below, put)}}}"
+        upper, lower = (self._row(row, put) for row in (above, below))
+        return f"{upper}/{lower}" if len(below) == 1 else f"{upper}/({lower})"
 
-    def _bare(self, node: Node, put: Mapping[str, Leaf]) -> str | None:
-        """Return a fraction of two sums without the brackets that its line makes needless."""
-        parts = list(_factors(node))
-        if len(parts) != 2 or [over for _, over in parts] != [False, True]:
-            return None
-        above, below = (self.tree(factor, put) for factor, _ in parts)
-        return rf"\frac{{{above}}}{{{below}}}"
+    def _row(self, factors: Sequence[Node], put: Mapping[str, Leaf]) -> str:
+        """Return factors of a product; one that stands alone above or below a line needs no brackets."""
+        if len(factors) == 1 and not self.flat:
+            return self.tree(factors[0], put)
+        loose = ("+", "−", "±", "neg")
+        told = [self._within(one, put, loose, first=not k) for k, one in enumerate(factors)]
+        return r" \cdot ".join(told)
 
     def _below(self, node: Node, put: Mapping[str, Leaf]) -> str:
         """Return what stands behind a stroke of a fraction."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.formula_text import Node
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering.markup import plain
 
-WIDE = 58.0
+WIDE = 68.0
 """So many letters stand on a line of a page, brackets and signs among them. Measured on pages of PDF."""
 SMALL = 0.65
 """What a letter of an index takes of one on the line."""
@@ -122,6 +122,35 @@ def _runs(
 
 SUMS = ("+", "−")
 """Heads of sums."""
+
+
+def packed(formulas: Sequence[Formula]) -> tuple[tuple[Formula, ...], ...]:
+    """Return formulas line by line: two that are short and whole stand beside one another."""
+    rows: list[tuple[Formula, ...]] = []
+    for k, one in enumerate(formulas):
+        whole = not one.follows and not one.behind
+        whole = whole and not (k + 1 < len(formulas) and formulas[k + 1].follows)
+        last = rows[-1] if rows else ()
+        if whole and len(last) == 1 and _short(last[0]) and _short(one) and _alone(rows, formulas):
+            rows[-1] = (*last, one)
+        else:
+            rows.append((one,))
+    return tuple(rows)
+
+
+def _alone(rows: Sequence[tuple[Formula, ...]], formulas: Sequence[Formula]) -> bool:
+    """Whether the last formula in rows is whole: none follows it, it follows none."""
+    last = rows[-1][0]
+    k = sum(map(len, rows)) - 1
+    return not last.follows and not last.behind and not formulas[k + 1].follows
+
+
+def _short(one: Formula) -> bool:
+    return sum(width(side) + SIGN for side in one.sides) <= SHORT
+
+
+SHORT = 35.0
+"""A formula of so many letters at the most takes half a line."""
 
 
 def width(one: Leaf | Tree) -> float:

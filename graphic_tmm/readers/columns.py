@@ -76,6 +76,26 @@ def row_of(values: Reals, places: Sequence[int], count: int) -> Reals:
     return row
 
 
+def listed(
+    plan: str,
+    segment: str,
+    letter: str,
+    unit: str,
+    figures: Sequence[Reals],
+    heads: Sequence[str],
+    mm: Sequence[Reals] = (),
+) -> Column:
+    """Return figures, (trial,), that stand under heads of their own: wheels, points of a line, rows of a list.
+
+    ``mm``: what was measured for each of them; nothing if it is left out. Without heads it is one figure.
+    """
+    names = tuple((head, None) for head in heads or ("",))
+    value = np.stack(np.broadcast_arrays(*figures), axis=1).astype(float)
+    value[~np.isfinite(value)] = np.nan
+    lengths = np.stack(np.broadcast_arrays(*mm), axis=1) if mm else empty(len(names))
+    return Column(plan, segment, letter, unit, lengths, value, names)
+
+
 def empty(count: int) -> Reals:
     """Return the figures of what is not drawn, or not known, at any of ``count`` positions; (1, position)."""
     return np.full((1, count), np.nan)

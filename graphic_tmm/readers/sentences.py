@@ -76,6 +76,18 @@ def reason(step: Step, language: str, reading: Reading, place: int) -> str:
     return _segments(speaking(language)(step.reason), words).format(**words)
 
 
+Phrase = tuple[str, Mapping[str, str]]
+"""A sentence as a template, and what stands for its names."""
+
+
+def grounds(step: Step, language: str, reading: Reading, place: int) -> Phrase | None:
+    """Return why a step is done as a template with its words; None if nobody gave a reason."""
+    if not step.reason:
+        return None
+    words = _words(step, language, reading, place)
+    return _segments(speaking(language)(step.reason), words), words
+
+
 def _words(step: Step, language: str, reading: Reading, place: int) -> dict[str, str]:
     """Return what stands for the arguments of a step, for its choices and for the mark that it leaves."""
     _ = speaking(language)

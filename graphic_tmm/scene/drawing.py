@@ -99,7 +99,10 @@ _PLACES = Kind(
 
 @dataclass(frozen=True)
 class SheetOrder:
-    """A sheet, and what is placed on it, in order."""
+    """A sheet, and what is placed on it, in order.
+
+    ``chosen``: its format was asked for as "auto", and has been found.
+    """
 
     format: str = key(
         v.choice(*FORMATS, AUTO, **others()),
@@ -129,6 +132,7 @@ class SheetOrder:
         "ТММ.01.02.000",
         "",
     )
+    chosen: bool = False
 
 
 @dataclass(frozen=True)

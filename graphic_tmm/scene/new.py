@@ -1,17 +1,31 @@
-"""A scene to begin with: the copy of another one, with the schema that editors read beside it."""
+"""A scene to begin with: the copy of another one, or a mechanism with all that may be added as comments."""
 
 from __future__ import annotations
 
 import json
 import re
+import tomllib
+from collections.abc import Container, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import MISSING
 
+from graphic_tmm.paper.formats import AUTO
+from graphic_tmm.scene.declare import Found, Key, Section, keys_of
 from graphic_tmm.scene.letters import POLES
 from graphic_tmm.scene.read import FILE
 from graphic_tmm.scene.schema import schema
+from graphic_tmm.scene.sections import declared
 
 SCHEMA = "scene.schema.json"
 KEPT = f"# The letters {', '.join(POLES)} are kept for the poles of plans: call a point K, or P1.\n"
+MANNER = ("scales", "hand", "sheet", "title_block")
+"""The sections that say how a mechanism is drawn, not what it is."""
+WIDTH = 36
+"""Where what a key says stands behind it, characters."""
 _HEAD = re.compile(rf"^#:schema .*\n(?:{re.escape(KEPT)})?", re.MULTILINE)
+_SECTION = re.compile(r"^\[+(\w+)", re.MULTILINE)
+_UNIT = re.compile(r"[\d.,]+( [^\d\s].*)")
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def begun(text: str) -> dict[str, str]:
@@ -20,6 +34,107 @@ def begun(text: str) -> dict[str, str]:
     ``text``: of the scene that is copied; the line that leads editors to the schema leads to the folder's own.
     """
     return {FILE: f"#:schema {SCHEMA}\n{KEPT}{_HEAD.sub('', text)}", SCHEMA: schema_text()}
+
+
+def begun_with(text: str, title: str, language: str, remark: str) -> dict[str, str]:
+    """Return the files of a new scene by name: what a scene is of, under a title and in a language of its own.
+
+    ``text``: of the scene that it is taken from. How that is drawn is left out; each section that it does not
+    have stands behind it as a comment, with defaults and examples, under ``remark``.
+    """
+    parts = dict(_parts(text))
+    kept = "".join(part for name, part in parts.items() if name and name not in MANNER)
+    head = f"title    = {toml(title)}\nlanguage = {toml(language)}\n\n"
+    others = "\n".join(_examples(parts.keys() - set(MANNER)))
+    sheet = f"[[sheet]]\nformat = {toml(AUTO)}"
+    return begun(f"{head}{kept.strip()}\n\n{sheet}\n\n# {remark}\n\n{others}")
+
+
+def _parts(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the sections of a scene by name, "" before the first; a list of tables is one."""
+    found: dict[str, str] = {}
+    name, lines = "", list[str]()
+    for line in text.splitlines(keepends=True):
+        if head := _SECTION.match(line):
+            before = len(lines)
+            while before and lines[before - 1].startswith("#"):
+                before -= 1
+            found[name] = found.get(name, "") + "".join(lines[:before])
+            name, lines = head[1], lines[before:]
+        lines.append(line)
+    found[name] = found.get(name, "") + "".join(lines)
+    yield from found.items()
+
+
+def _examples(there: Container[str]) -> Iterator[str]:
+    """Yield the lines of the sections that are not there, as comments."""
+    for section in declared().values():
+        if section.name in there:
+            continue
+        keys = {
+            name: one for name, one in keys_of(section.record).items() if shown(one) is not None
+        }
+        if keys:
+            yield from (f"# {line}".rstrip() for line in _example(section, keys))
+            yield ""
+
+
+def _example(section: Section, keys: Mapping[str, Key]) -> Iterator[str]:
+    head = f"[[{section.name}]]" if section.several else f"[{section.name}]"
+    says = (section.record.__doc__ or "").partition("\n")[0]
+    yield f"{head:<{WIDTH}} # {says}"
+    for name, one in keys.items():
+        yield f"{f'{name} = {shown(one)}':<{WIDTH}} # {one.says}"
+
+
+def shown(one: Key) -> str | None:
+    """Return a key's default as a scene writes it, or its example if it has none; None if there is neither."""
+    if one.default is not MISSING and one.default is not None and one.default not in ((), {}, ""):
+        for text in _spelled(one):
+            if _read(one, text) == one.default:
+                return text
+    return None if one.example is None else toml(one.example)
+
+
+def _spelled(one: Key) -> Iterator[str]:
+    """Yield how a default may be written: as it is, one of a list by itself, in the unit of the example."""
+    with suppress(TypeError):
+        yield toml(one.default)
+        if isinstance(one.default, tuple) and len(one.default) == 1:
+            yield toml(one.default[0])
+    unit = _UNIT.fullmatch(one.example) if isinstance(one.example, str) else None
+    if unit is not None and isinstance(one.default, (int, float)):
+        yield toml(f"{one.default:g}{unit[1]}")
+
+
+def _read(one: Key, text: str) -> object:
+    """Return what a value means that is written so; None if it is none."""
+    found: list[Found] = []
+    value = one.kind.understood(tomllib.loads(f"it = {text}")["it"], (), {}, found)
+    return None if found else value
+
+
+def toml(value: object) -> str:
+    """Return a value as TOML writes it, on one line.
+
+    >>> toml({"a": [0, 0.5], "b c": True})
+    '{ a = [0, 0.5], "b c" = true }'
+
+    Raises
+    ------
+    TypeError
+        If TOML has no such values.
+    """
+    if isinstance(value, (bool, int, float)):
+        return f"{value:g}" if isinstance(value, float) else str(value).lower()
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(map(toml, value))}]"
+    if isinstance(value, dict):
+        pairs = (f"{k if _BARE.fullmatch(k) else toml(k)} = {toml(v)}" for k, v in value.items())
+        return f"{{ {', '.join(pairs)} }}"
+    raise TypeError(type(value).__name__)
 
 
 def schema_text() -> str:

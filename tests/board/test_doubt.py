@@ -64,15 +64,16 @@ def test_a_figure_keeps_the_digits_that_are_sure_and_no_others() -> None:
             assert len(f"{value:.12e}".split("e")[0].rstrip("0")) - 1 <= 2 - np.log10(share)
 
 
-@pytest.mark.parametrize("share", [1e-3, 1e-8, 1e-10, 1e-12])
+@pytest.mark.parametrize("share", [1e-3, 1e-7, 1e-10, 1e-12])
 def test_what_nobody_could_read_beside_its_plan_is_nothing(share: float) -> None:
     """Every digit told of a difference is sure; one too small beside what it is made of is 0.
 
     A small figure that is given, and what is computed from it alone, is as large as it should be.
     """
     bench = Bench()
-    one = bench.take(Number, "a", 1.0)
-    more = bench.take(Number, "b", 1.0 + share)
+    unit = bench.take(Number, "i", 1.0)
+    one = bench.board.draw(product, "a", bench.take(Number, "j", 1.0), unit)
+    more = bench.board.draw(product, "b", bench.take(Number, "k", 1.0 + share), unit)
     small = bench.take(Number, "c", share)
     rest = bench.board.draw(difference_of, "d", more, one)
     times = bench.board.draw(product, "e", rest, one)
@@ -81,6 +82,17 @@ def test_what_nobody_could_read_beside_its_plan_is_nothing(share: float) -> None
     for mark in (rest, times):
         assert bench.figure(mark)[0] == pytest.approx(told, rel=2e-3, abs=0.0)
     assert bench.figure(own)[0] == pytest.approx(share, rel=1e-9)
+
+
+@pytest.mark.parametrize("share", [1e-8, 1e-10])
+def test_a_length_is_nothing_beside_what_is_drawn_of_its_plan(share: float) -> None:
+    bench = Bench()
+    origin = bench.take(Point, "O", 0j)
+    short = bench.take(Point, "A", [100.0, share * 100.0])
+    bench.board.draw(measure, "OB", origin, bench.take(Point, "B", 100j))
+    whole, found = bench.figure(bench.board.draw(measure, "OA", origin, short))
+    assert whole == 100.0
+    assert found == pytest.approx(share * 100.0 if share > 1e-9 else 0.0, abs=0.0)
 
 
 def test_a_length_that_does_not_vary_stays_one_figure_on_a_plan_that_does() -> None:

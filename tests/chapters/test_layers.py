@@ -18,8 +18,9 @@ LAYERS = (
     ("sections", "formulas", "law_formulas", "rack", "operations", "rolling"),
     (),  # plans: what no other layer names
     ("table", "results", "tables", "scales", "findings", "assumed", "any"),
-    ("ink", "outline", "accuracy"),
+    ("ink", "outline", "accuracy", "choice", "columns", "verdict"),
     ("views",),
+    ("note",),
     ("__init__",),
 )
 

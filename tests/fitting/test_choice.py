@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,15 +11,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.each import each
 from support.gallery import ALL, made
+from support.parts import PARTS, part_of
+from support.scenes import edited
 
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.choice import next_standard, scale_of
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard
+from graphic_tmm.board.scales import PREFERRED, Scale, nearest, standard
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.readers.narration import protocol
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 SAME = 1e-12
 """A share of μ: the choice computes it in another order than the search."""
@@ -50,6 +56,18 @@ def test_every_scale_factor_of_a_sheet_has_its_step_and_its_number(name: str) ->
         for chart in drawn.project.charts:
             due = float(drawn.reading[chart.mu][0, 0])
             assert math.isclose(found.value(chart.mu), due, rel_tol=SAME), chart.view
+
+
+@pytest.mark.slow
+@each("what", PARTS)
+def test_every_scale_factor_of_a_part_has_its_number(what: str, tmp_path: Path) -> None:
+    part = part_of(tmp_path, what)
+    found = choices(part)
+    for view in part.construction.views:
+        if view.name in part.scales and view.scale is not None:
+            due = part.scales[view.name].value
+            assert math.isclose(found.value(view.scale), due, rel_tol=SAME), view
+    assert all(step.reason for step in (*part.construction.steps, *found.construction.steps))
 
 
 @pytest.mark.slow
@@ -104,6 +122,37 @@ def test_a_length_that_the_scene_gives_makes_its_scale() -> None:
     told = {step.it.name: step for step in choices(drawn).construction.steps}
     assert told["μ_v"].op is scale_of
     assert told["μ_v"].uses[1].name == "pa"
+
+
+WISHED = (
+    ('mu_t  = "0.0025 s/mm"', 'base = "80 mm"\nstandard = true'),
+    ('H_a   = "15 mm"', 'H_a = "20 mm"'),
+)
+"""What a worked example begins with: a turn on 80 mm, a pole 20 mm off."""
+
+
+def test_lengths_that_are_wished_for_give_way_to_standard_scales(tmp_path: Path) -> None:
+    """The worked example: 0.003 s/mm is 0.0025, so the base 96 mm; 1.5 is 2, so the pole stands 15 mm off."""
+    (drawn,) = make(read(edited(tmp_path, *WISHED, name="slider-diagrams"))).boards
+    found = choices(drawn)
+    told = {step.it.name: value(found, step.it) for step in found.construction.steps}
+    due = {"μ_t′": 0.003, "μ_t": 0.0025, "L": 96.0, "μ_a′": 1.5, "μ_a": 2.0, "H_a": 15.0}
+    assert {name: round(told[name], 9) for name in due} == due
+    assert math.isclose(drawn.scales["diagram a"].value, 2.0)
+
+
+def test_a_pole_that_is_wished_for_needs_the_scale_before_it(tmp_path: Path) -> None:
+    edits = (*WISHED, ('mu_V  = "0.075 (m/s)/mm"\n', ""))
+    with pytest.raises(StructureError, match="write mu_V"):
+        make(read(edited(tmp_path, *edits, name="slider-diagrams")))
+
+
+@given(st.floats(1e-9, 1e9))
+def test_the_nearest_standard_is_the_nearest(exact: float) -> None:
+    mu = nearest(exact)
+    mantissa = float(f"{mu:e}".partition("e")[0])
+    assert mantissa in PREFERRED
+    assert max(mu / exact, exact / mu) <= math.sqrt(2.0) * (1 + 1e-12)
 
 
 @given(st.floats(1e-6, 1e9), st.floats(5.0, 400.0))

@@ -14,8 +14,9 @@ from pdfminer.pdfparser import PDFParser
 from pdfminer.pdftypes import resolve1
 from support.notes import document_of, file_of, noted, parts
 
-from graphic_tmm.note.document import Heading, Picture, Table, formulas, walk
+from graphic_tmm.note.document import Heading, Picture, Table, walk
 from graphic_tmm.note.formats import files
+from graphic_tmm.note.pandoc import formulas
 
 NAME = "slider-diagrams"
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"

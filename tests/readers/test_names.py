@@ -168,7 +168,8 @@ def catalogue(language: str) -> set[str]:
 @each("language", ["ru", "en"])
 def test_a_table_calls_its_rows_as_the_protocol_does(name: str, language: str) -> None:
     made, lines = scene(name, language)
-    text = "\n".join(lines)
+    given = [mark for log, _ in logs(made) for mark in log.given]
+    text = "\n".join([*lines, *(spoken(mark, language) for mark in given)])
     for column in scene_columns(made):
         called = plain(column_name(column, language))
         own = column.letter in captions(language)  # both methods side by side, differences, series

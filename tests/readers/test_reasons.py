@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+
 import pytest
 from support.command import invoke
 from support.gallery import ALL, PLANS, drawn, made
 
+from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.instruments import homologous, similar
-from graphic_tmm.board.record import Board, Mark
+from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Length, Point
+from graphic_tmm.fitting.choice import choices
+from graphic_tmm.language.catalogue import SOURCE, speaking
 from graphic_tmm.language.names import aloud
 from graphic_tmm.readers.equations import Term, equations
-from graphic_tmm.readers.sentences import calculation
+from graphic_tmm.readers.protocol import synthesis
+from graphic_tmm.readers.sentences import calculation, reason
+
+CYRILLIC = re.compile("[а-яё]")
 
 
 def test_reasons_are_told_only_where_they_are_asked_for() -> None:
@@ -82,3 +91,33 @@ def test_no_spoken_name_has_a_sign_that_cannot_be_spoken(name: str) -> None:
         for mark in (*log.given, *(step.it for step in log.steps)):
             for language in ("en", "ru"):
                 assert not set("#′″{}_^") & set(aloud(mark, language))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_every_step_of_every_plan_has_a_reason(name: str, language: str) -> None:
+    """Every kind of step: of whatever plan, whatever operation leaves whatever role."""
+    speech = speaking(language)
+    for log, reading in logs(name):
+        for step in log.steps:
+            kind = step.it.view, step.op.name, step.it.role
+            assert step.reason, kind
+            assert language == SOURCE or speech.knows(step.reason), (kind, step.reason)
+            told = reason(step, language, reading, 0)
+            assert told.endswith("."), told
+            assert not set("{}#") & set(told), told
+            assert bool(CYRILLIC.search(told)) == (language == "ru") or CYRILLIC.search(
+                step.it.name
+            ), told
+
+
+def logs(name: str) -> Iterator[tuple[Construction, Reading]]:
+    """Yield the logs of a scene: of its boards, of the choice of their scale factors, of its synthesis."""
+    for board in made(name).boards:
+        yield board.construction, board.numbers.drawn
+        found = choices(board)
+        yield found.construction, execute(found.construction, found.given)
+    lengths = synthesis(made(name).scene)
+    if lengths is not None:
+        yield lengths.construction, execute(lengths.construction, lengths.given)

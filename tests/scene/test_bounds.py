@@ -153,7 +153,12 @@ def _order(folder: Path, section: str) -> Any:
 
 
 PLANS = {"cam": refuse, "gears": refuse_order, "planetary": scheme_of}
-FIELDS = {"parts": "divisions", "transmission": "pressure"}
+FIELDS = {
+    "parts": "divisions",
+    "transmission": "pressure",
+    "mu_dS": "mu_V",
+    "mu_ddS": "mu_A",
+}
 
 
 OWN = ("behind", "mu_theta", "mu_l")

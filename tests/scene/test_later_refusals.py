@@ -13,7 +13,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
 
 SHEETS = Path(__file__).parents[2] / "sheets"
-POINTS = "law_points = [[0, 1], [0.50103, 1], [0.50103, -1.00413], [1, -1.00413]]"
+POINTS = "law_points = [[0, 1], [0.5, 1], [0.5, 2], [0.5005, 2], [0.5005, -1], [1, -1]]"
 CASES = [
     # scene, what is replaced, by what, key, words that begin its line, words of the message
     ("windrower", "positions = [8]", "positions = [8, 40]", "forces.positions", "", "position 40"),

@@ -5,20 +5,31 @@ from __future__ import annotations
 import io
 import re
 import zipfile
+from collections.abc import Mapping
 from functools import cache
 from xml.etree import ElementTree
 
 import numpy as np
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.hand import EXACT
+from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
-from graphic_tmm.note.note import note
+from graphic_tmm.note.note import note, wanted
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
-from support.gallery import made
+from graphic_tmm.studio import make
+from support.gallery import scene
+
+
+@cache
+def made(name: str) -> DrawnScene:
+    """A scene of the package, drawn as for its note."""
+    return make(scene(name), wanted=wanted(scene(name)))
 
 
 @cache
@@ -49,57 +60,72 @@ def looked_up(made: DrawnScene, one: Number) -> float:
     """The value that stands where a number says that it was read."""
     source = one.source
     if source.board == SYNTHESIS:
-        return _of_synthesis(made, source)
+        found = synthesis(made.scene)
+        assert found is not None
+        return _aside(found.construction, found.given, source)
+    if source.board.startswith(f"{SCALES} "):
+        board = source.board.removeprefix(f"{SCALES} ")
+        chosen = choices(next(one for one in made.boards if one.board == board))
+        return _aside(chosen.construction, chosen.given, source)
     drawn = next(board for board in made.boards if board.board == source.board)
     ways = {
         "mark": _of_mark,
         "size": lambda drawn, source: abs(_of_mark(drawn, source)),
-        "structure": _of_structure,
+        "segment": _of_segment,
         "column": _of_column,
         "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
         "given": _of_given,
+        "asked": lambda drawn, source: _of_task(drawn, *source.name.split(".")),
+        "deviation": _of_deviation,
         "scale": lambda drawn, source: drawn.scales[source.name].value,
     }
     return ways[source.kind](drawn, source)
 
 
-def _of_synthesis(made: DrawnScene, source: Source) -> float:
-    found = synthesis(made.scene)
-    assert found is not None
-    reading = execute(found.construction, found.given)
-    marks = {*found.given, *(step.it for step in found.construction.steps)}
-    mark = next(one for one in marks if str(one.slot) == source.name)
-    return float(reading.figure(mark)[0, 0])
+def _aside(log: Construction, given: Mapping[Mark, object], source: Source) -> float:
+    return float(execute(log, given).figure(_mark(log, source.name))[0, 0])
 
 
 def _of_mark(drawn: Drawn, source: Source) -> float:
-    log = drawn.construction
-    mark = next(
-        one
-        for one in (*log.given, *(step.it for step in log.steps))
-        if str(one.slot) == source.name
-    )
+    mark = _mark(drawn.construction, source.name)
     reading = drawn.of(source.view)
     assert reading is not None
     row = reading.figure(mark)[0]
     return float(row[source.place if row.size > 1 else 0])
 
 
-def _of_structure(drawn: Drawn, source: Source) -> float:
-    """Count links and pairs anew, off the scene."""
-    mechanism = drawn.scene.mechanism
-    assert mechanism is not None
-    what, _, group = source.name.partition(" ")
-    if group:
-        return {"links": 2.0, "pairs": 3.0, "W": 0.0}[what]
-    if what == "link":
-        return float(mechanism.drive.link)
-    sliding = sum(len(link.slides) for link in mechanism.links)
-    letters = [letter for link in (*mechanism.links, mechanism.frame) for letter in link.points]
-    turning = sum(letters.count(letter) - 1 for letter in set(letters))
-    counts = {"n": len(mechanism.links), "p": sliding + turning}
-    counts["W"] = 3 * counts["n"] - 2 * counts["p"]
-    return float(counts[what])
+def _of_task(drawn: Drawn, section: str, key: str) -> float:
+    return float(getattr(drawn.scene.tasks[section], key))
+
+
+def _of_deviation(drawn: Drawn, source: Source) -> float:
+    """How far a figure is off the exact hand's, % of the largest of its plan and unit."""
+    plan, _, name = source.name.partition("/")
+    due = drawn.drawn_by(EXACT)
+    if not plan:
+        told, right = (float(results_of(one)[name][0][0]) for one in (drawn, due))
+        return 100.0 * abs(told - right) / abs(right)
+    told_, right_ = (
+        next(c for c in columns_of(one) if (c.plan, c.segment) == (plan, name))
+        for one in (drawn, due)
+    )
+    alike = [c.value for c in columns_of(due) if c.plan == plan and c.unit == right_.unit]
+    largest = max(float(np.nanmax(np.abs(row))) for row in alike if np.isfinite(row).any())
+    apart = told_.value[0][source.place] - right_.value[0][source.place]
+    return float(100.0 * abs(apart) / largest)
+
+
+def _of_segment(drawn: Drawn, source: Source) -> float:
+    ends = []
+    for slot in source.name.split():
+        row = drawn.of(source.view)[_mark(drawn.construction, slot)][0]  # type: ignore[index]
+        ends.append(row[source.place if row.size > 1 else 0])
+    return float(abs(ends[1] - ends[0]))
+
+
+def _mark(log: Construction, slot: str) -> Mark:
+    marks = (*log.given, *(step.it for step in log.steps))
+    return next(one for one in marks if str(one.slot) == slot)
 
 
 def _of_column(drawn: Drawn, source: Source) -> float:

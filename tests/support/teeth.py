@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +19,7 @@ from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.teeth import Flank
-from graphic_tmm.drawn import Drawn, Numbers, single
+from graphic_tmm.drawn import Drawn, Numbers, single, view_scales
 from graphic_tmm.fitting.scales import Fitting
 from graphic_tmm.project import Project, record
 from graphic_tmm.scene.records import Scene
@@ -42,20 +43,16 @@ class Pair(NamedTuple):
     def log(self) -> Construction:
         return self.project.construction
 
+    @property
+    def drawn(self) -> Drawn:
+        """The same as readers have it."""
+        numbers = Numbers(self.reading, {}, self.reading)
+        bare = Drawn(self.project, self.given, {}, numbers, EXACT, Doubts((), {}), (), {}, {})
+        return replace(bare, scales=view_scales(self.project, self.reading))
+
     def results(self) -> dict[str, tuple[float, str]]:
         """The results as a table tells them."""
-        by = Drawn(
-            self.project,
-            self.given,
-            {},
-            Numbers(self.reading, {}, self.reading),
-            EXACT,
-            Doubts((), {}),
-            (),
-            {},
-            {},
-        )
-        return single(gear_results(by))
+        return single(gear_results(self.drawn))
 
     def one(self, mark: Mark) -> complex:
         return complex(self.reading[mark][0, 0])

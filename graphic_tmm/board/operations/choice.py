@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import operation
-from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.board.scales import nearest, standard, standard_length
 from graphic_tmm.board.values import Length, Number, Reals
 from graphic_tmm.language.said import said
 
@@ -58,6 +58,17 @@ def next_standard(exact: Number) -> Number:
 def next_standard_length(exact: Number) -> Number:
     """Take for {it} the next standard scale that is no smaller than {exact}."""
     return Number(_each(standard_length, exact))
+
+
+@operation(
+    why=said(
+        "A standard value makes lengths on the drawing easy to recalculate; the length wanted was only a wish, "
+        "so the nearest one is taken and the length follows from it."
+    )
+)
+def nearest_standard(exact: Number) -> Number:
+    """Take for {it} the standard value nearest to {exact}."""
+    return Number(_each(lambda least, _: nearest(least), exact))
 
 
 @operation(

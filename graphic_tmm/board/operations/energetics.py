@@ -160,6 +160,16 @@ def flywheel_inertia(segment: Length, mu: Number, delta: Number, omega: Number) 
 
 @formula(
     why=said(
+        "Between its greatest and its least speed the energy of a flywheel changes by J·δ·ω²; that change is "
+        "{segment} times {mu}, and J is given."
+    )
+)
+def irregularity(segment: Length, mu: Number, inertia: Number, omega: Number) -> Number:
+    """{segment}·{mu}/({inertia}·{omega}²)"""
+
+
+@formula(
+    why=said(
         "A ray of the diagram of energy and mass has the slope ω²/2, to scale; at the greatest speed "
         "allowed ω² is larger by the share δ."
     )

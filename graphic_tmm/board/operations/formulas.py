@@ -144,7 +144,7 @@ def half_chord(stroke: Number, angle: Angle) -> Number:
 
 @formula(
     fails=_NO_INTERVALS,
-    why=said("The base is divided into as many equal parts as the turn."),
+    why=said("{base} is divided into {intervals} equal parts, of which {n} are taken."),
 )
 def abscissa(n: Number, base: Length, intervals: Number) -> Length:
     """{n}·{base}/{intervals}"""

@@ -3,7 +3,8 @@
 A law is drawn as three diagrams on one base: S, dS/dφ, d²S/dφ². Sine and cosine come from semicircles,
 constant acceleration from two parabolas, the polynomial 3-4-5 from calculated ordinates; a law given by its
 acceleration diagram is integrated twice against a pole, and its scale found from the stroke (`laws`,
-`law_formulas`, `integral`).
+`law_formulas`, `integral`). Of a diagram read off paper a jump is put where a position stands and areas are
+made equal by one factor, as far as a ruler does not tell the difference (`read_off`).
 
 How the region of centres arises: take the cam's centre O anywhere below the roller's centre B, and in some
 position lay off dS/dφ from B square to the path, to the side to which the velocity comes when it is turned
@@ -34,15 +35,18 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.accuracy import ACCURACY
-from graphic_tmm.chapters.cam.captions import CAPTIONS
+from graphic_tmm.chapters.cam.beside import record_beside
+from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.cam.choice import choose
-from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.findings import cam_findings, changes
 from graphic_tmm.chapters.cam.given import given
+from graphic_tmm.chapters.cam.note import concludes
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
-from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
+from graphic_tmm.chapters.cam.table import cam_columns, results
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
+from graphic_tmm.chapters.cam.verdict import verdict
 from graphic_tmm.chapters.cam.views import cam_views
-from graphic_tmm.drawn import Drawn, results_of, view_scales
+from graphic_tmm.drawn import Drawn, view_scales
 from graphic_tmm.readers.given import given_place
 from graphic_tmm.scene.records import Scene
 
@@ -55,9 +59,10 @@ def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
 
 
 def _limits(drawn: Drawn, language: str) -> tuple[str, ...]:
-    """Return, as sentences, the limits that a cam passes."""
-    found = cam_findings(drawn.reading, CAM.on(drawn))
-    return tuple(one.says(language) for one in found)
+    """Return, as sentences, what was changed of diagrams read off paper, and the limits that a cam passes."""
+    made = CAM.on(drawn)
+    found = cam_findings(drawn.reading, made)
+    return (*changes(made, language), *(one.says(language) for one in found))
 
 
 def _told(key: str) -> Size:
@@ -85,12 +90,16 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     choice=choose,
     charts=lambda made: made.charts,
     named=lambda project, reading, given: view_scales(project, reading),
     warnings=_limits,
     plans=(CAM.chapter,),
     columns=cam_columns,
-    results=lambda drawn: results_of(drawn, cam_marks(CAM.on(drawn))),
+    results=results,
     accuracy=ACCURACY,
+    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

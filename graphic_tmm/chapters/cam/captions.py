@@ -26,9 +26,14 @@ CAPTIONS: dict[str, str] = {
     "cam integration": said("Integration of the acceleration"),
     "cam centre": said("Region of centres of the cam"),
     "cam profile": said("Profile of the cam"),
+    "cam-calculation": said("Calculation of the cam"),
     "symbol cam S": said("S"),
     "symbol cam dS": said("S′"),
     "symbol cam ddS": said("S″"),
+    "symbol cam v": "v_{B}",
+    "symbol cam a": "a_{B}",
+    "symbol cam omega": "ω_{B}",
+    "symbol cam eps": "ε_{B}",
     "symbol cam pressure": said("α"),
     "symbol cam curvature": said("κ"),
     "symbol cam radii": said("ρ"),
@@ -44,4 +49,17 @@ CAPTIONS: dict[str, str] = {
     "pressure_rise": said("largest α, rise"),
     "pressure_return": said("largest α, return"),
     "least_curvature": said("ρ_{min}"),
+    "left_rise": said("[α] − α, rise"),
+    "left_return": said("[α] − α, return"),
+    "left_roller_r0": said("[r] by r_{0} − r"),
+    "left_roller_profile": said("[r] by curvature − r"),
+    "left_curvature": "ρ_{min} − [ρ]",
 }
+
+SYMBOLS = (
+    ("r_0", said("least radius of the cam"), "m"),
+    ("α", said("pressure angle"), "°"),
+    ("κ", said("curvature of the profile"), "1/m"),
+    ("h", said("stroke of the follower"), "m"),
+)
+"""Its letters in a note: what they stand for, their units."""

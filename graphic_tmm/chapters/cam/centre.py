@@ -27,6 +27,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number, Point, Side
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.diagrams import Diagrams
 from graphic_tmm.chapters.cam.operations import (
     extreme_of_two,
@@ -126,30 +127,40 @@ def draw_centre(
     motion = scaled_motion(draft, diagrams, mu)
     draft.lay_out(None, mu)
     lowest = draft.take(Point, "B_0", 0j)
-    up = draft.draw(ray, "(y)", lowest, draft.direction(90.0))
-    roller = draft.draw(lay_off, "B", up, motion.S)
-    outward = draft.draw(square, "(B)", roller, up, sense=sense)
-    points = draft.draw(lay_off, "Q", outward, motion.V)
+    up = draft.draw(ray, "(y)", lowest, draft.direction(90.0), why=why.FOLLOWER_LINE)
+    roller = draft.draw(lay_off, "B", up, motion.S, why=why.ROLLER_AT)
+    outward = draft.draw(square, "(B)", roller, up, sense=sense, why=why.SPEED_LINE)
+    points = draft.draw(lay_off, "Q", outward, motion.V, why=why.SPEED_AT)
     curves = tuple(
         draft.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
         for _, first, last in diagrams.stretches
     )
     limits = _limits(draft, order, diagrams, up, curves, sense)
     down, e = _path(draft, lowest, up, offset, sense)
-    ends = tuple(draft.draw(meet, f"O_{k}", down, limit) for k, limit in enumerate(limits, 1))
+    ends = tuple(
+        draft.draw(meet, f"O_{k}", down, limit, why=why.LIMIT_MET)
+        for k, limit in enumerate(limits, 1)
+    )
     least_centre = draft.draw(extreme_of_two, "O_{min}", *ends, above=-1)
-    least = draft.draw(in_si, "r_{min}", draft.draw(measure, "OB", least_centre, lowest), unit="m")
-    apex = draft.draw(meet, "O*", *limits)
-    small = draft.draw(in_si, "r*", draft.draw(measure, "O*B", apex, lowest), unit="m")
+    least = draft.draw(
+        in_si,
+        "r_{min}",
+        draft.draw(measure, "OB", least_centre, lowest, why=why.LEAST_READ),
+        unit="m",
+    )
+    apex = draft.draw(meet, "O*", *limits, why=why.APEX)
+    small = draft.draw(
+        in_si, "r*", draft.draw(measure, "O*B", apex, lowest, why=why.LEAST_READ), unit="m"
+    )
     r0, radius = choose_radius(draft, order, least)
-    circle = draft.draw(strike, "(R_0)", lowest, radius)
-    centre = draft.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0))
-    s0 = draft.draw(measure_along, "s_0", centre, lowest, up)
+    circle = draft.draw(strike, "(R_0)", lowest, radius, why=why.CHOSEN_CIRCLE)
+    centre = draft.draw(cut, "O", down, circle, draft.take(Side, "±", 1.0), why=why.CENTRE)
+    s0 = draft.draw(measure_along, "s_0", centre, lowest, up, why=why.REACH)
     pressure = draft.draw(slant, "α", centre, points, up, sense=sense, unit="°")
-    pace = draft.draw(measure, "OQ", centre, points)
-    p = draft.draw(measure_along, "p", centre, points, up)
-    out = draft.draw(square, "(B_0)", lowest, up, sense=sense)
-    q = draft.draw(measure_along, "q", centre, points, out)
+    pace = draft.draw(measure, "OQ", centre, points, why=why.SHARE_OF_CENTRE)
+    p = draft.draw(measure_along, "p", centre, points, up, why=why.SHARE_OF_CENTRE)
+    out = draft.draw(square, "(B_0)", lowest, up, sense=sense, why=why.SHARE_OF_CENTRE)
+    q = draft.draw(measure_along, "q", centre, points, out, why=why.SHARE_OF_CENTRE)
     turning = [draft.draw(f.turning_of_normal, "τ", p, q, motion.V, a) for a in motion.A]
     made = Centre(
         VIEW, mu, roller, points, curves, limits, ends, lowest, least_centre, centre, least, r0,
@@ -205,8 +216,8 @@ def _path(
 ) -> tuple[Mark, Mark | None]:
     """Draw the line of the centres downward; return it and e as drawn (Length), if there is one."""
     if offset == 0.0:
-        return draft.draw(parallel, "(O)", lowest, up, sense=-1), None
+        return draft.draw(parallel, "(O)", lowest, up, sense=-1, why=why.CENTRE_LINE), None
     e = draft.draw(to_board, "B_0E", draft.take(Number, "e", offset, "m"))
-    out = draft.draw(square, "(e)", lowest, up, sense=sense)
-    foot = draft.draw(lay_off, "E", out, e)
-    return draft.draw(parallel, "(O)", foot, up, sense=-1), e
+    out = draft.draw(square, "(e)", lowest, up, sense=sense, why=why.CENTRE_LINE)
+    foot = draft.draw(lay_off, "E", out, e, why=why.CENTRE_LINE)
+    return draft.draw(parallel, "(O)", foot, up, sense=-1, why=why.CENTRE_LINE), e

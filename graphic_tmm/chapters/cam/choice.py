@@ -12,12 +12,15 @@ _HANDY = said("A millimetre for a degree: the angle is read off the ruler as it 
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
-    """Record how the scale factors of the centre with the profile and of the pressure angle were chosen."""
+    """Record how the scale factors of dS/dφ, of the centre with the profile, of the pressure angle came."""
     cam, order = CAM.on(drawn), ASKED.of(drawn.scene)
-    if cam.pressure is not None and cam.pressure.chart.wanted:
-        chart = cam.pressure.chart
-        ledger.of(chart.view)
-        ledger.told(chart.mu, chart.wanted or 1.0, why=_HANDY)
+    for chart in cam.charts:
+        if chart.unit == "°" and chart.wanted:
+            ledger.of(chart.view)
+            ledger.told(chart.mu, chart.wanted, why=_HANDY)
+    if order is not None and order.mu_V:
+        ledger.of(cam.diagrams.V.chart.view)
+        ledger.told(cam.diagrams.V.chart.mu, order.mu_V)
     mu = cam.profile.mu
     if mu not in drawn.given or order is None:
         return

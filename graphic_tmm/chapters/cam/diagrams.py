@@ -20,6 +20,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam import law_formulas as law
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integral
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.laws.ground import Ground
@@ -184,7 +185,14 @@ def _diagram(
             )
         )
         readings.append(
-            draft.draw(measure_along, f"{letter}_{len(readings) + 1}", axes.feet, spots, axes.up)
+            draft.draw(
+                measure_along,
+                f"{letter}_{len(readings) + 1}",
+                axes.feet,
+                spots,
+                axes.up,
+                why=why.DIAGRAM_READ,
+            )
         )
     _outline(draft, common.turn, axes, points, which)
     merged = merge(draft, common.turn, readings, letter)
@@ -215,7 +223,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
     for angle, name in zip(ends if phase.sign > 0 else ends[::-1], ("o", "e"), strict=True):
         at = draft.take(Angle, f"φ_{name}", angle, "°")
         x = draft.draw(f.along_turn, f"x_{name}", at, length)
-        feet.append(draft.draw(lay_off, name, axes.along, x, free=True))
+        feet.append(draft.draw(lay_off, name, axes.along, x, free=True, why=why.PHASE_FOOT))
     near, far = feet
     inward = draft.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
     out = draft.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
@@ -223,7 +231,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
     divisions = []
     for share in common.shares[k]:
         x = draft.draw(law.even_height, "x", share, whole)
-        divisions.append(draft.draw(lay_off, "n", inward, x, free=True))
+        divisions.append(draft.draw(lay_off, "n", inward, x, free=True, why=why.PHASE_PART))
     rise = draft.draw(square, "(y)", near, axes.along, sense=1)
     drop = draft.draw(square, "(y)", near, axes.along, sense=-1)
     rest = (common.phases[k], common.stroke, axes.mu)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.read_off import SLACK
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import FlatFollower
 from graphic_tmm.language.catalogue import speaking
@@ -51,6 +52,44 @@ _WORDS = {
     ),
 }
 """By kind of finding."""
+
+
+_CHANGED = {
+    "rise": (
+        said(
+            "the jump of the acceleration at the share {share:.4g} of the rise is drawn at {place:.4g}, where "
+            "a position stands: a ruler does not tell them apart"
+        ),
+        said(
+            "the areas of the acceleration diagram of the rise are equal but for {percent:.2g} %: its "
+            "ordinates below the axis are multiplied by {factor:.5g}, so that the follower stops"
+        ),
+    ),
+    "return": (
+        said(
+            "the jump of the acceleration at the share {share:.4g} of the return is drawn at {place:.4g}, "
+            "where a position stands: a ruler does not tell them apart"
+        ),
+        said(
+            "the areas of the acceleration diagram of the return are equal but for {percent:.2g} %: its "
+            "ordinates that brake are multiplied by {factor:.5g}, so that the follower stops"
+        ),
+    ),
+}
+"""By phase: of a jump that was moved, of areas that were made equal."""
+
+
+def changes(cam: Cam, language: str) -> Iterator[str]:
+    """Yield, as sentences, how acceleration diagrams were changed that had been read off paper."""
+    _ = speaking(language)
+    for phase in cam.diagrams.turn.phases:
+        jump, areas = _CHANGED[phase.name]
+        for share, place in phase.changed.moved:
+            if abs(place - share) > SLACK:
+                yield _(jump, share=share, place=place)
+        factor = phase.changed.factor
+        if factor != 1.0:
+            yield _(areas, percent=100.0 * abs(factor - 1.0), factor=factor)
 
 
 class CamFinding(NamedTuple):

@@ -19,6 +19,24 @@ def radians_of(angle: Angle) -> Number:
     """π·{angle}/180°"""
 
 
+@formula(
+    why=said(
+        "The follower moves by dS/dφ for a radian of the cam, which turns by {omega} radians in a second."
+    )
+)
+def follower_velocity(omega: Number, length: Length, mu: Number) -> Number:
+    """{omega}·{length}·{mu}"""
+
+
+@formula(
+    why=said(
+        "The cam turns evenly, so differentiating by time once more brings the angular velocity in again."
+    )
+)
+def follower_acceleration(omega: Number, length: Length, mu: Number) -> Number:
+    """{omega}²·{length}·{mu}"""
+
+
 @formula(why=said("The base stands for the whole turn of 360°: an angle takes its share of it."))
 def along_turn(angle: Angle, base: Length) -> Length:
     """{angle}·{base}/360°"""
@@ -122,6 +140,24 @@ def convex(radius: Length) -> Length:
 )
 def allowed_share(share: Number, whole: Number) -> Number:
     """{share}·{whole}"""
+
+
+_REST = said("The condition holds as long as something is left up to its limit.")
+
+
+@formula(why=_REST)
+def angle_left(limit: Angle, value: Angle) -> Angle:
+    """{limit} − |{value}|"""
+
+
+@formula(why=_REST)
+def left(limit: Number, value: Number) -> Number:
+    """{limit} − {value}"""
+
+
+@formula(why=_REST)
+def above(value: Number, least: Number) -> Number:
+    """{value} − {least}"""
 
 
 @formula(why=said("Both bounds have to hold: the smaller one rules."))

@@ -13,6 +13,7 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
+from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
 
 MM = 1000.0
@@ -33,6 +34,8 @@ def given(scene: Scene) -> Iterator[Given]:
     for number, angle in enumerate(phases, 1):
         if angle:
             yield Given(f"φ_{number}", angle, "°")
+    if order.speed is not None:
+        yield given_speed("1", order.speed)
     yield from _laws(order)
     yield from _follower(order)
     if not isinstance(order.follower, FlatFollower):

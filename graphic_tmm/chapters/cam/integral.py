@@ -34,10 +34,9 @@ from graphic_tmm.chapters.cam import law_formulas as law
 from graphic_tmm.chapters.cam.laws.ground import Ground, uprights
 from graphic_tmm.chapters.cam.operations import in_turn
 from graphic_tmm.chapters.cam.phases import Phase, Turn
+from graphic_tmm.chapters.cam.read_off import HIGH
 from graphic_tmm.chapters.cam.refusals import SLACK
 
-HIGH = 40.0
-"""The largest ordinate of the acceleration diagram, mm."""
 NAMES = {"A": "acceleration", "V": "velocity", "S": "displacement"}
 
 
@@ -137,10 +136,15 @@ def _accelerations(
     most = max(abs(value) for _, value in phase.law.points)
     points = [(share, HIGH * value / most) for share, value in phase.law.points]
     corners = []
+    factor = _accepted(draft, phase)
     for share, value in points:
         at = draft.take(Angle, "φ_c", phase.start + share * phase.extent, "°")
         x = draft.draw(f.along_turn, "x_c", at, base.length)
-        y = draft.take(Length, "y_c", value, "mm")
+        if factor is None or value >= 0.0:
+            y = draft.take(Length, "y_c", value, "mm")
+        else:
+            read = draft.take(Length, "y′_c", value / phase.changed.factor, "mm")
+            y = draft.draw(law.evened, "y_c", factor, read)
         corners.append(draft.draw(place, "c", axes.along, x, y, free=True))
     draft.figure("outline", "diagram", axes.origin, *corners, axes.end)
     parts = draft.take(Number, "N", float(phase.parts))
@@ -153,6 +157,12 @@ def _accelerations(
         own = turn.over(ends, np.arange(ends[0], ends[1] + 1.0) - phase.first)
         readings.append(_ordinates(draft, turn, points, parts, own, phase.parts))
     return axes, tuple(corners), middles, tuple(readings)
+
+
+def _accepted(draft: Draft, phase: Phase) -> Mark | None:
+    """Take the factor (Number) that makes both areas equal; None where they are."""
+    factor = phase.changed.factor
+    return None if factor == 1.0 else draft.take(Number, "k_A", factor)
 
 
 def _over_middles(

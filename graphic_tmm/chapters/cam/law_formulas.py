@@ -134,6 +134,16 @@ def on_chord(share: Number, start: Number, end: Number, first: Length, last: Len
     """{first} + ({last} − {first})·({share} − {start})/({end} − {start})"""
 
 
+@formula(
+    why=said(
+        "Areas read off paper are equal only nearly; the follower stops where they are, so what lies below the "
+        "axis is evened by one factor."
+    )
+)
+def evened(factor: Number, ordinate: Length) -> Length:
+    """{factor}·{ordinate}"""
+
+
 @formula(why=said("On the return the follower goes back over the same stroke."))
 def rest_of_stroke(whole: Length, part: Length) -> Length:
     """{whole} − {part}"""

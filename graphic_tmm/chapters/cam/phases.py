@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.cam.read_off import WHOLE, Changed, balanced, jumps, moved, plain
 from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
 from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, Law
 from graphic_tmm.errors import StructureError
@@ -19,7 +21,7 @@ class Phase(NamedTuple):
     """A moving phase: where it begins and how long it is (degrees), its law, its positions first … last.
 
     ``breaks``: the positions inside it at which its stretches meet, where the acceleration jumps or has a
-    corner.
+    corner. ``changed``: how the diagram of its law was changed for that, and so that its areas are equal.
     """
 
     name: str
@@ -30,6 +32,7 @@ class Phase(NamedTuple):
     first: int
     last: int
     breaks: tuple[int, ...] = ()
+    changed: Changed = Changed()
 
     @property
     def parts(self) -> int:
@@ -85,41 +88,59 @@ def divide(order: CamTask) -> Turn:
         for row in (("rise", order.rise, order.rise_law), ("return", order.fall, order.return_law))
     )
     top = order.rise + order.upper_dwell
-    at = first[0] + (1 if order.upper_dwell > SLACK else 0)
-    rise = _phase("rise", 1, 0.0, order.rise, order.rise_law, 0, first)
-    fall = _phase("return", -1, top, order.fall, order.return_law, at, second)
-    there = [order.rise * k / first[0] for k in range(first[0] + 1)]
-    back = [top + order.fall * k / second[0] for k in range(second[0] + 1)]
-    return Turn((*there, *(back if at > first[0] else back[1:])), rise, fall)
+    at = first.parts + (1 if order.upper_dwell > SLACK else 0)
+    rise = _phase("rise", 1, 0.0, order.rise, 0, first)
+    fall = _phase("return", -1, top, order.fall, at, second)
+    there = [order.rise * k / first.parts for k in range(first.parts + 1)]
+    back = [top + order.fall * k / second.parts for k in range(second.parts + 1)]
+    return Turn((*there, *(back if at > first.parts else back[1:])), rise, fall)
 
 
-Division = tuple[int, list[float]]
-"""How many even parts a phase has, and the shares of it at which its stretches meet."""
+class _Division(NamedTuple):
+    """How many even parts a phase has, the shares of it at which its stretches meet, its law as drawn."""
+
+    parts: int
+    shares: list[float]
+    law: Law
+    moved: tuple[tuple[float, float], ...] = ()
 
 
 def _phase(
-    name: str, sign: int, start: float, extent: float, law: Law, first: int, division: Division
+    name: str, sign: int, start: float, extent: float, first: int, division: _Division
 ) -> Phase:
-    parts, shares = division
+    parts, shares, law, told = division
     breaks = tuple(first + round(share * parts) for share in shares)
-    return Phase(name, sign, start, extent, law, first, first + parts, breaks)
+    factor = 1.0
+    if law.name == BY_DIAGRAM:
+        points, factor = balanced(law.points)
+        law = replace(law, points=points)
+    changed = Changed(factor, told)
+    return Phase(name, sign, start, extent, law, first, first + parts, breaks, changed)
 
 
-def _division(order: CamTask, name: str, extent: float, law: Law) -> Division:
+def _division(order: CamTask, name: str, extent: float, law: Law) -> _Division:
     """Divide a phase: at every jump of the acceleration there stands a position.
 
     Where the corners of an acceleration diagram can have positions too, with one between any two, they have.
+    Where not even its jumps can, they are moved, as far as a ruler leaves them open.
     """
+    law = replace(law, points=plain(law.points))
     wanted = order.divisions
     if order.per_turn is not None:
         wanted = max(int(bound_of(CamTask, "parts").least), round(order.per_turn * extent / TURN))
-    jumps, corners = _jumps(law), sorted({u for u, _ in law.points if SLACK < u < 1.0 - SLACK})
-    for shares, most, least in ((corners or jumps, 2, 2), (jumps, 4, 1)):
+    breaks, corners = _jumps(law), sorted({u for u, _ in law.points if SLACK < u < 1.0 - SLACK})
+    for shares, most, least in ((corners or breaks, 2, 2), (breaks, 4, 1)):
         for parts in range(wanted, most * wanted + 1):
             at = [share * parts for share in (0.0, *shares, 1.0)]
             whole = all(abs(x - round(x)) <= parts * SLACK for x in at)
             if whole and min(b - a for a, b in pairwise(at)) > least - 0.5:
-                return parts, shares
+                return _Division(parts, shares, law)
+    base = WHOLE * extent / TURN
+    for parts in range(wanted, 4 * wanted + 1):
+        if law.name == BY_DIAGRAM and (found := moved(law.points, parts, base)) is not None:
+            points, shares = found
+            told = zip(jumps(law.points), shares, strict=True)
+            return _Division(parts, shares, replace(law, points=points), tuple(told))
     raise StructureError(
         said(
             "no division into {wanted} … {most} parts has a position at every jump of the "
@@ -138,5 +159,4 @@ def _jumps(law: Law) -> list[float]:
 
     if law.name != BY_DIAGRAM:
         return list(laws()[law.name].jumps)
-    double = [a[0] for a, b in pairwise(law.points) if b[0] - a[0] <= SLACK]
-    return [share for share in double if SLACK < share < 1.0 - SLACK]
+    return jumps(law.points)

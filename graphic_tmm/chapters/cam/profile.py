@@ -16,6 +16,7 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, parallel,
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import Diagrams
 from graphic_tmm.chapters.cam.flat import Convexity
@@ -99,7 +100,7 @@ def draw_profile(
         draft.figure("lever", "", placed.feet, placed.points)
     else:
         draft.figure("guide", "", *(() if placed.feet is None else (placed.feet,)), placed.points)
-    contacts = draft.draw(lay_off, "K", normals, radius)
+    contacts = draft.draw(lay_off, "K", normals, radius, why=why.CONTACT)
     paces = [
         draft.draw(f.equidistant_pace, "p", centre.pace, radius, turning)
         for turning in centre.turning
@@ -113,13 +114,13 @@ def draw_profile(
 def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: int) -> Profile:
     """Draw the profile of a cam with a flat face."""
     origin = _begin(draft, of.mu)
-    along = draft.draw(ray, "(y)", origin, draft.direction(90.0))
-    paths = draft.draw(slew, "(B)", origin, along, diagrams.angle, sense=-sense)
-    reach = draft.draw(total, "r_0+S", of.radius, of.motion.S)
-    middles = draft.draw(lay_off, "B", paths, reach)
+    along = draft.draw(ray, "(y)", origin, draft.direction(90.0), why=why.FOLLOWER_LINE)
+    paths = draft.draw(slew, "(B)", origin, along, diagrams.angle, sense=-sense, why=why.INVERTED)
+    reach = draft.draw(total, "r_0+S", of.radius, of.motion.S, why=why.REACH)
+    middles = draft.draw(lay_off, "B", paths, reach, why=why.PROFILE_POINT)
     faces = draft.draw(square, "(f)", middles, paths, sense=-sense)
     velocity = of.motion.V
-    contacts = draft.draw(lay_off, "K", faces, velocity)
+    contacts = draft.draw(lay_off, "K", faces, velocity, why=why.CONTACT)
     normals = draft.draw(parallel, "(n)", contacts, paths, sense=-1)
     paces = [draft.draw(f.convex, "p", radius) for radius in of.radii]
     draft.figure("face", "", middles, contacts)
@@ -137,16 +138,20 @@ def _translating(
     draft: Draft, diagrams: Diagrams, centre: Centre, path: Path, origin: Mark, sense: int
 ) -> _Inverted:
     """Turn the guide back by the angle of the cam; lay the displacement off on it."""
-    reach = draft.draw(total, "s_0+S", path.s0, centre.displacement)
+    reach = draft.draw(total, "s_0+S", path.s0, centre.displacement, why=why.REACH)
     if path.offset is None:
-        up = draft.draw(ray, "(y)", origin, draft.direction(90.0))
-        guides = draft.draw(slew, "(B)", origin, up, diagrams.angle, sense=-sense)
-        return _Inverted(None, guides, guides, draft.draw(lay_off, "B", guides, reach))
+        up = draft.draw(ray, "(y)", origin, draft.direction(90.0), why=why.FOLLOWER_LINE)
+        guides = draft.draw(slew, "(B)", origin, up, diagrams.angle, sense=-sense, why=why.INVERTED)
+        return _Inverted(
+            None, guides, guides, draft.draw(lay_off, "B", guides, reach, why=why.PROFILE_POINT)
+        )
     side = draft.draw(ray, "(x)", origin, draft.direction(0.0 if sense > 0 else 180.0))
-    arms = draft.draw(slew, "(E)", origin, side, diagrams.angle, sense=-sense)
+    arms = draft.draw(slew, "(E)", origin, side, diagrams.angle, sense=-sense, why=why.INVERTED)
     feet = draft.draw(lay_off, "E", arms, path.offset)
     guides = draft.draw(square, "(B)", feet, arms, sense=sense)
-    return _Inverted(feet, guides, guides, draft.draw(lay_off, "B", guides, reach))
+    return _Inverted(
+        feet, guides, guides, draft.draw(lay_off, "B", guides, reach, why=why.PROFILE_POINT)
+    )
 
 
 def _rocker(
@@ -154,12 +159,14 @@ def _rocker(
 ) -> _Inverted:
     """Turn the line of centres back by the angle of the cam; lay off the lever's angle and its length."""
     begin = draft.draw(parallel, "(OO_1)", origin, of.line, sense=-1)
-    centres = draft.draw(slew, "(O_1)", origin, begin, diagrams.angle, sense=-sense)
+    centres = draft.draw(
+        slew, "(O_1)", origin, begin, diagrams.angle, sense=-sense, why=why.INVERTED
+    )
     pivots = draft.draw(lay_off, "O_1", centres, of.centres)
     back = draft.draw(parallel, "(O)", pivots, centres, sense=-1)
     angle = draft.draw(advance, "ψ_0+ψ", of.start, of.swing)
     levers = draft.draw(slew, "(l)", pivots, back, angle, sense=of.sense)
-    points = draft.draw(lay_off, "B", levers, of.lever)
+    points = draft.draw(lay_off, "B", levers, of.lever, why=why.PROFILE_POINT)
     paths = draft.draw(square, "(t)", points, levers, sense=of.sense)
     return _Inverted(pivots, levers, paths, points)
 
@@ -187,8 +194,8 @@ def _contour(
     circles = []
     for at in (turn.rise.last, turn.fall.last):
         end = draft.draw(phase_end, f"{points.letter}_e", points, at=at, free=True)
-        far = draft.draw(measure, f"O{end.name}", origin, end)
-        circles.append(draft.draw(strike, f"(O{end.name})", origin, far))
+        far = draft.draw(measure, f"O{end.name}", origin, end, why=why.DWELL)
+        circles.append(draft.draw(strike, f"(O{end.name})", origin, far, why=why.DWELL))
     rising = sum(phase is turn.rise for phase, _, _ in diagrams.stretches)
     order = (*curves[:rising], circles[0], *curves[rising:], circles[1])
     draft.figure("contour", name, *order)

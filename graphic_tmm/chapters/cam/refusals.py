@@ -8,6 +8,15 @@ from itertools import pairwise
 import numpy as np
 
 from graphic_tmm.bounds import POSITIVE, TaskError
+from graphic_tmm.chapters.cam.read_off import (
+    EVEN,
+    WHOLE,
+    Points,
+    areas,
+    balanced,
+    legible,
+    plain,
+)
 from graphic_tmm.chapters.cam.task import (
     BY_DIAGRAM,
     CamTask,
@@ -25,8 +34,6 @@ TURN = 360.0
 SLACK = 1e-9
 """Degrees, or shares of a phase, that differ by less are the same. Far above rounding, far below what a
 protractor shows."""
-BALANCE = 1e-6
-"""Areas of an acceleration diagram that differ by less than this share of themselves are equal."""
 
 
 def refuse(order: CamTask) -> None:
@@ -57,8 +64,11 @@ def refuse(order: CamTask) -> None:
         raise TaskError("cam", "rise", says)
     _bounded("lower_dwell", order.lower_dwell)
     _refuse_sizes(order)
-    for key, law in (("law", order.rise_law), ("return_law", order.return_law)):
-        _refuse_law(key, law)
+    for key, law, extent in (
+        ("law", order.rise_law, order.rise),
+        ("return_law", order.return_law, order.fall),
+    ):
+        _refuse_law(key, law, WHOLE * extent / TURN)
 
 
 def _bounded(key: str, value: object) -> None:
@@ -76,7 +86,7 @@ def _refuse_sizes(order: CamTask) -> None:
     for name, value in sizes.items():
         if value is not None:
             _bounded(name, value)
-    others = {f"mu_{name}": getattr(order, f"mu_{name}") for name in "SVA"}
+    others = {"mu_S": order.mu_S, "mu_dS": order.mu_V, "mu_ddS": order.mu_A, "speed": order.speed}
     for name, value in (*others.items(), *(("H", pole) for pole in order.poles)):
         if value is not None:
             POSITIVE.refuse("cam", name, value)
@@ -108,7 +118,8 @@ def _refuse_choices(order: CamTask) -> None:
         )
 
 
-def _refuse_law(key: str, law: Law) -> None:
+def _refuse_law(key: str, law: Law, base: float) -> None:
+    """Refuse a law that is none; ``base``: how long its phase is on paper, mm."""
     if law.name not in names():
         raise TaskError(
             "cam",
@@ -119,11 +130,11 @@ def _refuse_law(key: str, law: Law) -> None:
         if law.points:
             raise TaskError("cam", key, said('points belong to the law "diagram" only'))
         return
-    if says := _fault_of(law):
+    if says := _fault_of(law, base):
         raise TaskError("cam", {"law": "law_points", "return_law": "return_points"}[key], says)
 
 
-def _fault_of(law: Law) -> str:
+def _fault_of(law: Law, base: float) -> str:
     """Return what is wrong with the points of an acceleration diagram; "" if nothing is."""
     points, shares = law.points, [share for share, _ in law.points]
     if len(points) < 2 or not np.isfinite(points).all():
@@ -133,22 +144,23 @@ def _fault_of(law: Law) -> str:
         or abs(shares[0]) + abs(shares[-1] - 1) > SLACK
     ):
         return said("the points of the diagram go from share 0 to share 1")
-    if any(c - a <= SLACK for a, c in zip(shares, shares[2:], strict=False)):
-        return said("more than two points of the diagram have one share")
-    areas = [(b[0] - a[0]) * (a[1] + b[1]) / 2.0 for a, b in pairwise(points)]
-    size = sum((b[0] - a[0]) * (abs(a[1]) + abs(b[1])) / 2.0 for a, b in pairwise(points))
-    if size == 0.0 or abs(sum(areas)) > BALANCE * size:
+    whole, size = areas(points)
+    if not size > 2.0 * abs(whole) or abs(whole) > max(legible(points, base), EVEN * size):
         return said(
             "the areas of the acceleration diagram above and below the axis differ, so the follower would not "
             "stop: make them equal"
         )
-    speeds = np.cumsum(areas)
-    lift = sum(
-        (b[0] - a[0]) * (v - area) + (b[0] - a[0]) ** 2 * (2 * a[1] + b[1]) / 6.0
-        for (a, b), v, area in zip(pairwise(points), speeds, areas, strict=True)
-    )
-    if not lift > 0.0:
+    if not _lift(balanced(plain(points))[0]) > 0.0:
         return said(
             "by this diagram the follower goes the wrong way: begin with a positive acceleration"
         )
     return ""
+
+
+def _lift(points: Points) -> float:
+    """Return what the follower rises by points of its acceleration, in their unit."""
+    speed = lift = 0.0
+    for (u, a), (w, b) in pairwise(points):
+        lift += (w - u) * speed + (w - u) ** 2 * (2 * a + b) / 6.0
+        speed += (w - u) * (a + b) / 2.0
+    return lift

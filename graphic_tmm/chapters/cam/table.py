@@ -7,10 +7,11 @@ from dataclasses import replace
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import (
     Column,
     empty,
@@ -34,10 +35,24 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     ):
         mm, value = (reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
         found.append(_column(segment, motion, value, count, mm))
+    found += _moving(drawn, rocks, count)
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
     at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
     return tuple(replace(column, at=at) for column in found)
+
+
+def _moving(drawn: Drawn, rocks: bool, count: int) -> list[Column]:
+    """Return velocity and acceleration of the follower, of a cam that turns at a speed."""
+    beside = BESIDE.of(drawn)
+    if beside is None or beside.velocity is None or beside.acceleration is None:
+        return []
+    marks = (
+        {"omega": beside.velocity, "eps": beside.acceleration}
+        if rocks
+        else {"v": beside.velocity, "a": beside.acceleration}
+    )
+    return [_column(k, m.unit, drawn.reading.figure(m), count) for k, m in marks.items()]
 
 
 def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
@@ -46,6 +61,11 @@ def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None 
 
     lengths = row(mm) if mm is not None else empty(count)
     return Column(PLAN, segment, f"symbol cam {segment}", unit, lengths, row(value))
+
+
+def results(drawn: Drawn) -> Results:
+    """Return the results of a cam, and what is left up to its limits."""
+    return results_of(drawn, {**cam_marks(CAM.on(drawn)), **BESIDE.on(drawn).left})
 
 
 def cam_marks(made: Cam) -> Mapping[str, Mark]:

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
+RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
+"""The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
 
 
 def names() -> tuple[str, ...]:
@@ -33,9 +35,9 @@ def names() -> tuple[str, ...]:
 class Law:
     """How the follower moves over one phase: one of `names`.
 
-    ``points`` of the law "diagram": (share of the phase, acceleration), in order, joined by straight lines; the
-    acceleration is positive while the follower speeds up, in any unit, for its scale follows from the stroke.
-    Two points with one share make a jump.
+    ``points`` of the law "diagram": (share of the phase, acceleration), in the order of time, joined by
+    straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
+    for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
     """
 
     name: str
@@ -91,6 +93,22 @@ def is_angle(value: object) -> bool:
     return isinstance(value, str)
 
 
+def is_angle_scale(value: object) -> bool:
+    """Whether a scale factor is written as one of angles."""
+    try:
+        quantities.parse(value, "scale of angles")
+    except ValueError:
+        return False
+    return isinstance(value, str)
+
+
+_UNITS = {
+    True: {"unit": "rad/mm", "example": "0.01 rad/mm"},
+    False: {"unit": "m/mm", "example": "0.001 m/mm"},
+}
+"""How scale factors of a rocker's diagrams, and of others, are written."""
+
+
 def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     if not isinstance(value, list) or len(value) < 2:
         raise ValueError(
@@ -121,7 +139,13 @@ def _rise_law(said: Said) -> Law:
 def _return_law(said: Said) -> Law:
     name = said.return_law or said.law
     points = said.return_points or said.law_points or ()
-    return Law(name, points if name == BY_DIAGRAM else ())
+    if name != BY_DIAGRAM:
+        return Law(name)
+    if getattr(said, RETURN) == MIRRORED:
+        # run backwards the follower speeds up where it was braked
+        return Law(name, tuple((1.0 - share, -value) for share, value in reversed(points)))
+    sign = -1.0 if getattr(said, RETURN) == AS_GIVEN else 1.0
+    return Law(name, tuple((share, sign * value) for share, value in points))
 
 
 def _follower(said: Said) -> Follower:
@@ -137,6 +161,13 @@ def _pressure(said: Said) -> float:
     return 30.0 if angle is None else float(angle)
 
 
+def _scale(value: object, names: Names) -> float:
+    """Return what 1 mm of a diagram stands for, in m or, of a rocking follower, in rad."""
+    return float((MU_ANGLE if is_angle_scale(value) else v.MU_L).read(value, names))
+
+
+MU_ANGLE = v.mu("scale of angles")
+_MU = replace(v.MU_L, read=_scale, unit="scale of lengths, or of angles")
 _STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
 _POINTS = Kind(_points, {"type": "array"})
 _MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
@@ -161,7 +192,8 @@ class CamTask:
     diagrams' length of a turn, and of the stroke unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is
     that of S, ``mu_A`` of d²S/dφ² a standard one, ``mu_l`` of centres and profile (m/mm) that of S (a
     standard one with a rocking roller), if not given. ``poles``: H of the two integrations of an acceleration
-    diagram. (A scene sets neither of ``per_turn``, ``mu_S``, ``mu_V``, ``mu_A``, ``poles``.)
+    diagram. ``speed``: of the cam (1/s), if velocities and accelerations of the follower are wanted. (A scene
+    sets neither of ``per_turn``, ``mu_S``, ``poles``.)
     """
 
     stroke: float = key(_STROKE, "the stroke of the follower; an angle for a rocker", "28 mm")
@@ -183,7 +215,8 @@ class CamTask:
         law=key(_LAW, "the law of motion of the rise", "sine", "sine"),
         law_points=key(
             _POINTS,
-            "points of the acceleration diagram of the rise, for the law diagram",
+            "points of the acceleration diagram of the rise, for the law diagram: share of the phase, "
+            "acceleration, positive while the follower speeds up",
             [[0, 0], [0.25, 1]],
             None,
         ),
@@ -193,8 +226,20 @@ class CamTask:
         Law("sine"),
         return_law=key(_LAW, "the law of the return, if it is another", "3-4-5", None),
         return_points=key(
-            _POINTS, "points of the acceleration diagram of the return", [[0, 0], [0.25, 1]], None
+            _POINTS,
+            "points of the acceleration diagram of the return, positive while it speeds up",
+            [[0, 0], [0.25, 1]],
+            None,
         ),
+        **{
+            RETURN: key(
+                v.choice(MIRRORED, AS_GIVEN),
+                "the diagram of the return is that of the rise run backwards, or its points have the sign of "
+                "d²S/dφ²: negative while the return speeds up; left out: that of the rise once more",
+                MIRRORED,
+                None,
+            )
+        },
     )
     follower: Follower = made(
         _follower,
@@ -244,10 +289,15 @@ class CamTask:
     )
     height: float = key(v.DRAWN, "drawn stroke", "50 mm", 50.0, fixes="size")
     mu_S: float | None = None
-    mu_V: float | None = None
-    mu_A: float | None = None
+    mu_V: float | None = key(
+        _MU, "m/mm (rad/mm) of dS/dφ, if not that of S", "0.001 m/mm", None, written="mu_dS"
+    )
+    mu_A: float | None = key(_MU, "m/mm (rad/mm) of d²S/dφ²", "0.002 m/mm", None, written="mu_ddS")
     mu_l: float | None = key(
         v.MU_L, 'm/mm of centre and profile, or "1:1"', "0.00056 m/mm", None, fixes="size"
+    )
+    speed: float | None = key(
+        v.SPEED, "how fast the cam turns, if the follower's speeds are wanted", "120 rpm", None
     )
     poles: tuple[float, float] = (30.0, 30.0)
 
@@ -273,6 +323,16 @@ def check(cam: Said, parts: Parts) -> Iterator[Found]:
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")
         yield Found(("cam", "transmission"), says)
+    for name in ("mu_dS", "mu_ddS"):
+        if (
+            name in parts.doc["cam"]
+            and isinstance(parts.doc["cam"][name], str)
+            and rocks != is_angle_scale(parts.doc["cam"][name])
+        ):
+            says = said(
+                'it is told in {unit} here: write, for example, "{example}"', **_UNITS[rocks]
+            )
+            yield Found(("cam", name), says)
     yield from _laws(cam)
 
 
@@ -287,6 +347,18 @@ def _laws(cam: Said) -> Iterator[Found]:
         if given and name not in (BY_DIAGRAM, None):
             says = said('only {law} = "diagram" takes points; leave them out', law=law)
             yield Found(("cam", points), says)
+    way = getattr(cam, RETURN)
+    if way is None:
+        return
+    if BY_DIAGRAM not in (cam.return_law or cam.law, cam.law):
+        yield Found(("cam", RETURN), said("the other laws are the same both ways; leave it out"))
+    elif way == AS_GIVEN and cam.return_points is None:
+        yield Found(
+            ("cam", RETURN), said("the return needs points of its own: write return_points")
+        )
+    elif way == MIRRORED and (cam.return_points is not None or cam.return_law is not None):
+        says = said("the return is the rise run backwards: leave its own law and points out")
+        yield Found(("cam", RETURN), says)
 
 
 def _refuse(order: CamTask) -> None:

@@ -21,6 +21,7 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, mee
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.diagrams import Diagrams
 from graphic_tmm.chapters.cam.flat import Convexity
@@ -59,8 +60,8 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
     mu = draft.take(Number, "μ_α", DEGREES, "°/mm")
     axes = graphs.draw_axes(draft, PRESSURE, diagrams.base, mu)
     high = draft.draw(f.on_protractor, "y_α", centre.pressure)
-    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    spots = draft.draw(lay_off, "p", lines, high)
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.ANGLE_AT)
+    spots = draft.draw(lay_off, "p", lines, high, why=why.ANGLE_AT)
     curves = _curves(draft, diagrams, [spots] * len(diagrams.stretches))
     _outline(draft, diagrams, axes, [spots] * len(curves), spots)
     extremes = []
@@ -70,7 +71,7 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
         name = "α_{max}" if phase.sign > 0 else "α_{min}"
         value = draft.draw(f.off_protractor, name, y, unit="°")
         extremes.append(Extreme(point, value, angle))
-    reading = draft.draw(measure_along, "α", axes.feet, spots, axes.up)
+    reading = draft.draw(measure_along, "α", axes.feet, spots, axes.up, why=why.DIAGRAM_READ)
     chart = Chart(PRESSURE, "α", "°", mu, (reading,), False, DEGREES, ROOM)
     return TurnDiagram(axes, chart, (spots,) * len(curves), curves, tuple(extremes))
 
@@ -120,8 +121,10 @@ def _raised(
     draft: Draft, diagrams: Diagrams, axes: Axes, heights: Sequence[Mark], letter: str
 ) -> tuple[tuple[Mark, ...], tuple[Mark, ...], tuple[Mark, ...]]:
     """Lay off the ordinates of every stretch; return points, curves and readings."""
-    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    points = [draft.draw(lay_off, letter, lines, high, free=True) for high in heights]
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.ANGLE_AT)
+    points = [
+        draft.draw(lay_off, letter, lines, high, free=True, why=why.ANGLE_AT) for high in heights
+    ]
     readings = [
         draft.draw(measure_along, f"{letter}_{k}", axes.feet, spots, axes.up)
         for k, spots in enumerate(points, 1)
@@ -182,7 +185,7 @@ def _extreme(
     point = tops[0]
     for other in tops[1:]:
         point = draft.draw(extreme_of_two, "k", point, other, above=above, free=True)
-    y = draft.draw(measure_along, "y_k", axes.origin, point, axes.up)
-    x = draft.draw(measure_along, "x_k", axes.origin, point, axes.along)
+    y = draft.draw(measure_along, "y_k", axes.origin, point, axes.up, why=why.EXTREME_READ)
+    x = draft.draw(measure_along, "x_k", axes.origin, point, axes.along, why=why.EXTREME_READ)
     angle = draft.draw(f.angle_of_turn, "φ_k", x, axes.base.length, unit="°")
     return point, y, angle

@@ -40,7 +40,10 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapter import Chapter, Holder, Place
 from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
-from graphic_tmm.chapters.diagrams.captions import CAPTIONS, called
+from graphic_tmm.chapters.diagrams.beside import CALCULATED, record_beside
+from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS, called
+from graphic_tmm.chapters.diagrams.choice import choose
+from graphic_tmm.chapters.diagrams.note import concludes
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
@@ -84,7 +87,9 @@ CHAPTER = Chapter(
     needs=lambda scene: {VELOCITIES: True},
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     charts=lambda made: made.charts.values(),
+    choice=choose,
     scales=lambda fitting: fitting.shorter(
         GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
@@ -93,8 +98,14 @@ CHAPTER = Chapter(
     plans=(DIAGRAMS.chapter,),
     columns=diagram_columns,
     views=lambda project: {
-        DIAGRAMS.chapter: [chart.view for chart in DIAGRAMS.on(project).charts.values()]
+        DIAGRAMS.chapter: [
+            *(chart.view for chart in DIAGRAMS.on(project).charts.values()),
+            CALCULATED,
+        ]
     },
     titles=_title,
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky",),
+    symbols=SYMBOLS,
 )

@@ -9,7 +9,8 @@ import numpy as np
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.diagrams.plan import BASE, DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, VELOCITIES
 from graphic_tmm.drawn import Drawn
@@ -92,8 +93,16 @@ def _farther(project: Project, times: float) -> dict[Mark, object]:
     return found
 
 
-def _moved(scene: Scene, drawn: Drawn, times: float) -> Scene:
+def _drawn_order(scene: Scene) -> KinematicTask | None:
+    """Return what a scene asks for, with the scale factors that it comes to where standard ones are wanted."""
     order = ASKED.of(scene)
+    if order is None or scene.mechanism is None:
+        return order
+    return replace(settled(order, scene.mechanism.drive.speed), standard=False)
+
+
+def _moved(scene: Scene, drawn: Drawn, times: float) -> Scene:
+    order = _drawn_order(scene)
     if order is None:
         return scene
     changes = _finer(order.start, times)
@@ -110,7 +119,7 @@ def _moved(scene: Scene, drawn: Drawn, times: float) -> Scene:
 
 
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
-    order = ASKED.of(scene)
+    order = _drawn_order(scene)
     if order is None:
         return scene
 

@@ -12,6 +12,7 @@ CAPTIONS: dict[str, str] = {
     "diagram S": said("Displacement diagram of {point}"),
     "diagram V": said("Velocity diagram of {point}"),
     "diagram a": said("Acceleration diagram of {point}"),
+    "diagrams-calculation": said("Time of a turn, places on the base"),
     "table diagrams": said("Diagrams and plans"),
     "V_plan": said("V_{pl}"),
     "a_plan": said("a_{pl}"),
@@ -24,3 +25,13 @@ def called(view: str, speech: Speech, point: str = "") -> str:
     """Return what a diagram of a point is called, as plain text; "" for another view."""
     caption = CAPTIONS.get(view, "")
     return plain(speech(caption, point=point)).strip() if "{point}" in caption else ""
+
+
+SYMBOLS = (
+    ("L", said("length of the base, one turn"), "mm"),
+    ("H", said("pole distance"), "mm"),
+    ("μ_t", said("scale factor of time"), "s/mm"),
+    ("μ_S", said("scale factor of displacements"), "m/mm"),
+    ("μ_V", said("scale factor of velocities on the diagram"), "(m/s)/mm"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -26,6 +26,8 @@ from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.diagrams import reasons as why
+from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
@@ -43,8 +45,6 @@ UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
 """Of the diagrams over time."""
 ROOM = 50.0
 """Room for the highest ordinate of a diagram, mm."""
-BASE = 120.0
-"""Length of the base where the task does not say, mm."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +79,7 @@ def record(bench: Bench) -> Kinematic | None:
     assert velocities is not None
     leg = sliding_leg(positions, order.point, plans.mechanism.frame.number, ASKED.section)
     _refuse_poles(order)
+    order = settled(order, plans.mechanism.drive.speed)
     base = _base(draft, velocities, order, plans.numbers, plans.count)
     planned = {"V": velocities.readings[leg.link]}
     if accelerations is not None and leg.link in accelerations.readings:
@@ -172,7 +173,7 @@ def _from_displacement(
     point = positions.point(order.point)
     draft.open(POSITIONS)
     start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
-    travel = draft.draw(measure_along, f"s_{order.point}", start, point, leg.line)
+    travel = draft.draw(measure_along, f"s_{order.point}", start, point, leg.line, why=why.TRAVEL)
     draft.open(VIEWS["S"])
     mu = draft.scale("μ_S", "m/mm")
     length = draft.draw(rescaled, "y_S", travel, mu)
@@ -236,7 +237,7 @@ def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> 
     found = graphs.through(draft, axes, points, closed=False)
     at = graphs.on_curve(draft, axes, found, "s")
     chart = _chart(draft, "S", axes, at, scaled.chosen, order)
-    end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up)
+    end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up, why=why.END_OF_INTEGRAL)
     return chart._replace(end=end)
 
 

@@ -28,7 +28,8 @@ class KinematicTask:
     ``start``: what is taken from the plans, "displacement" (differentiated twice) or "velocity"
     (differentiated once, and integrated once unless ``integral`` is "none"). ``over``: "time" or "angle".
     ``method``: "chords" or "tangents".
-    The base is ``base`` mm long, or so long that 1 mm is ``mu_along`` (s or rad).
+    The base is ``base`` mm long, or so long that 1 mm is ``mu_along`` (s or rad). ``standard``: the scale
+    factors that base and pole distances lead to are rounded to standard ones, and these lengths follow.
     """
 
     point: str = key(v.TEXT, "the letter of the point", "D")
@@ -85,6 +86,12 @@ class KinematicTask:
         "whether displacements are found from velocities by integration",
         "drawn",
         "drawn",
+    )
+    standard: bool = key(
+        v.SWITCH,
+        "whether base and pole distances are but wishes: the nearest standard scales are taken",
+        True,
+        False,
     )
 
 

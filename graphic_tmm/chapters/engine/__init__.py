@@ -29,15 +29,19 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
-from graphic_tmm.chapters.engine.captions import CAPTIONS
+from graphic_tmm.chapters.engine.beside import CALCULATED, record_beside
+from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.engine.choice import choose
+from graphic_tmm.chapters.engine.given import given
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
+from graphic_tmm.chapters.engine.note import concludes
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
 from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views
 from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.plan import (
@@ -64,7 +68,9 @@ def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
 
 def _views(project: Project) -> dict[str, list[str]]:
     charts = [chart.view for chart in ENGINE.on(project).charts]
-    return {ENGINE.chapter: [VIEW, HARMONICS, *charts]}
+    cylinder = INDICATOR.on(project)
+    own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE.chapter else []
+    return {ENGINE.chapter: [*own, VIEW, HARMONICS, *charts, CALCULATED]}
 
 
 CHAPTER = Chapter(
@@ -85,8 +91,10 @@ CHAPTER = Chapter(
     sizes=(GRAPH, Size("engine", least=0.5, small=0.7, cap=0.4)),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
+    given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     charts=lambda made: made.charts,
     reach=reach,
     scales=engine_scales,
@@ -99,4 +107,7 @@ CHAPTER = Chapter(
     results=engine_results,
     views=_views,
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky",),
+    symbols=SYMBOLS,
 )

@@ -7,6 +7,11 @@ from graphic_tmm.language.said import said
 CAPTIONS: dict[str, str] = {
     "engine": said("Forces of the crank mechanism"),
     "harmonics": said("Rotating vectors of the inertia force"),
+    "engine-calculation": said("Checks of the triangles, works over a turn"),
+    "engine beta": "β",
+    "work_T": said("A_{T}, work of T over a turn"),
+    "work_P": said("A_{P}, work of P over a turn"),
+    "work_apart": said("difference of the works"),
     "table engine": said("Forces in the crank mechanism"),
     "m_to_and_fro": said("m, to and fro"),
     "m_rod_at_crank": said("m of the rod at the crank"),
@@ -34,3 +39,12 @@ CAPTIONS: dict[str, str] = {
     "view engine K": said("Radial force K"),
     "view engine M": said("Turning moment M"),
 }
+
+SYMBOLS = (
+    ("P", said("force on the piston"), "N"),
+    ("N", said("force on the guide"), "N"),
+    ("Q", said("force along the rod"), "N"),
+    ("T", said("tangential force at the crank pin"), "N"),
+    ("K", said("radial force at the crank pin"), "N"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -15,6 +15,7 @@ from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, parallel
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.engine import reasons as why
 from graphic_tmm.chapters.engine.formulas import (
     crank_ratio,
     doubled,
@@ -65,17 +66,19 @@ def draw_harmonics(
     origin = draft.take(Point, "O", 0j)
     draft.lay_out(origin)
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
-    axis = draft.draw(parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1)
-    once = draft.draw(parallel, "(I)", origin, crank, sense=1)
+    axis = draft.draw(
+        parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1, why=why.AXIS
+    )
+    once = draft.draw(parallel, "(I)", origin, crank, sense=1, why=why.ONCE)
     twice = draft.draw(doubled, "(II)", origin, axis, once)
     ends, forces = [], []
     for k, (name, line, force) in enumerate((("I", once, size), ("II", twice, half)), 1):
         length = draft.draw(to_board, f"y_{name}", force)
-        end = draft.draw(lay_off, name, line, length)
-        segment = draft.draw(measure_along, f"x_{name}", origin, end, axis)
+        end = draft.draw(lay_off, name, line, length, why=why.PROJECTED)
+        segment = draft.draw(measure_along, f"x_{name}", origin, end, axis, why=why.PROJECTED)
         forces.append(draft.draw(projected, f"P_{{in{k}}}", segment, unit="N"))
         ends.append(end)
-    total = draft.draw(added, "P_{inΣ}", *forces, unit="N")
+    total = draft.draw(added, "P_{inΣ}", *forces, unit="N", why=why.BOTH_ORDERS)
     acceleration = draft.draw(per_mass, "a_{Σ}", total, mass, unit="m/s²")
     first, second = (
         told(f"P_{{in{name}}}", force) for name, force in zip(("1", "2"), forces, strict=True)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.graphs import Axes
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import in_si, to_board, turn_per_mm
 from graphic_tmm.board.operations.instruments import (
@@ -27,6 +28,7 @@ from graphic_tmm.board.operations.statics import moment_on_arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.engine import reasons as why
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
     against_acceleration,
@@ -69,7 +71,7 @@ class Engine:
     """The forces as drawn; ``values``: the marks of P, P_in, P′, N, Q, T, K (force unit), M, NOB (times metre).
 
     ``acceleration``: of B towards the crank (m/s²), from the plan; ``curves``: the letters on each diagram;
-    ``guide``: the line that B slides along.
+    ``guide``: the line that B slides along; ``turning``: the axes of the diagram of M, and its curve.
     """
 
     order: EngineTask
@@ -82,6 +84,7 @@ class Engine:
     charts: tuple[Chart, ...]
     curves: dict[str, tuple[str, ...]]
     guide: Mark
+    turning: tuple[Axes, Mark]
 
 
 ENGINE: Made[Engine] = Made("engine")
@@ -138,10 +141,10 @@ def draw_engine(
     draft.open(VIEW)
     values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
     used = harmonics.force if order.series else values["P_in"]
-    values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit)
+    values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit, why=why.TOGETHER)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)
-    charts, curves = _diagrams(draft, machine, values, order)
-    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line)
+    charts, curves, turning = _diagrams(draft, machine, values, order)
+    found = (acceleration, values, triangles, mu, charts, curves, legs.slider.line, turning)
     return Engine(order, lumped, harmonics, *found)
 
 
@@ -178,26 +181,32 @@ def _triangles(
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
     mu = draft.scale("μ_F", f"{unit}/mm")
     draft.lay_out()
-    inward = draft.draw(parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1)
-    end_p = draft.draw(lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]))
+    inward = draft.draw(
+        parallel, "(P′)", at_b, legs.slider.line, sense=-1 if outward > 0 else 1, why=why.P_LINE
+    )
+    end_p = draft.draw(
+        lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]), why=why.P_LINE
+    )
     sense = 1 if machine.mechanism.drive.speed > 0 else -1
-    across = draft.draw(square, "(N)", end_p, inward, sense=sense)
-    rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1)
-    end_q = draft.draw(meet, "2", across, rod)
-    length_n = draft.draw(measure_along, "y_N", end_q, end_p, across)
-    length_q = draft.draw(measure_along, "y_Q", at_b, end_q, rod)
-    carried = draft.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1)
-    end_qa = draft.draw(lay_off, "3", carried, length_q)
-    tangent = draft.draw(square, "(T)", at_a, crank, sense=sense)
-    along = draft.draw(parallel, "(K)", end_qa, crank, sense=-1)
-    end_t = draft.draw(meet, "4", tangent, along)
-    length_t = draft.draw(measure_along, "y_T", at_a, end_t, tangent)
-    length_k = draft.draw(measure_along, "y_K", end_t, end_qa, along)
+    across = draft.draw(square, "(N)", end_p, inward, sense=sense, why=why.N_LINE)
+    rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1, why=why.Q_LINE)
+    end_q = draft.draw(meet, "2", across, rod, why=why.P_RESOLVED)
+    length_n = draft.draw(measure_along, "y_N", end_q, end_p, across, why=why.FORCE_READ)
+    length_q = draft.draw(measure_along, "y_Q", at_b, end_q, rod, why=why.FORCE_READ)
+    carried = draft.draw(parallel, "(Q′)", at_a, legs.rod.line, sense=-1, why=why.Q_CARRIED)
+    end_qa = draft.draw(lay_off, "3", carried, length_q, why=why.Q_CARRIED)
+    tangent = draft.draw(square, "(T)", at_a, crank, sense=sense, why=why.T_LINE)
+    along = draft.draw(parallel, "(K)", end_qa, crank, sense=-1, why=why.K_LINE)
+    end_t = draft.draw(meet, "4", tangent, along, why=why.Q_RESOLVED)
+    length_t = draft.draw(measure_along, "y_T", at_a, end_t, tangent, why=why.FORCE_READ)
+    length_k = draft.draw(measure_along, "y_K", end_t, end_qa, along, why=why.FORCE_READ)
     for name, length in (("N", length_n), ("Q", length_q), ("T", length_t), ("K", length_k)):
         values[name] = draft.draw(in_si, name, length, unit=unit)
     moment = f"{unit}·m"
     values["M"] = draft.draw(moment_on_arm, "M", values["T"], machine.arm, unit=moment)
-    distance = draft.draw(measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b)
+    distance = draft.draw(
+        measure, f"{machine.pivot}{_pin(machine, legs)}", pivot, at_b, why=why.DISTANCE
+    )
     values["NOB"] = draft.draw(couple_of, "N·OB", values["N"], distance, unit=moment)
     return Triangles(at_b, end_p, end_q, at_a, end_qa, end_t), mu
 
@@ -213,8 +222,8 @@ def ordinate(symbol: str, letter: str) -> str:
 
 def _diagrams(
     draft: Draft, machine: Machine, values: dict[str, Mark], order: EngineTask
-) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]]]:
-    """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M."""
+) -> tuple[tuple[Chart, ...], dict[str, tuple[str, ...]], tuple[Axes, Mark]]:
+    """Draw the diagrams over the turn: P, P_in and P′ on one, then N, Q, T, K and M, the last one told."""
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
     mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
@@ -232,8 +241,9 @@ def _diagrams(
             heights = draft.draw(to_board, ordinate("h", letter), values[letter])
             at = graphs.lay_ordinates(draft, axes, heights, POINTS.get(letter, letter.lower()))
             # the links' own inertia is smooth, what the gas has a part in is not
-            (graphs.through if letter == "P_in" else graphs.taut)(draft, axes, at)
+            draw_curve = graphs.through if letter == "P_in" else graphs.taut
+            curve = draw_curve(draft, axes, at)
             found.append(graphs.read(draft, axes, at.points, ordinate("y", letter)))
         charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
         curves[view] = letters
-    return tuple(charts), curves
+    return tuple(charts), curves, (axes, curve)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
 from graphic_tmm.drawn import Drawn, Results, results_of
@@ -20,6 +21,7 @@ def engine_columns(drawn: Drawn) -> tuple[Column, ...]:
     made = ENGINE.on(drawn)
     unit = made.order.unit
     found = [
+        _column(drawn, "beta", BESIDE.on(drawn).beta, "°"),
         _column(drawn, "a_B", made.acceleration, "m/s²"),
         _column(drawn, "a_B_series", made.harmonics.acceleration, "m/s²"),
     ]
@@ -58,7 +60,7 @@ def _column(drawn: Drawn, name: str, mark: Mark, unit: str, mm: Mark | None = No
 
 
 def engine_results(drawn: Drawn) -> Results:
-    """Return what lumping the rod's mass gives and costs."""
+    """Return what lumping the rod's mass gives and costs, and the works over a turn."""
     lumped = ENGINE.on(drawn).lumped
     marks = {
         "m_to_and_fro": lumped.mass,
@@ -67,4 +69,5 @@ def engine_results(drawn: Drawn) -> Results:
         "J_rod_lumped": lumped.inertia,
         "J_rod_excess": lumped.lost,
     }
-    return results_of(drawn, {name: mark for name, mark in marks.items() if mark is not None})
+    found = {name: mark for name, mark in marks.items() if mark is not None}
+    return results_of(drawn, found | dict(zip(WORKS, BESIDE.on(drawn).works, strict=True)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.engine.beside import WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
@@ -151,6 +152,7 @@ def _results(drawn: Drawn) -> Drawing:
     rows = [
         [words[name], number(value, language), unit(of, language)]
         for name, (value, of) in single(engine_results(drawn)).items()
+        if name not in WORKS
     ]
     high = heights(drawn.scene, "engine diagrams")
     return results("table-lumping", _("The rod's mass lumped"), rows, language, high)

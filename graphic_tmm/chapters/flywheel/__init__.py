@@ -39,14 +39,17 @@ from collections.abc import Iterator
 from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
-from graphic_tmm.chapters.flywheel.captions import CAPTIONS, graph_title
+from graphic_tmm.chapters.flywheel.beside import CALCULATED, record_beside
+from graphic_tmm.chapters.flywheel.captions import CAPTIONS, SYMBOLS, graph_title
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.given import given
+from graphic_tmm.chapters.flywheel.note import concludes
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
 from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
@@ -106,6 +109,7 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     charts=lambda made: made.charts,
     scales=lambda fitting: fitting.shorter(
         GRAPHS,
@@ -119,7 +123,16 @@ CHAPTER = Chapter(
     plans=(FLYWHEEL.chapter,),
     columns=flywheel_columns,
     results=flywheel_results,
-    views=lambda project: {FLYWHEEL.chapter: [chart.view for chart in FLYWHEEL.on(project).charts]},
+    views=lambda project: {
+        FLYWHEEL.chapter: [
+            *(chart.view for chart in FLYWHEEL.on(project).charts),
+            STROKE,
+            CALCULATED,
+        ]
+    },
     titles=_title,
     accuracy=ACCURACY,
+    concludes=concludes,
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

@@ -21,12 +21,15 @@ from graphic_tmm.varied import Accuracy
 
 FINE = 12_288
 """Positions of a row that has converged."""
-INERTIA, ENERGY_MASS = "J_fly", "J_fly_energy_mass"
+INERTIA, ENERGY_MASS, IRREGULARITY = "J_fly", "J_fly_energy_mass", "delta"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
     made, due = FLYWHEEL.on(project), Reference(_exactly, FINE)
-    yield Quantity(INERTIA, "kg·m²", (Value(made.inertia),), reference=due)
+    if made.order.J is None:
+        yield Quantity(INERTIA, "kg·m²", (Value(made.inertia),), reference=due)
+    else:
+        yield Quantity(IRREGULARITY, "", (Value(made.delta),), reference=due)
     if made.energy_mass is not None:
         value = Value(made.energy_mass.inertia)
         yield Quantity(ENERGY_MASS, "kg·m²", (value,), reference=due)
@@ -49,7 +52,10 @@ def _at_count(scene: Scene, count: int) -> Scene:
 
 
 def _poles(scene: Scene) -> tuple[str, ...]:
-    return (INERTIA, ENERGY_MASS) if ASKED.of(scene) is not None else ()
+    order = ASKED.of(scene)
+    if order is None:
+        return ()
+    return (INERTIA if order.J is None else IRREGULARITY, ENERGY_MASS)
 
 
 def _farther(project: Project, times: float) -> dict[Mark, object]:
@@ -80,6 +86,7 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
 WORDS = {
     INERTIA: said("J of the flywheel"),
     ENERGY_MASS: said("J, energy–mass"),
+    IRREGULARITY: "δ",
 }
 """What is told of by name, in English."""
 

@@ -11,10 +11,15 @@ CAPTIONS: dict[str, str] = {
     "work": said("Works of the driving and the resisting forces"),
     "energy": said("Change of kinetic energy"),
     "energy-mass": said("Energy–mass diagram"),
+    "flywheel-calculation": said("Mean moment, power and the two methods"),
     "table flywheel": said("Flywheel, by positions"),
     "cd": said("cd"),
     "J_fly": said("J_{F}"),
+    "delta": "δ",
     "J_fly_energy_mass": said("J_{F} (energy–mass)"),
+    "J_apart": said("difference of J_{F}"),
+    "M_mean": said("M_{mean}"),
+    "power": said("N, mean power"),
     "D_mean": said("D_{mean}"),
     "rim_mass": said("m_{F}"),
     "p_mean_cover": said("p_{mean}, cover"),
@@ -33,3 +38,15 @@ def graph_title(view: str, constant: str, speech: Speech) -> str:
     if view == "moment" and constant == "driving":
         return speech(_RESISTING)
     return speech(CAPTIONS[view])
+
+
+SYMBOLS = (
+    ("M_r", said("reduced moment"), "N·m"),
+    ("A", said("work"), "J"),
+    ("T", said("kinetic energy"), "J"),
+    ("J_F", said("moment of inertia of the flywheel"), "kg·m²"),
+    ("δ", said("coefficient of irregularity"), ""),
+    ("μ_M", said("scale factor of moments"), "N·m/mm"),
+    ("μ_A", said("scale factor of works"), "J/mm"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -10,6 +10,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added, rotation, translation
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -47,7 +48,9 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
         total = (
             part
             if total is None
-            else draft.draw(added, "T_{L}", total, part, unit="J", role=roles.SUM)
+            else draft.draw(
+                added, "T_{L}", total, part, unit="J", role=roles.SUM, why=why.LINKS_ENERGY
+            )
         )
     assert total is not None
     return Energies(parts, total)

@@ -20,6 +20,7 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, mee
 from graphic_tmm.board.operations.supports import supporting, supporting_curve
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.flywheel.energy import Energies
 
 VIEW = "energy-mass"
@@ -72,9 +73,9 @@ def draw_energy_mass(
     origin = draft.take(Point, "O", 0j)
     along = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = draft.draw(square, "(Oy)", origin, along, sense=1)
-    feet = draft.draw(lay_off, "j", along, x)
-    lines = draft.draw(square, "(j)", feet, along, sense=1)
-    points = draft.draw(lay_off, "e", lines, surplus)
+    feet = draft.draw(lay_off, "j", along, x, why=why.JT_POINT)
+    lines = draft.draw(square, "(j)", feet, along, sense=1, why=why.JT_POINT)
+    points = draft.draw(lay_off, "e", lines, surplus, why=why.JT_POINT)
     curve = draft.draw(curve_of_two, "(e–e)", points, source.curve, row=row)
     lines_found, angles, ends = [], [], []
     for op, name, letter, above in ((steepest, "max", "a", 1), (flattest, "min", "b", -1)):
@@ -85,9 +86,9 @@ def draw_energy_mass(
             line = draft.draw(supporting, f"({letter})", points, angle, row=row, above=above)
         lines_found.append(line)
         angles.append(angle)
-        ends.append(draft.draw(meet, letter, up, line))
-    segment = draft.draw(measure_along, "ab", ends[1], ends[0], up)
-    found = draft.draw(flywheel_inertia, "J_F", segment, mu_T, delta, omega, unit="kg·m²")
+        ends.append(draft.draw(meet, letter, up, line, why=why.JT_CUT))
+    segment = draft.draw(measure_along, "ab", ends[1], ends[0], up, why=why.JT_CUT)
+    found = draft.draw(flywheel_inertia, "J_F′", segment, mu_T, delta, omega, unit="kg·m²")
     measured = draft.draw(measure_along, "J_r", origin, feet, along)
     chart = Chart(VIEW, "J", "kg·m²", mu_J, (measured,), True, None, None)
     pair, spots = (lines_found[0], lines_found[1]), (ends[0], ends[1])

@@ -1,11 +1,12 @@
-"""What a scene gives of its flywheel: the coefficient of irregularity, the rim's outer diameter."""
+"""What a scene gives of its flywheel: δ or J, the rim's diameters."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from graphic_tmm.chapter import Given
-from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
+from graphic_tmm.chapters.indicator.given import given_of as given_of_cylinder
 from graphic_tmm.scene.records import Scene
 
 
@@ -14,6 +15,18 @@ def given(scene: Scene) -> Iterator[Given]:
     order = ASKED.of(scene)
     if order is None:
         return
-    yield Given("δ", order.delta)
+    if order.indicator is not None:
+        yield from given_of_cylinder(order.indicator)
+    yield from given_of(order)
+
+
+def given_of(order: FlywheelTask) -> Iterator[Given]:
+    """Yield it of what is asked of a flywheel."""
+    if order.delta is not None:
+        yield Given("δ", order.delta)
+    if order.J is not None:
+        yield Given("J_F", order.J, "kg·m²")
     if order.rim is not None:
         yield Given("D_e", order.rim.outer * 1000.0, "mm")
+        if order.rim.inner is not None:
+            yield Given("D_i", order.rim.inner * 1000.0, "mm")

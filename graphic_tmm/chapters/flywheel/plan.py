@@ -18,6 +18,7 @@ from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
 from graphic_tmm.board.operations.energetics import (
     added,
     flywheel_inertia,
+    irregularity,
     moment_of_drive,
     moment_of_resistance,
     reduced_moment,
@@ -35,6 +36,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made
+from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
@@ -54,18 +56,24 @@ VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 class Flywheel:
     """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
 
-    ``works``: the points of the integrated side and of the straight one; ``sides``: its curve and its line;
-    ``segment``: cd (Length).
+    ``moment``: the reduced moment that varies (N·m), ``axes`` of its graph, ``constant``: the other one, marked
+    on its axis (Point). ``works``: the points of the integrated side and of the straight one; ``sides``: its
+    curve and its line; ``segment``: cd (Length). ``delta``, ``inertia``: δ and J of the flywheel, of which one
+    is given. ``energies``: those of the links, None where there are none.
     """
 
     order: FlywheelTask
     base: Base
+    moment: Mark
+    axes: Axes
+    constant: Mark
     indicator: Indicator | None
     charts: tuple[Chart, ...]
-    energies: Energies
+    energies: Energies | None
     works: tuple[Boundaries, Mark]
     sides: tuple[Mark, Mark]
     segment: Mark
+    delta: Mark
     inertia: Mark
     energy_mass: EnergyMass | None
     rim: DrawnRim | None
@@ -97,9 +105,9 @@ def draw_flywheel(
     Raises
     ------
     StructureError
-        If δ or H is not positive, masses or loads are missing.
+        If δ (or J) or H is not positive, masses or loads are missing.
     """
-    _refuse(order)
+    refuse(order)
     velocities = machine.velocities
     draft.open(VIEWS["moment"])
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
@@ -116,13 +124,12 @@ def draw_flywheel(
     curve = graphs.taut(draft, axes, at)
     reading = graphs.read(draft, axes, at.points, "M")
     chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
-    done = _works(draft, axes, at, curve, order)
+    done = draw_works(draft, axes, at, curve, order)
     energies, gained, own, charts = _energies(draft, machine, axes, at, done)
     energy_axes = gained.axes
-    segment = _segment(draft, energy_axes, own)
+    segment = draw_segment(draft, energy_axes, own)
     assert velocities.speed is not None
-    delta = draft.take(Number, "δ", order.delta)
-    inertia = draft.draw(flywheel_inertia, "J_F", segment, delta, velocities.speed, unit="kg·m²")
+    delta, inertia = draw_aim(draft, order, segment, velocities.speed)
     rim = None
     if order.rim is not None:
         rim = draw_rim(draft, inertia, velocities.speed, machine.mechanism.drive.speed, order.rim)
@@ -137,19 +144,46 @@ def draw_flywheel(
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
     return Flywheel(
-        order, base, indicator, found, energies, works, done.sides, segment, inertia, second, rim
+        order,
+        base,
+        moment,
+        axes,
+        done.constant,
+        indicator,
+        found,
+        energies,
+        works,
+        done.sides,
+        segment,
+        delta,
+        inertia,
+        second,
+        rim,
     )
 
 
-def _refuse(order: FlywheelTask) -> None:
-    bound_of(FlywheelTask, "delta").refuse("flywheel", "delta", order.delta)
+def refuse(order: FlywheelTask, section: str = "flywheel") -> None:
+    """Refuse a δ, a J or a pole distance that is not positive."""
+    if order.J is None:
+        bound_of(FlywheelTask, "delta").refuse(section, "delta", order.delta)
+    else:
+        bound_of(FlywheelTask, "J").refuse(section, "J", order.J)
     pole = order.A.pole
     if pole is not None and not pole > 0.0:
         raise StructureError(
             said("the pole distance H = {pole:g} mm is not greater than 0", pole=pole),
-            "flywheel.H",
-            head="flywheel",
+            f"{section}.H",
+            head=section,
         )
+
+
+def draw_aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> tuple[Mark, Mark]:
+    """Return δ and the flywheel's J: the one that is given, and the other that follows from cd."""
+    if order.J is None:
+        delta = draft.take(Number, "δ", order.delta)
+        return delta, draft.draw(flywheel_inertia, "J_F", segment, delta, omega, unit="kg·m²")
+    inertia = draft.take(Number, "J_F", order.J, "kg·m²")
+    return draft.draw(irregularity, "δ", segment, inertia, omega), inertia
 
 
 def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
@@ -185,16 +219,18 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         )
     total = found[0]
     for more in found[1:]:
-        total = draft.draw(added, "ΣM", total, more, unit="N·mm", role=roles.SUM)
+        total = draft.draw(
+            added, "ΣM", total, more, unit="N·mm", role=roles.SUM, why=why.MOMENTS_SUM
+        )
     formula = moment_of_drive if constant == "resisting" else moment_of_resistance
     return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
 
 
-class _Works(NamedTuple):
+class Works(NamedTuple):
     """The works as drawn: their axes, points of the integrated side and of the straight one.
 
     ``sides``: the curve and the straight line. ``surplus``: ΔT read off (Length). ``pole``: from where the rays
-    to the ordinates of the moment have the slopes of ΔT.
+    to the ordinates of the moment have the slopes of ΔT. ``constant``: the constant moment, on its axis.
     """
 
     axes: Axes
@@ -203,10 +239,13 @@ class _Works(NamedTuple):
     sides: tuple[Mark, Mark]
     surplus: Mark
     pole: Mark
+    constant: Mark
     chart: Chart
 
 
-def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask) -> _Works:
+def draw_works(
+    draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: FlywheelTask
+) -> Works:
     """Integrate the moment, close it with a straight line, read off by how much the driving work is ahead."""
     draft.open(VIEWS["work"])
     scaled = integrated_scale(draft, "A", "J/mm", source.mu, source.base.mu, order.A, "H")
@@ -214,36 +253,48 @@ def _works(draft: Draft, source: Axes, at: Boundaries, curve: Mark, order: Flywh
     pole = graphs.set_pole(draft, source, scaled.distance)
     found = graphs.integrate(draft, source, curve, axes, pole, "A", mean=order.integration, at=at)
     curve_of_work = graphs.along_rays(draft, axes, found, pole.point, at, source)
-    straight = draft.draw(join, "(A′)", axes.origin, found.end, role=roles.STRAIGHT)
-    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1)
-    other = draft.draw(meet, "A′", straight, lines)
+    straight = draft.draw(
+        join, "(A′)", axes.origin, found.end, role=roles.STRAIGHT, why=why.STRAIGHT
+    )
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.STRAIGHT_AT)
+    other = draft.draw(meet, "A′", straight, lines, why=why.STRAIGHT_AT)
     ahead = order.constant == "resisting"
     ends = (other, found.points) if ahead else (found.points, other)
-    surplus = draft.draw(measure_along, "ΔT", *ends, axes.up)
-    level = _level_pole(draft, source, pole, straight, ahead=ahead)
+    surplus = draft.draw(measure_along, "ΔT", *ends, axes.up, why=why.SURPLUS)
+    level, constant = _level_pole(draft, source, pole, straight, ahead=ahead)
     rest = (scaled.chosen, order.A.mu, None, None, (found.points, found.end))
     chart = Chart(VIEWS["work"], "A", "J", scaled.mu, (surplus,), *rest)
-    return _Works(axes, found, other, (curve_of_work, straight), surplus, level, chart)
+    return Works(axes, found, other, (curve_of_work, straight), surplus, level, constant, chart)
 
 
-def _level_pole(draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool) -> Mark:
+def _level_pole(
+    draft: Draft, source: Axes, pole: Pole, straight: Mark, *, ahead: bool
+) -> tuple[Mark, Mark]:
     """Draw the constant moment; mark the pole on its level: from there the straight side is level.
 
+    Returns the pole and the constant moment.
     ``ahead``: the integrated side counts upwards; else the pole stands right of the axis.
     """
     draft.open(source.view)
-    slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1)
+    slope = draft.draw(parallel, "(PM)", pole.point, straight, sense=1, why=why.CONSTANT_RAY)
     name = "M_c" if ahead else "M_d"
-    constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN)
+    constant = draft.draw(meet, name, source.up, slope, role=roles.MEAN, why=why.CONSTANT)
     sense = -1 if ahead else 1
     level = draft.draw(
-        parallel, f"({name})", constant, source.along, sense=sense, role=roles.STRAIGHT
+        parallel,
+        f"({name})",
+        constant,
+        source.along,
+        sense=sense,
+        role=roles.STRAIGHT,
+        why=why.LEVEL,
     )
-    return draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE)
+    found = draft.draw(lay_off, "P′", level, pole.distance, role=roles.LEVEL_POLE, why=why.LEVEL)
+    return found, constant
 
 
 def _energies(
-    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: _Works
+    draft: Draft, machine: Machine, source: Axes, at: Boundaries, done: Works
 ) -> tuple[Energies, Surplus, Mark, tuple[Chart, ...]]:
     """Draw ΔT, the energy of the links and, their difference, that of the flywheel on axes of their own.
 
@@ -258,7 +309,9 @@ def _energies(
     ahead = graphs.along_rays(draft, axes, gained, done.pole, at, source)
     links = graphs.lay_ordinates(draft, axes, heights, "l")
     carried = graphs.through(draft, axes, links)
-    rest = draft.draw(measure_along, "y_F", links.points, gained.points, axes.up)
+    rest = draft.draw(
+        measure_along, "y_F", links.points, gained.points, axes.up, why=why.OF_FLYWHEEL
+    )
     own = graphs.lay_ordinates(draft, axes, rest, "f")
     curve = graphs.difference(draft, axes, own, ahead, carried)
     readings = [
@@ -271,11 +324,13 @@ def _energies(
     return energies, Surplus(axes, ahead), curve, (done.chart, energy)
 
 
-def _segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
+def draw_segment(draft: Draft, axes: Axes, own: Mark) -> Mark:
     """Carry the highest and the lowest point of the flywheel's energy to the ordinate axis; measure cd."""
     ends = []
     for op, name in ((highest, "c"), (lowest, "d")):
         top = draft.draw(op, f"{name}′", own, axes.origin, axes.end)
-        level = draft.draw(parallel, f"({name})", top, axes.along, sense=1)
-        ends.append(draft.draw(meet, name, axes.up, level, role=roles.EXTREME))
-    return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up)
+        level = draft.draw(parallel, f"({name})", top, axes.along, sense=1, why=why.EXTREME_LEVEL)
+        ends.append(
+            draft.draw(meet, name, axes.up, level, role=roles.EXTREME, why=why.EXTREME_LEVEL)
+        )
+    return draft.draw(measure_along, "cd", ends[1], ends[0], axes.up, why=why.CD)

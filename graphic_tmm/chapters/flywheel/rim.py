@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.choice import accepted
 from graphic_tmm.board.operations.energetics import largest_rim, mean, rim_mass, rim_width, share
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
@@ -13,6 +14,7 @@ from graphic_tmm.chapters.flywheel.task import Rim
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 
+_ROUND = said("Sizes are made in round numbers; all that follows is calculated with what is made.")
 WIDEST = 0.5
 """A rim wider than this share of its outer diameter is a drum."""
 STEP = 0.05
@@ -32,7 +34,14 @@ class DrawnRim:
     width: Mark
 
 
-def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim) -> DrawnRim:
+def draw_rim(
+    draft: Draft,
+    inertia: Mark,
+    omega: Mark,
+    speed: float,
+    order: Rim,
+    section: str = "flywheel",
+) -> DrawnRim:
     """Calculate the rim; ``omega``: the mark of ω1, ``speed`` its value (1/s).
 
     Raises
@@ -40,14 +49,17 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
     StructureError
         If the diameter chosen runs faster than the material allows, or the rim has no thickness.
     """
+    if order.inner is not None and not 0.0 < order.inner < order.outer:
+        says = said("it leaves no rim: make it smaller than D_e")
+        raise StructureError(says, f"{section}.D_i", head=section)
     if not 0.0 < order.ratio < 1.0:
         raise StructureError(
             said(
                 "D_i/D_e = {ratio:g} leaves no rim: choose a ratio between 0 and 1, such as 0.85",
                 ratio=order.ratio,
             ),
-            "flywheel.ratio",
-            head="flywheel",
+            f"{section}.ratio",
+            head=section,
         )
     most = 2.0 * order.speed_limit / abs(speed)
     if order.outer > most:
@@ -59,14 +71,17 @@ def draw_rim(draft: Draft, inertia: Mark, omega: Mark, speed: float, order: Rim)
                 limit=order.speed_limit,
                 most=most,
             ),
-            "flywheel.D_e",
-            head="flywheel",
+            f"{section}.D_e",
+            head=section,
         )
     limit = draft.take(Number, "v_{max}", order.speed_limit, "m/s")
     largest = draft.draw(largest_rim, "D_{max}", limit, omega, unit="m")
     outer = draft.take(Number, "D_e", order.outer, "m")
     ratio = draft.take(Number, "k", order.ratio)
-    inner = draft.draw(share, "D_i", outer, ratio, unit="m")
+    inner = draft.draw(share, "D_i" if order.inner is None else "D_i′", outer, ratio, unit="m")
+    if order.inner is not None:
+        told = draft.take(Number, "", order.inner, "m")
+        inner = draft.draw(accepted, "D_i", told, unit="m", why=_ROUND)
     middle = draft.draw(mean, "D_m", outer, inner, unit="m")
     mass = draft.draw(rim_mass, "m_r", inertia, middle, unit="kg")
     density = draft.take(Number, "ρ", order.density, "kg/m³")

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from graphic_tmm.board.naming import (
     segment_name,
 )
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
 from graphic_tmm.language.catalogue import speaking
@@ -18,6 +19,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column, ordinates
 
 PLAN = FLYWHEEL.chapter
+OFF_SHEET = ("M_mean", "power")
+"""Results for which the table on a sheet has no row: they would take room from the graphs they are read off."""
 _TOO_WIDE = said(
     "the rim of D_{{e}} = {outer} m is {width} m wide: choose D_{{e}} = {least} m or more"
 )
@@ -29,7 +32,11 @@ _TOO_WIDE_AND_SLOW = said(
 
 def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
     """Yield the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
-    made = FLYWHEEL.on(drawn)
+    yield from columns_of(drawn, FLYWHEEL.on(drawn), PLAN)
+
+
+def columns_of(drawn: Drawn, made: Flywheel, plan: str) -> Iterator[Column]:
+    """Yield the columns of a flywheel as drawn, of a plan."""
     sides = made.indicator.sides if made.indicator is not None else ()
     pressures = {side.ordinate: side.pressure for side in sides}
     for chart in made.charts:
@@ -38,13 +45,19 @@ def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
             if chart.view == VIEWS["work"]:
                 continue  # ΔT is laid off, and read, once more among the energies
             rows = ordinates(drawn.reading, mark, chart.mu, len(drawn.names))
-            yield Column(PLAN, segment_name(letter), letter, chart.unit, *rows)
+            yield Column(plan, segment_name(letter), letter, chart.unit, *rows)
 
 
 def flywheel_results(drawn: Drawn) -> Results:
     """Return the results of the flywheel; those that no drawing gives are left out."""
-    made = FLYWHEEL.on(drawn)
+    return results_for(drawn, FLYWHEEL.on(drawn), BESIDE.on(drawn))
+
+
+def results_for(drawn: Drawn, made: Flywheel, beside: Beside) -> Results:
+    """Return the results of a flywheel as drawn, and of what was calculated beside it."""
     marks = {"cd": made.segment, "J_fly": made.inertia}
+    if made.order.J is not None:
+        marks["delta"] = made.delta
     if made.energy_mass is not None:
         marks["J_fly_energy_mass"] = made.energy_mass.inertia
     if made.rim is not None:
@@ -53,13 +66,20 @@ def flywheel_results(drawn: Drawn) -> Results:
         marks |= {"rim_mass": rim.mass, "rim_width": rim.width}
     for side in made.indicator.sides if made.indicator is not None else ():
         marks[f"p_mean_{side.name}"] = side.mean
+    if beside.apart is not None:
+        marks["J_apart"] = beside.apart
+    marks |= {"M_mean": beside.moment, "power": beside.power}
     found = results_of(drawn, marks)
     return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
 
 
 def rim_too_wide(drawn: Drawn, language: str) -> str:
     """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
-    results = single(flywheel_results(drawn))
+    return too_wide(single(flywheel_results(drawn)), language)
+
+
+def too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
+    """Return the same of results."""
     if not {"D_max", "D_e", "rim_width"} <= set(results):
         return ""
     most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))

@@ -34,7 +34,8 @@ _MATERIAL = v.choice(*MATERIALS, сталь="steel", чугун="cast iron")
 class Rim:
     """A flywheel's rim: outer diameter (m), inner over outer, limit of speed (m/s), density (kg/m³).
 
-    ``shaft`` (m), ``studs`` and their diameter (m) are for the sketch.
+    ``shaft`` (m), ``studs`` and their diameter (m) are for the sketch. ``inner``: the inner diameter (m) that
+    is made, where it is not left as the ratio gives it.
     """
 
     outer: float
@@ -44,6 +45,7 @@ class Rim:
     shaft: float = 0.055
     studs: int = 3
     stud: float = 0.016
+    inner: float | None = None
 
 
 def _rim(said: Said) -> Rim | None:
@@ -51,15 +53,15 @@ def _rim(said: Said) -> Rim | None:
         return None
     shaft = said.shaft or round(said.D_e / SHAFT, 3)
     stud = said.stud or round(said.D_e / STUD, 3)
-    return Rim(said.D_e, said.ratio, *MATERIALS[said.material], shaft, said.studs, stud)
+    return Rim(said.D_e, said.ratio, *MATERIALS[said.material], shaft, said.studs, stud, said.D_i)
 
 
 @dataclass(frozen=True)
 class FlywheelTask:
     """The flywheel of a machine driven by the gas of the indicator diagram.
 
-    It keeps the coefficient of irregularity ``delta``. ``indicator``: the gas forces of which diagram; None: by
-    the loads of the links.
+    It keeps the coefficient of irregularity ``delta``, or has the moment of inertia ``J`` (kg·m²), and what δ
+    it keeps is found. ``indicator``: the gas forces of which diagram; None: by the loads of the links.
 
     ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``A``: the scale of the
     works, or the pole distance that gives it.
@@ -69,8 +71,17 @@ class FlywheelTask:
     """
 
     indicator: IndicatorTask | None
-    delta: float = key(
-        v.number(Bound(0, 2, above=True, below=True), "ratio"), "coefficient of irregularity", 0.04
+    delta: float | None = key(
+        v.number(Bound(0, 2, above=True, below=True), "ratio"),
+        "coefficient of irregularity",
+        0.04,
+        None,
+    )
+    J: float | None = key(
+        v.POSITIVE_INERTIA,
+        "moment of inertia of the flywheel, instead of delta",
+        "1.8 kg*m^2",
+        None,
     )
     constant: str = key(_CONSTANT, "which moment is constant", "resisting", "resisting")
     A: ScaleOrder = made(
@@ -104,6 +115,9 @@ class FlywheelTask:
         ratio=key(
             v.number(v.SHARE, "ratio"), "inner diameter of the rim over the outer", 0.85, 0.85
         ),
+        D_i=key(
+            v.POSITIVE_LENGTH, "inner diameter that is made, rounded from the ratio", "0.38 m", None
+        ),
         material=key(_MATERIAL, "material of the rim", "steel", "steel"),
         shaft=key(v.POSITIVE_LENGTH, "diameter of the shaft", "55 mm", None),
         studs=key(v.number(Bound(1, 24, whole=True)), "how many stud holes", 3, 3),
@@ -117,9 +131,26 @@ ASKED: Asked[FlywheelTask] = Asked("flywheel")
 def check(flywheel: Said, parts: Parts) -> Iterator[Found]:
     """What a flywheel needs besides its own section."""
     yield from parts.intervals("flywheel")
+    yield from aims(flywheel)
     if "indicator" not in parts.doc and "forces" not in parts.doc:
         says = said("nothing drives or resists; write a section [indicator], or loads and [forces]")
         yield Found(("flywheel",), says)
+
+
+def aims(flywheel: Said, section: str = "flywheel") -> Iterator[Found]:
+    """What contradicts itself in what is sought: J of a given δ, or δ of a given J; the rim's diameters."""
+    if flywheel.delta is None and flywheel.J is None:
+        says = said("it is missing; write for example delta = 0.04, or J of the flywheel")
+        yield Found((section, "delta"), says)
+    if flywheel.delta is not None and flywheel.J is not None:
+        says = said("delta is given already, and J follows from it; leave one of them out")
+        yield Found((section, "J"), says)
+    if flywheel.D_i is not None and flywheel.D_e is None:
+        says = said("a rim has an outer diameter first; write D_e as well")
+        yield Found((section, "D_i"), says)
+    elif flywheel.D_i is not None and flywheel.D_i >= flywheel.D_e:
+        says = said("it leaves no rim: make it smaller than D_e")
+        yield Found((section, "D_i"), says)
 
 
 def _defaults(flywheel: Said, parts: Parts) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Mark
@@ -15,7 +16,9 @@ from graphic_tmm.chapters.flywheel.ink_energy import (
 )
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
+from graphic_tmm.chapters.flywheel.rim import DrawnRim
 from graphic_tmm.chapters.flywheel.table import (
+    OFF_SHEET,
     PLAN,
     flywheel_columns,
     flywheel_results,
@@ -49,19 +52,19 @@ def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     language = drawn.scene.language
     views = indicator_views(drawn, lettered, FLYWHEEL.chapter)
-    views.append(stacked("flywheel-graphs", _graphs(drawn, made, lettered)))
+    views.append(stacked("flywheel-graphs", graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
         views.append(_energy_mass(drawn, made.energy_mass, lettered))
     if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
-        views.append(_sketch(drawn, made))
+        views.append(sketch(drawn, made.rim, rim_too_wide(drawn, language)))
     rows = tuple(flywheel_columns(drawn))
     high = heights(drawn.scene, PLAN)
     told = result_table(PLAN, rows, drawn.names, language, heights=high)
-    return [*views, told, _results(drawn)]
+    return [*views, told, results_of(drawn, single(flywheel_results(drawn)))]
 
 
-def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
-    """Return the graphs of moment, works and energies with their captions."""
+def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> list[Drawing]:
+    """Return the graphs of moment, works and energies with their captions, as a place of sheets shows them."""
     language, project = drawn.scene.language, drawn.project
     _ = speaking(language)
     sides = (_("A_{drv}"), _("A_{res}"))
@@ -75,7 +78,7 @@ def _graphs(drawn: Drawn, made: Flywheel, lettered: bool) -> list[Drawing]:
         for mark in chart.ordinates
     }
     log, reading, phi = project.construction, drawn.reading, made.base.mu
-    names, high = [escape(name) for name in project.names], heights(drawn.scene, PLAN)
+    names, high = [escape(name) for name in project.names], heights(drawn.scene, place)
     along = on_axis("φ", unit(phi.unit.removesuffix("/mm"), language))
     views = []
     for key, symbol, of in (("moment", "M", "N·m"), ("work", "A", "J"), ("energy", "T", "J")):
@@ -130,39 +133,37 @@ def _angle(drawn: Drawn, mark: Mark) -> str:
     return f"{mark.name} = {number(_value(drawn, mark), drawn.scene.language)}°"
 
 
-def _sketch(drawn: Drawn, made: Flywheel) -> Drawing:
-    """Return the sketch of the flywheel to the largest standard scale that has room."""
-    rim, language = made.rim, drawn.scene.language
+def sketch(
+    drawn: Drawn, rim: DrawnRim, told: str, place: str = PLAN, size: str = "sketch"
+) -> Drawing:
+    """Return the sketch of the flywheel to the largest standard scale that has room.
+
+    ``told``: below it; ``size``: by what name its room goes.
+    """
+    language = drawn.scene.language
     _ = speaking(language)
-    assert rim is not None
     order = rim.order
     outer, inner, width = (_value(drawn, mark) for mark in (rim.outer, rim.inner, rim.width))
     # made in whole millimetres: the thinnest rim is one
     width = max(round(width, 3), 0.001)
     sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
-    large, room = 1000 * max(outer, width), SKETCH * drawn.sizes["sketch"]
+    large, room = 1000 * max(outer, width), SKETCH * drawn.sizes[size]
     reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
     title = _("Sketch of the flywheel")
     marks = (rim.outer, rim.inner, rim.width)
     drawing = draw_flywheel(sizes, reduction, title, language, marks)
-    told = rim_too_wide(drawn, language)
     scale = f"1:{number(reduction, language)}"
-    lines, high = told.split(": ") if told else (), heights(drawn.scene, PLAN)
+    lines, high = told.split(": ") if told else (), heights(drawn.scene, place)
     return captioned(drawing, title, scale, *lines, heights=high)
 
 
-def _results(drawn: Drawn) -> Drawing:
-    """Return the table of results, both methods and what they differ by."""
+def results_of(drawn: Drawn, found: Mapping[str, tuple[float, str]], place: str = PLAN) -> Drawing:
+    """Return the table of results."""
     language = drawn.scene.language
-    words, found = captions(language), single(flywheel_results(drawn))
-    _ = speaking(language)
+    words = captions(language)
     rows = [
-        [words[name], number(value, language), unit(of, language)]
+        [words[name], number(value, language, 3 if of == "%" else 4), unit(of, language)]
         for name, (value, of) in found.items()
+        if name not in OFF_SHEET
     ]
-    if {"J_fly", "J_fly_energy_mass"} <= set(found):
-        first, second = found["J_fly"][0], found["J_fly_energy_mass"][0]
-        rows.append(
-            [_("difference of J_{F}"), number(100.0 * (first - second) / first, language, 3), "%"]
-        )
-    return results("table-results", words["flywheel"], rows, language, heights(drawn.scene, PLAN))
+    return results("table-results", words["flywheel"], rows, language, heights(drawn.scene, place))

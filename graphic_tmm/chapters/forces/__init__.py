@@ -39,7 +39,7 @@ from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.forces import views
 from graphic_tmm.chapters.forces.accuracy import ACCURACY
-from graphic_tmm.chapters.forces.captions import CAPTIONS, called
+from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS, called
 from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
 from graphic_tmm.chapters.forces.given import given
@@ -135,4 +135,6 @@ CHAPTER = Chapter(
     accuracy=ACCURACY,
     note=note,
     concludes=concludes,
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

@@ -41,3 +41,18 @@ _TITLES = {
 }
 """The figure, the polygon and the equations of a group, and those of a link."""
 _PASS = said(", pass {number}")
+
+SYMBOLS = (
+    ("m", said("mass"), "kg"),
+    ("J", said("moment of inertia"), "kg·m²"),
+    ("G", said("weight"), "N"),
+    ("P_{i1}", said("inertia force"), "N"),
+    ("M_{i1}", said("couple of inertia"), "N·m"),
+    ("F", said("force on a link"), "N"),
+    ("R_{12}", said("force of link 1 on link 2"), "N"),
+    ("P_b", said("balancing force"), "N"),
+    ("h", said("arm"), "mm"),
+    ("μ_F", said("scale factor of forces"), "N/mm"),
+    ("Δ", said("difference of the two methods"), "%"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -20,6 +20,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import (
+    asked,
     at_position,
     columns,
     filled,
@@ -43,7 +44,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.steps import protocol_blocks
+from graphic_tmm.note.protocol import protocol_blocks
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.readers.writing import decimals_of
 
@@ -161,6 +162,6 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
         put: dict[str, Run] = {
             "position": Text(drawn.names[k]),
             "apart": Number(number(apart, language, 2), "", source, apart),
-            "limit": Text(number(made.order.limit, language, 2)),
+            "limit": asked(drawn, "forces", "limit", "", language),
         }
         yield filled(_(said_), put)

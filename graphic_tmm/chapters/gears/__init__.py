@@ -17,6 +17,9 @@ is the arc of engagement over the pitch, drawn and by formula; above 1 a second 
 first one leaves (`contact`). Flanks slide on one another but at P: ϑ₁ = 1 − (r₁/r₂)·(ρ₂/ρ₁) over the
 distance x from N₁, where ρ₁ = x and ρ₂ = N₁N₂ − x are the radii of curvature (`sliding`).
 
+Beside the drawing are calculated the ratio, the arc of engagement, and how long each dimension is on the
+sheet (`beside`); a given length of a_w there makes the scale of the mesh.
+
 Draws: place ``gears``: the mesh with three teeth a wheel, the rolling of a flank in a view of its own, the
 diagram of sliding, tables; on a board of its own whose positions are the steps of the rolling. Builds on no
 chapter.
@@ -29,21 +32,24 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.gears.accuracy import ACCURACY
-from graphic_tmm.chapters.gears.captions import CAPTIONS
+from graphic_tmm.chapters.gears.beside import record_beside
+from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.gears.choice import choose
+from graphic_tmm.chapters.gears.columns import gear_columns
 from graphic_tmm.chapters.gears.given import given
+from graphic_tmm.chapters.gears.note import concludes, note
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
+from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene.records import Scene
 
 
 def _fixed(scene: Scene) -> str:
-    return "gears.mu_l" if "gears.mu_l" in scene.told else ""
+    return next((key for key in ("gears.mu_l", "gears.a_w") if key in scene.told), "")
 
 
 CHAPTER = Chapter(
@@ -60,12 +66,17 @@ CHAPTER = Chapter(
     given=given,
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     scales=gear_scales,
     choice=choose,
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
     plans=(GEARS.chapter,),
-    columns=measured_columns,
+    columns=gear_columns,
     results=gear_results,
     accuracy=ACCURACY,
+    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    note=note,
+    sources=("artobolevsky", "popov", "contour", "geometry"),
+    symbols=SYMBOLS,
 )

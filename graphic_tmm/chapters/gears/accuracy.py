@@ -49,7 +49,7 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     if order is None:
         return scene
     mu = drawn.scales[GEARS.on(drawn).line.mu.view].value
-    return ASKED.put(scene, replace(order, mu=mu / times))
+    return ASKED.put(scene, replace(order, mu=mu / times, axes=None))
 
 
 WORDS = {

@@ -11,7 +11,11 @@ CAPTIONS: dict[str, str] = {
     "gear-dimensions": said("Dimensions of the gear pair"),
     "gear-rolling-1": said("Construction of a tooth of wheel 1"),
     "gear-rolling-2": said("Construction of a tooth of wheel 2"),
+    "gear-calculation": said("Calculation of the gear pair"),
     "sliding": said("Specific sliding"),
+    "gear_ratio": "u_{12}",
+    "arc_of_engagement": "s_{cd}",
+    "sliding-table": said("Specific sliding"),
     "alpha_w": "α_{w}",
     "delta_y": "Δy",
     "contact_ratio": "ε_{α}",
@@ -20,3 +24,14 @@ CAPTIONS: dict[str, str] = {
     "arc_of_engagement1": "c_{1}d_{1}",
     "arc_of_engagement2": "c_{2}d_{2}",
 }
+
+SYMBOLS = (
+    ("z", said("number of teeth"), ""),
+    ("m", said("module"), "m"),
+    ("x", said("shift coefficient"), ""),
+    ("α_w", said("angle of engagement"), "°"),
+    ("a_w", said("distance of the centres"), "m"),
+    ("r_b", said("base radius"), "m"),
+    ("ε_α", said("contact ratio"), ""),
+)
+"""Its letters in a note: what they stand for, their units."""

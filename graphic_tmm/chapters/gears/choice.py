@@ -12,10 +12,12 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     gear = GEARS.on(drawn)
     line, chart = gear.line.mu, gear.sliding.chart
     ledger.of(line.view)
+    axes = ledger.quantity("a_{w}", ledger.value_of(drawn, gear.sizes.a_w), "m")
     if gear.order.mu:
         ledger.told(line, gear.order.mu)
+    elif gear.order.axes:
+        ledger.by_length(line, axes, "[a_{w}]", gear.order.axes)
     else:
-        axes = ledger.quantity("a_{w}", ledger.value_of(drawn, gear.sizes.a_w), "m")
         ledger.fitting(line, axes, ledger.value_of(drawn, line), lengths=True)
     ledger.of(chart.view)
     if chart.wanted:

@@ -8,6 +8,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import in_si, to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure, parallel, strike
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.gears import reasons as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes
 from graphic_tmm.chapters.gears.formulas import percent_off, ratio_of
 from graphic_tmm.chapters.gears.line import ActionLine
@@ -59,11 +60,11 @@ def draw_contact(
     (a, b) = line.ends
     engaged = (_engagement(draft, 0, line, wheels[0]), _engagement(draft, 1, line, wheels[1]))
     pitch = draft.draw(to_board, "[p_{b}]", sizes.p_b)
-    onward = draft.draw(parallel, "(ab)", a, line.line, sense=1)
-    backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1)
-    second = draft.draw(lay_off, "a′", onward, pitch)
-    first = draft.draw(lay_off, "b′", backward, pitch)
-    measured = draft.draw(measure, "aa′", a, second)
+    onward = draft.draw(parallel, "(ab)", a, line.line, sense=1, why=why.NEXT_PAIR)
+    backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1, why=why.NEXT_PAIR)
+    second = draft.draw(lay_off, "a′", onward, pitch, why=why.NEXT_PAIR)
+    first = draft.draw(lay_off, "b′", backward, pitch, why=why.NEXT_PAIR)
+    measured = draft.draw(measure, "aa′", a, second, why=why.NEXT_PAIR)
     drawn = draft.draw(ratio_of, "ε_{dr}", line.working, measured)
     off = draft.draw(percent_off, "Δε", drawn, sizes.contact_ratio, unit="%")
     return Contact(engaged, (first, second), measured, drawn, off)
@@ -74,16 +75,26 @@ def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagem
     centre, i = wheel.circles.centre, k + 1
     turned, crossings, lows = [], [], []
     for end, name in zip(line.ends, "ab", strict=True):
-        reach = draft.draw(measure, f"O_{i}{name}", centre, end)
-        arc = draft.draw(strike, f"(O_{i}{name})", centre, reach)
+        reach = draft.draw(measure, f"O_{i}{name}", centre, end, why=why.TURNED_FLANK)
+        arc = draft.draw(strike, f"(O_{i}{name})", centre, reach, why=why.TURNED_FLANK)
         spot = draft.draw(curve_meets_arc, f"{name}_{{{i}}}", wheel.flank, arc, free=True)
         angle = draft.draw(angle_at, f"∠{name}_{i}", centre, spot, end)
-        points = draft.draw(turn_about, f"E_{{{name}{i}}}", wheel.points, centre, angle, sense=1)
+        points = draft.draw(
+            turn_about,
+            f"E_{{{name}{i}}}",
+            wheel.points,
+            centre,
+            angle,
+            sense=1,
+            why=why.TURNED_FLANK,
+        )
         turned.append(
             draft.draw(smooth_through, f"(E_{{{name}{i}}})", points, row=wheel.roll.count)
         )
         letter = f"{'cd'['ab'.index(name)]}_{{{i}}}"
-        crossings.append(draft.draw(turn_about, letter, line.pole, centre, angle, sense=1))
+        crossings.append(
+            draft.draw(turn_about, letter, line.pole, centre, angle, sense=1, why=why.TURNED_FLANK)
+        )
         lows.append(spot)
     sense = 1 if k else -1
     length = draft.draw(measure_arc, f"c_{i}d_{i}", *crossings, wheel.circles.working, sense=sense)

@@ -220,6 +220,34 @@ def tip_clearance(a_w: Number, r_a: Number, r_f: Number) -> Number:
     """{a_w} − {r_a} − {r_f}"""
 
 
+@formula(
+    why=said(
+        "The pitch circles roll on one another, tooth by tooth: the speeds are inverse to the numbers of teeth."
+    )
+)
+def ratio_of_teeth(driven: Number, driving: Number) -> Number:
+    """{driven}/{driving}"""
+
+
+@formula(
+    why=said(
+        "The contact ratio tells how many base pitches the touching point goes along the line of action."
+    )
+)
+def path_of_contact(ratio: Number, pitch: Number) -> Number:
+    """{ratio}·{pitch}"""
+
+
+@formula(
+    why=said(
+        "While the touching point goes along the line of action, the base circles turn by arcs of that length; "
+        "on the rolling circles the arc is longer as their radius is."
+    )
+)
+def arc_of_engagement(path: Number, r_w: Number, r_b: Number) -> Number:
+    """{path}·{r_w}/{r_b}"""
+
+
 @formula(why=said("All teeth together take the whole turn."))
 def angular_pitch(z: Number) -> Angle:
     """360°/{z}"""

@@ -18,6 +18,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
+from graphic_tmm.chapters.gears import reasons as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 
 VIEW = "gear"
@@ -67,25 +68,25 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     mu = draft.scale("μ_l", "m/mm")
     draft.lay_out()
     first = draft.take(Point, "O_{1}", 0j)
-    centres = draft.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0))
+    centres = draft.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0), why=why.CENTRES)
     distance = draft.draw(to_board, "[a_{w}]", sizes.a_w)
-    second = draft.draw(lay_off, "O_{2}", centres, distance)
+    second = draft.draw(lay_off, "O_{2}", centres, distance, why=why.CENTRES)
     own, other = sizes.wheels
     circles = (_circles(draft, own, first), _circles(draft, other, second))
     reach = next(m for m in draft.uses(circles[0].working) if m != first)
-    pole = draft.draw(lay_off, "P", centres, reach)
+    pole = draft.draw(lay_off, "P", centres, reach, why=why.POLE)
     side = draft.take(Side, "σ", -1.0)
     limits = (
-        draft.draw(touch, "N_{1}", pole, circles[0].base, side),
-        draft.draw(touch, "N_{2}", pole, circles[1].base, side),
+        draft.draw(touch, "N_{1}", pole, circles[0].base, side, why=why.LIMIT),
+        draft.draw(touch, "N_{2}", pole, circles[1].base, side, why=why.LIMIT),
     )
-    line = draft.draw(join, "(N_{1}N_{2})", *limits)
+    line = draft.draw(join, "(N_{1}N_{2})", *limits, why=why.ACTION)
     forward, back = draft.take(Side, "+", 1.0), draft.take(Side, "−", -1.0)
-    a = draft.draw(cut, "a", line, circles[1].tip, back)
-    b = draft.draw(cut, "b", line, circles[0].tip, forward)
-    angle = draft.draw(bearing, "α_{w}", *limits)
+    a = draft.draw(cut, "a", line, circles[1].tip, back, why=why.ENTERS)
+    b = draft.draw(cut, "b", line, circles[0].tip, forward, why=why.LEAVES)
+    angle = draft.draw(bearing, "α_{w}", *limits, why=why.MESH_ANGLE)
     spans = [
-        draft.draw(measure_along, f"{start.letter}{end.letter}", start, end, line)
+        draft.draw(measure_along, f"{start.letter}{end.letter}", start, end, line, why=why.SPAN)
         for start, end in (
             (limits[0], limits[1]),
             (limits[0], a),
@@ -105,5 +106,5 @@ def _circles(draft: Draft, wheel: WheelSizes, centre: Mark) -> Circles:
     arcs = []
     for real in (wheel.r, wheel.r_b, wheel.r_w, wheel.r_f, wheel.r_a):
         radius = draft.draw(to_board, f"[{real.letter}]", real)
-        arcs.append(draft.draw(strike, f"({real.letter})", centre, radius))
+        arcs.append(draft.draw(strike, f"({real.letter})", centre, radius, why=why.CIRCLE))
     return Circles(centre, *arcs)

@@ -92,6 +92,7 @@ def gear_scales(fitting: Fitting) -> dict[Mark, object]:
     distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
     larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
     usual, share = min(standard_length(distance, ROOM), larger), fitting.sizes[GEARS.chapter]
-    mu = gear.order.mu or (usual if share == 1.0 else standard_length(usual / share, 1.0))
+    told = distance / gear.order.axes if gear.order.axes else gear.order.mu
+    mu = told or (usual if share == 1.0 else standard_length(usual / share, 1.0))
     chart, floor = gear.sliding.chart, gear.sliding.floor
     return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, SLIDING)}

@@ -29,10 +29,14 @@ def refuse_order(order: GearTask) -> None:
         ("delta_y", order.delta_y),
         ("m", order.m),
         ("mu_l", order.mu),
+        ("a_w", order.axes),
         ("mu_theta", order.mu_sliding),
     ):
         if value is not None:
             _bounded(key, value)
+    if order.mu is not None and order.axes is not None:
+        says = said("mu_l is given, too: leave one of the two out, a_w as drawn gives μ_l")
+        raise TaskError("gears", "a_w", says)
     POSITIVE.refuse("gears", "least_tip", order.least_tip)
 
 

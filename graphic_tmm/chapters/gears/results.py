@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.plan import GEARS
 from graphic_tmm.drawn import Drawn, Results
 
@@ -13,8 +14,9 @@ def gear_results(drawn: Drawn) -> Results:
     ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
     """
     gear, reading = GEARS.on(drawn), drawn.reading
-    sizes, contact = gear.sizes, gear.contact
+    sizes, contact, beside = gear.sizes, gear.contact, BESIDE.on(drawn)
     marks: dict[str, Mark] = {
+        "gear_ratio": beside.ratio,
         "alpha_w": sizes.alpha_w,
         "a": sizes.a,
         "a_w": sizes.a_w,
@@ -24,6 +26,7 @@ def gear_results(drawn: Drawn) -> Results:
         "h_w": sizes.h_w,
         "p": sizes.p,
         "p_b": sizes.p_b,
+        "arc_of_engagement": beside.arc,
         "contact_ratio": sizes.contact_ratio,
         "contact_ratio_drawn": contact.drawn,
         "contact_ratio_difference": contact.difference,

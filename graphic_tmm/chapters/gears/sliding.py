@@ -18,6 +18,7 @@ from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, ray, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point, Reals
+from graphic_tmm.chapters.gears import reasons as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes
 from graphic_tmm.chapters.gears.formulas import part_of, remainder, specific_sliding
 from graphic_tmm.chapters.gears.line import ActionLine
@@ -91,8 +92,8 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
     mu = draft.scale("μ_{ϑ}", "1/mm")
     draft.lay_out()
     origin = draft.take(Point, "N_{1}", 0j)
-    base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0))
-    end = draft.draw(lay_off, "N_{2}", base, line.length)
+    base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0), why=why.STATION)
+    end = draft.draw(lay_off, "N_{2}", base, line.length, why=why.STATION)
     ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
     ends = tuple(
         _stations(draft, ground, x, letter) for x, letter in zip(line.to_ends, "ab", strict=True)
@@ -103,9 +104,9 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
         _branch(draft, ground, 0, rows.row(_shares(sizes.order.z1 / sizes.order.z2, floor))),
         _branch(draft, ground, 1, rows.row(_shares(sizes.order.z2 / sizes.order.z1, floor))),
     )
-    up = draft.draw(square, "(N_{1}ϑ)", origin, base, sense=1)
+    up = draft.draw(square, "(N_{1}ϑ)", origin, base, sense=1, why=why.SLIDING_AT)
     read = tuple(
-        draft.draw(measure_along, f"y_{k + 1}", branch.feet, branch.points, up)
+        draft.draw(measure_along, f"y_{k + 1}", branch.feet, branch.points, up, why=why.SLIDING_AT)
         for k, branch in enumerate(branches)
     )
     further = None
@@ -124,12 +125,14 @@ def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
         draft.draw(specific_sliding, f"ϑ_{{1{letter}}}", z1, z2, rest, x),
         draft.draw(specific_sliding, f"ϑ_{{2{letter}}}", z2, z1, x, rest),
     )
-    feet = draft.draw(lay_off, letter, ground.base, x, free=True)
-    lines = draft.draw(square, f"({letter})", feet, ground.base, sense=1)
+    feet = draft.draw(lay_off, letter, ground.base, x, free=True, why=why.STATION)
+    lines = draft.draw(square, f"({letter})", feet, ground.base, sense=1, why=why.SLIDING_AT)
     points = []
     for k, mark in enumerate(sliding):
         height = draft.draw(to_board, f"[ϑ_{{{k + 1}{letter}}}]", mark)
-        points.append(draft.draw(lay_off, f"{letter}_{{{k + 1}}}", lines, height))
+        points.append(
+            draft.draw(lay_off, f"{letter}_{{{k + 1}}}", lines, height, why=why.SLIDING_AT)
+        )
     return Stations(x, sliding, feet, (points[0], points[1]))
 
 
@@ -142,10 +145,10 @@ def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
     x = near if k == 0 else far
     own, other = ground.teeth[k], ground.teeth[1 - k]
     sliding = draft.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
-    feet = draft.draw(lay_off, f"i_{{{i}}}", ground.base, x)
-    lines = draft.draw(square, f"(i_{i})", feet, ground.base, sense=1)
+    feet = draft.draw(lay_off, f"i_{{{i}}}", ground.base, x, why=why.STATION)
+    lines = draft.draw(square, f"(i_{i})", feet, ground.base, sense=1, why=why.SLIDING_AT)
     height = draft.draw(to_board, f"[ϑ_{i}]", sliding)
-    points = draft.draw(lay_off, f"i_{{{i}}}′", lines, height)
+    points = draft.draw(lay_off, f"i_{{{i}}}′", lines, height, why=why.SLIDING_AT)
     curve = draft.draw(smooth_through, f"(ϑ_{i})", points, row=STATIONS)
     return Branch(near, x, sliding, feet, points, curve)
 

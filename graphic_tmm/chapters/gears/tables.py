@@ -8,8 +8,12 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import WheelSizes
-from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.stations import stations
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
@@ -22,25 +26,25 @@ DIGITS = 4
 """Figures of an angle, of a contact ratio and of a sliding."""
 
 
-def dimension_table(
-    reading: Reading, made: Gear, language: str, title: str, heights: Heights
-) -> Drawing:
-    """Return the dimensions: those of the wheels side by side, then those of the pair."""
-    words, sizes = captions(language), made.sizes
-    one, other = sizes.wheels
-    rows = []
-    for symbol, key in WHEEL:
-        own, mate = _of(one, key), _of(other, key)
-        cells = [_cell(reading, mark, language) for mark in (own, mate)]
-        rows.append([symbol, *cells, _unit(own, language)])
-    pair = (
-        ("m", sizes.m), ("α_{w}", sizes.alpha_w), ("a_{w}", sizes.a_w), ("y", sizes.y),
-        ("Δy", sizes.dy), ("h", sizes.h), ("p", sizes.p), ("p_{b}", sizes.p_b),
-        ("ε_{α}", sizes.contact_ratio), ("ab/p_{b}", made.contact.drawn),
-    )  # fmt: skip
-    rows += [[s, _cell(reading, mark, language), "", _unit(mark, language)] for s, mark in pair]
-    heads = [words["value"], "1", "2", words["unit"]]
-    align = ["left", "centre", "centre", "left"]
+def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -> Drawing:
+    """Return the dimensions: those of the wheels side by side, then those of the pair; and as drawn."""
+    words, made, beside = captions(language), GEARS.on(drawn), BESIDE.on(drawn)
+    sizes, reading = made.sizes, drawn.reading
+
+    def row(symbol: str, own: Mark, *mates: Mark) -> list[str]:
+        real = [_cell(reading, mark, language) for mark in (own, *mates)]
+        laid = [_drawn(reading, beside.drawn.get(mark), language) for mark in (own, *mates)]
+        gap = [""] * (1 - len(mates))
+        return [symbol, *real, *gap, _unit(own, language), *laid, *gap]
+
+    rows = [row(symbol, *(size_of(one, key) for one in sizes.wheels)) for symbol, key in WHEEL]
+    one, other = made.contact.wheels
+    rows.append(row("cd", one.real, other.real))
+    rows += [row(symbol, mark) for symbol, _, mark in pair_sizes(drawn)]
+    _ = speaking(language)
+    laid = [_("{wheel}, drawn, mm", wheel=k) for k in (1, 2)]
+    heads = [words["value"], "1", "2", words["unit"], *laid]
+    align = ["left", "centre", "centre", "left", "centre", "centre"]
     return breakable(
         "table-gear",
         title,
@@ -60,7 +64,23 @@ WHEEL = (
 """What the table tells of a wheel: the symbol, the name in its sizes."""
 
 
-def _of(wheel: WheelSizes, key: str) -> Mark:
+def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
+    """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
+    made, beside = GEARS.on(drawn), BESIDE.on(drawn)
+    sizes = made.sizes
+    return (
+        ("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m),
+        ("α_{w}", "alpha_w", sizes.alpha_w), ("a_{w}", "a_w", sizes.a_w), ("y", "y", sizes.y),
+        ("Δy", "delta_y", sizes.dy), ("h", "h", sizes.h), ("h_{w}", "h_w", sizes.h_w),
+        ("p", "p", sizes.p), ("p_{b}", "p_b", sizes.p_b),
+        ("s_{cd}", "arc_of_engagement", beside.arc),
+        ("ε_{α}", "contact_ratio", sizes.contact_ratio),
+        ("ab/p_{b}", "contact_ratio_drawn", made.contact.drawn),
+    )  # fmt: skip
+
+
+def size_of(wheel: WheelSizes, key: str) -> Mark:
+    """Return a dimension of a wheel by its name among them."""
     mark = getattr(wheel, key)
     assert isinstance(mark, Mark)
     return mark
@@ -73,41 +93,25 @@ def _cell(reading: Reading, mark: Mark, language: str) -> str:
     return number(value, language, DIGITS)
 
 
+def _drawn(reading: Reading, mark: Mark | None, language: str) -> str:
+    return "" if mark is None else fixed(float(reading[mark][0, 0]), 1, language)
+
+
 def _unit(mark: Mark, language: str) -> str:
     if mark.kind is Angle:
         return unit("°", language)
     return unit("mm" if mark.unit == "m" else mark.unit, language)
 
 
-def sliding_table(
-    reading: Reading, made: Gear, language: str, title: str, heights: Heights
-) -> Drawing:
-    """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task.
-
-    At N1 and N2 one of the teeth stands still, at P neither slides, whatever the ruler makes of x.
-    """
-    sliding, words = made.sliding, captions(language)
-    length = float(reading[made.line.length][0, 0])
-    pole = float(reading[sliding.pole.x][0, 0])
-    places = [
-        (0.0, "N_{1}", -math.inf, 1.0),
-        (pole, "P", 0.0, 0.0),
-        (length, "N_{2}", 1.0, -math.inf),
-    ]
-    for name, stations in zip("ab", sliding.ends, strict=True):
-        first, second = (float(reading[mark][0, 0]) for mark in stations.sliding)
-        places.append((float(reading[stations.x][0, 0]), name, first, second))
-    if sliding.further is not None:
-        for k in range(len(made.order.stations)):
-            x, first, second = (
-                float(reading[mark][0, k]) for mark in (sliding.further.x, *sliding.further.sliding)
-            )
-            places.append((x, str(k + 1), first, second))
-    places.sort(key=lambda place: place[0])
-    rows = [["x", unit("mm", language), *(fixed(x, 1, language) for x, *_ in places)]]
-    for k, found in ((1, [place[2] for place in places]), (2, [place[3] for place in places])):
-        rows.append([f"ϑ_{{{k}}}", "", *(_sliding(value, language) for value in found)])
-    heads = [words["value"], words["unit"], *(name for _, name, *_ in places)]
+def sliding_table(drawn: Drawn, language: str, title: str, heights: Heights) -> Drawing:
+    """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task."""
+    words, places = captions(language), stations(drawn)
+    cells = [fixed(float(one.x[0]), 1, language) for one in places]
+    rows = [["x", unit("mm", language), *cells]]
+    for k in (0, 1):
+        cells = [_sliding(float(one.sliding[k][0]), language) for one in places]
+        rows.append([f"ϑ_{{{k + 1}}}", "", *cells])
+    heads = [words["value"], words["unit"], *(one.name for one in places)]
     align = ["left", "left", *["centre"] * len(places)]
     return breakable(
         "table-sliding",

@@ -38,7 +38,8 @@ class GearTask:
     follows exactly. ``steps``: by how many steps a flank is rolled. ``least_tip``: the least thickness at the
     tip, in modules; no scene sets it. ``stations``: further distances from N1 along the drawn line of action,
     mm, at which the specific sliding is found. ``mu`` (m/mm) and ``mu_sliding`` (1/mm): scales if the task
-    fixes them, else standard ones are chosen.
+    fixes them, else standard ones are chosen. ``axes``: the centre distance on the sheet, mm, from which μ_l
+    follows instead.
     """
 
     z1: int = key(_TEETH, "teeth of the driving wheel", 15)
@@ -56,6 +57,14 @@ class GearTask:
         _STATIONS, "distances from N1 where the sliding is wanted", ["23.5 mm"], ()
     )
     mu: float | None = key(v.MU_L, 'm/mm, or "5:1"', "5:1", None, written="mu_l", fixes="size")
+    axes: float | None = key(
+        v.DRAWN,
+        "or the centre distance as drawn, from which μ_l follows",
+        "400 mm",
+        None,
+        written="a_w",
+        fixes="size",
+    )
     mu_sliding: float | None = key(
         v.number(Bound(1e-6, 1e3)), "specific sliding that 1 mm stands for", 0.05, None,
         written="mu_theta",

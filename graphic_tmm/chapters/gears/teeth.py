@@ -13,6 +13,7 @@ from graphic_tmm.board.operations.formulas import abscissa, to_board
 from graphic_tmm.board.operations.instruments import incline, join, lay_off, measure, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.gears import reasons as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 from graphic_tmm.chapters.gears.formulas import half_of
 from graphic_tmm.chapters.gears.line import ActionLine, Circles
@@ -104,14 +105,16 @@ def draw_wheel(
     wheel, circles = sizes.wheels[k], line.circles[k]
     i, roll = wheel.number, rows.flanks[k]
     origin, feet, points = _involute(draft, k, line, rows)
-    curve = draft.draw(smooth_through, f"(E_{i})", points, row=roll.count)
+    curve = draft.draw(smooth_through, f"(E_{i})", points, row=roll.count, why=why.INVOLUTE)
     at_pitch = draft.draw(curve_meets_arc, f"D_{{{i}}}", curve, circles.pitch)
     thickness = draft.draw(to_board, f"[s_{i}]", wheel.s)
     half = draft.draw(half_of, f"[s_{i}]/2", thickness)
-    middle = draft.draw(along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1)
-    axis = draft.draw(join, f"(O_{i}M_{i})", circles.centre, middle)
+    middle = draft.draw(
+        along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1, why=why.TOOTH_AXIS
+    )
+    axis = draft.draw(join, f"(O_{i}M_{i})", circles.centre, middle, why=why.TOOTH_AXIS)
     bends = _fillet(draft, k, sizes, line, rows, middle)
-    fillet = draft.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet)
+    fillet = draft.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet, why=why.FILLET)
     start = _start(draft, wheel, (curve, fillet, origin), value, sizes.order.m)
     corner = draft.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
@@ -185,16 +188,28 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     """
     circles, roll = line.circles[k], rows.flanks[k]
     i, limit, end = k + 1, line.limits[k], line.ends[1 - k]
-    string = line.to_pole if k == 0 else draft.draw(measure, f"N_{i}P", limit, line.pole)
-    origin = draft.draw(along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1)
-    whole = line.to_ends[1] if k == 0 else draft.draw(measure, f"N_{i}a", limit, end)
+    string = (
+        line.to_pole
+        if k == 0
+        else draft.draw(measure, f"N_{i}P", limit, line.pole, why=why.UNROLLED)
+    )
+    origin = draft.draw(
+        along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1, why=why.UNROLLED
+    )
+    whole = (
+        line.to_ends[1] if k == 0 else draft.draw(measure, f"N_{i}a", limit, end, why=why.UNROLLED)
+    )
     parts = draft.take(Number, f"k_{i}", float(roll.parts))
     n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
-    unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts)
+    unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts, why=why.ROLLED)
     feet = draft.draw(along_arc, f"B_{{{i}}}", origin, circles.base, unrolled, sense=1)
-    radii = draft.draw(join, f"(O_{i}B_{i})", circles.centre, feet)
-    tangents = draft.draw(square, f"(B_{i}E_{i})", feet, radii, sense=-1)
-    return origin, feet, draft.draw(lay_off, f"E_{{{i}}}", tangents, unrolled)
+    radii = draft.draw(join, f"(O_{i}B_{i})", circles.centre, feet, why=why.TANGENT)
+    tangents = draft.draw(square, f"(B_{i}E_{i})", feet, radii, sense=-1, why=why.TANGENT)
+    return (
+        origin,
+        feet,
+        draft.draw(lay_off, f"E_{{{i}}}", tangents, unrolled, why=why.INVOLUTE_POINT),
+    )
 
 
 def _fillet(
@@ -216,10 +231,10 @@ def _fillet(
     rolled = draft.draw(rolled_of_ray, f"t_{i}", offset, depth, phi)
     reach = draft.draw(reach_of_ray, f"l_{i}", depth, phi, rho)
     touching = draft.draw(along_arc, f"T_{{{i}}}", space, circles.pitch, rolled, sense=1)
-    radii = draft.draw(join, f"(O_{i}T_{i})", circles.centre, touching)
-    tangents = draft.draw(square, f"(T_{i})", touching, radii, sense=1)
-    normals = draft.draw(incline, f"(T_{i}K_{i})", touching, tangents, phi)
-    return draft.draw(lay_off, f"K_{{{i}}}", normals, reach)
+    radii = draft.draw(join, f"(O_{i}T_{i})", circles.centre, touching, why=why.FILLET_POINT)
+    tangents = draft.draw(square, f"(T_{i})", touching, radii, sense=1, why=why.FILLET_POINT)
+    normals = draft.draw(incline, f"(T_{i}K_{i})", touching, tangents, phi, why=why.FILLET_POINT)
+    return draft.draw(lay_off, f"K_{{{i}}}", normals, reach, why=why.FILLET_POINT)
 
 
 def _curves(draft: Draft, spots: _Spots, i: int, counts: tuple[int, int]) -> tuple[Mark, Mark]:

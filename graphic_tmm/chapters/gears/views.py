@@ -53,8 +53,8 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         title = words[f"{ROLLING}-{k + 1}"]
         view = draw_rolling_ink(log, reading, made, k, title, high)
         found.append(captioned(finished(view, lettered), title, mu_l, heights=high))
-    found.append(dimension_table(reading, made, language, words["gear-dimensions"], high))
-    found.append(sliding_table(reading, made, language, words["sliding"], high))
+    found.append(dimension_table(drawn, language, words["gear-dimensions"], high))
+    found.append(sliding_table(drawn, language, words["sliding"], high))
     return [*found, _checks(drawn, made, high)]
 
 

@@ -26,6 +26,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.indicator.beside import record_beside
 from graphic_tmm.chapters.indicator.captions import CAPTIONS
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, record
 from graphic_tmm.chapters.indicator.plan import VIEW
@@ -39,6 +40,8 @@ CHAPTER = Chapter(
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter),
     sections=SECTIONS,
     record=record,
+    aside=record_beside,
     charts=lambda made: (made.indicator.chart,),
     scale_key=lambda view: "mu_p" if view == VIEW else "",
+    sources=("artobolevsky",),
 )

@@ -6,4 +6,5 @@ from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
     "indicator": said("Indicator diagram"),
+    "indicator-calculation": said("Scale of the stroke"),
 }

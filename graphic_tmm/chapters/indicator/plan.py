@@ -25,6 +25,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.supports import farthest, planimeter
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.chapters.indicator import reasons as why
 from graphic_tmm.chapters.indicator.stretches import by_stretches
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.errors import StructureError
@@ -57,7 +58,8 @@ class Side:
 class Indicator:
     """The diagram as drawn: its chart (μ_p), the ends of its base, the feet, the sides, the piston's force.
 
-    ``divisions``: the points on the auxiliary ray by which the base is divided.
+    ``divisions``: the points on the auxiliary ray by which the base is divided; ``stroke``: the piston's, as
+    read there (Length).
     """
 
     order: IndicatorTask
@@ -66,6 +68,7 @@ class Indicator:
     end: Mark
     feet: Mark
     divisions: Mark
+    stroke: Mark
     sides: tuple[Side, ...]
     force: Mark
 
@@ -100,7 +103,7 @@ def draw_indicator(
         force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
     chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
-    return Indicator(order, chart, origin, end, feet, divisions, tuple(sides), force)
+    return Indicator(order, chart, origin, end, feet, divisions, stroke, tuple(sides), force)
 
 
 class _Ground(NamedTuple):
@@ -121,13 +124,13 @@ def _divide(
 
     Returns the feet of the positions, their points on the ray, the stroke as it lies there (Length).
     """
-    way = draft.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"))
-    marks = draft.draw(lay_off, "q", way, travel)
+    way = draft.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"), why=why.AUXILIARY)
+    marks = draft.draw(lay_off, "q", way, travel, why=why.TRAVEL_ON_RAY)
     last = draft.draw(farthest, "q_S", origin, marks, row=count)
-    closing = draft.draw(join, "(q_SE)", last, end)
-    lines = draft.draw(parallel, "(q)", marks, closing, sense=1)
+    closing = draft.draw(join, "(q_SE)", last, end, why=why.CLOSING)
+    lines = draft.draw(parallel, "(q)", marks, closing, sense=1, why=why.ALIKE)
     stroke = draft.draw(measure, "s_{max}", origin, last)
-    return draft.draw(meet, "i", base, lines), marks, stroke
+    return draft.draw(meet, "i", base, lines, why=why.ALIKE), marks, stroke
 
 
 def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
@@ -151,9 +154,9 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
             head=f"indicator, {name}",
         )
     height = draft.draw(to_board, f"h_{sign}", pressure)
-    points = draft.draw(lay_off, sign, on.lines, height)
+    points = draft.draw(lay_off, sign, on.lines, height, why=why.PRESSURE)
     curve = draft.draw(taut_curve, f"({sign}–{sign})", points, row=count)
-    ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up)
+    ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up, why=why.PRESSURE_READ)
     read = draft.draw(in_si, f"p_{sign}", ordinate, unit="Pa")
     area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
     height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.indicator.beside import BESIDE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.plan import VIEW, Indicator
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -47,16 +45,12 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
         high,
         curves,
     )
-    scales = (drawn.scales[VIEW], _scale_of_stroke(drawn, cylinder.indicator))
+    scales = (drawn.scales[VIEW], _scale_of_stroke(drawn))
     told = ", ".join(mu_text(scale, language) for scale in scales)
     return [captioned(finished(view, lettered), title, told, heights=high)]
 
 
-def _scale_of_stroke(drawn: Drawn, made: Indicator) -> Scale:
-    """Return the scale of the base: the piston's stroke, as read on the plan of positions, by its length."""
-    reading = drawn.reading
-    way = np.abs(reading[made.divisions] - reading[made.origin])[:, : drawn.project.count]
-    stroke = np.max(way, initial=0.0, where=np.isfinite(way))
-    base = abs(complex((reading[made.end] - reading[made.origin])[0, 0]))
-    mu_l = float(reading[KINEMATICS.on(drawn).mu_l][0, 0])
-    return Scale("μ_S", float(stroke) * mu_l / base, "m/mm")
+def _scale_of_stroke(drawn: Drawn) -> Scale:
+    """Return the scale of the base."""
+    mu = BESIDE.on(drawn).mu
+    return Scale(mu.name, float(drawn.reading[mu][0, 0]), mu.unit)

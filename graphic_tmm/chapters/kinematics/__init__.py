@@ -46,7 +46,7 @@ from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
-from graphic_tmm.chapters.kinematics.captions import CAPTIONS
+from graphic_tmm.chapters.kinematics.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.kinematics.choice import choose
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.given import given
@@ -177,4 +177,6 @@ CHAPTER = Chapter(
     views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)},
     accuracy=ACCURACY,
     note=note,
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

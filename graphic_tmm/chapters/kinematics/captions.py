@@ -14,3 +14,17 @@ CAPTIONS: dict[str, str] = {
     "table accelerations": said("Accelerations from the plans"),
     "positions in a turn": said("Positions"),
 }
+
+SYMBOLS = (
+    ("l_{AB}", said("length of a link"), "m"),
+    ("n_1", said("turns a minute of the crank"), "rpm"),
+    ("φ", said("angle of the crank"), "°"),
+    ("ω", said("angular velocity"), "1/s"),
+    ("ε", said("angular acceleration"), "1/s²"),
+    ("v", said("velocity of a point"), "m/s"),
+    ("a", said("acceleration of a point"), "m/s²"),
+    ("μ_l", said("scale factor of lengths"), "m/mm"),
+    ("μ_v", said("scale factor of velocities"), "(m/s)/mm"),
+    ("μ_a", said("scale factor of accelerations"), "(m/s²)/mm"),
+)
+"""Its letters in a note: what they stand for, their units."""

@@ -39,6 +39,8 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         return
     ledger.of(VELOCITIES)
     omega = ledger.speed(str(driver), made.mechanism.drive.speed)
+    if made.velocities.speed is not None:
+        ledger.enter(made.velocities.speed, omega)
     speed = ledger.found(product, f"v_{pin}", omega, arm, unit="m/s")
     mu = drawn.project.scale(VELOCITIES)
     if wanted.mu_v_is_mu_l_omega:

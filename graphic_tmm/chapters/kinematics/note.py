@@ -12,7 +12,8 @@ from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, plan, worked
 from graphic_tmm.note.document import Block, Picture
-from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.figures import in_hand, picture, readable
+from graphic_tmm.note.protocol import Known
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text
@@ -22,15 +23,16 @@ from graphic_tmm.readers.titles import title_of
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of kinematics: each plan is drawn in one position, the tables hold all."""
     at = worked(drawn)
-    yield from plan(drawn, EXTREMES, at, language)
-    yield from plan(drawn, POSITIONS, at, language, _positions(drawn, language))
+    known: Known = set()
+    yield from plan(drawn, EXTREMES, at, language, known=known)
+    yield from plan(drawn, POSITIONS, at, language, _positions(drawn, language), known=known)
     for view in (VELOCITIES, ACCELERATIONS):
-        yield from plan(drawn, view, at, language, _plan(drawn, view, at, language))
+        yield from plan(drawn, view, at, language, _plan(drawn, view, at, language), known=known)
     yield from columns(drawn, kinematic_columns(drawn), language)
 
 
 def _positions(drawn: Drawn, language: str) -> tuple[Picture, ...]:
-    return tuple(picture(one, language) for one in views.position_views(in_hand(drawn), True))
+    return tuple(picture(one, language) for one in readable(drawn, views.position_views))
 
 
 def _plan(drawn: Drawn, view: str, at: int, language: str) -> tuple[Picture, ...]:

@@ -31,15 +31,17 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.planetary.beside import record_beside
-from graphic_tmm.chapters.planetary.captions import CAPTIONS
+from graphic_tmm.chapters.planetary.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.planetary.choice import choose_steps
+from graphic_tmm.chapters.planetary.columns import planetary_columns
 from graphic_tmm.chapters.planetary.given import given
+from graphic_tmm.chapters.planetary.note import concludes, note
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
+from graphic_tmm.chapters.planetary.verdict import train_results, verdict
 from graphic_tmm.chapters.planetary.views import planetary_views
-from graphic_tmm.drawn import results_of, view_scales
+from graphic_tmm.drawn import view_scales
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.readers.measured import measured_columns
 from graphic_tmm.scene.records import Scene
 
 _NAME = PLANETARY_TRAIN.chapter
@@ -74,6 +76,10 @@ CHAPTER = Chapter(
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     plans=(_NAME,),
-    columns=measured_columns,
-    results=lambda drawn: results_of(drawn, PLANETARY_TRAIN.on(drawn).results),
+    columns=planetary_columns,
+    results=train_results,
+    note=note,
+    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )

@@ -27,6 +27,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.chapters.planetary import reasons as why
 from graphic_tmm.chapters.planetary.dimensions import Dimensions
 from graphic_tmm.chapters.planetary.formulas import next_satellite, overall_ratio
 from graphic_tmm.chapters.planetary.task import PlanetaryTask, Train
@@ -106,16 +107,16 @@ def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
     }
     lengths["H"] = draft.draw(to_board, "OB", sizes.axes)
     origin = draft.take(Point, "O", 0j)
-    axis = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
-    up = draft.draw(square, "(Oy)", origin, axis, sense=1)
+    axis = draft.draw(ray, "(Ox)", origin, draft.direction(0.0), why=why.AXIS)
+    up = draft.draw(square, "(Oy)", origin, axis, sense=1, why=why.AXIS)
     points = tuple(
-        draft.draw(lay_off, letter, up, lengths[wheel])
+        draft.draw(lay_off, letter, up, lengths[wheel], why=why.MESH)
         for letter, wheel in (("A", "1"), ("B", "H"), ("C", fixed))
     )
     turns = 90.0 + 360.0 * np.arange(train.satellites) / train.satellites
     places = draft.take(Angle, "φ", turns[None, :], "°")
-    ways = draft.draw(ray, "(OO_2)", origin, places)
-    satellites = draft.draw(lay_off, "O_2", ways, lengths["H"])
+    ways = draft.draw(ray, "(OO_2)", origin, places, why=why.SATELLITES)
+    satellites = draft.draw(lay_off, "O_2", ways, lengths["H"], why=why.SATELLITES)
     circles = {
         wheel: draft.draw(
             strike, f"({wheel})", origin if wheel in ("1", fixed) else satellites, lengths[wheel]
@@ -131,7 +132,9 @@ def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
         if sense < 0:
             draft.figure("ring", wheel, circles[wheel])
     a, b, c = points
-    levels = Levels(*(draft.draw(parallel, f"({p.letter})", p, axis, sense=1) for p in points))
+    levels = Levels(
+        *(draft.draw(parallel, f"({p.letter})", p, axis, sense=1, why=why.LEVEL) for p in points)
+    )
     return EndView(origin, axis, up, lengths, circles, satellites, levels, (a, b, c), between)
 
 
@@ -140,10 +143,16 @@ def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
     scheme = train.scheme
     names = ("I", "H") if scheme.rows == 1 else ("I", "II", "H")
     stations = {name: draft.ask(Length, f"x_{{{name}}}", "mm") for name in names}
-    feet = {name: draft.draw(lay_off, f"O_{{{name}}}", end.axis, stations[name]) for name in names}
-    lines = {name: draft.draw(square, f"({name})", feet[name], end.axis, sense=1) for name in names}
+    feet = {
+        name: draft.draw(lay_off, f"O_{{{name}}}", end.axis, stations[name], why=why.DISC)
+        for name in names
+    }
+    lines = {
+        name: draft.draw(square, f"({name})", feet[name], end.axis, sense=1, why=why.DISC)
+        for name in names
+    }
     downs = {
-        name: draft.draw(square, f"(−{name})", feet[name], end.axis, sense=-1)
+        name: draft.draw(square, f"(−{name})", feet[name], end.axis, sense=-1, why=why.DISC)
         for name in names[:-1]
     }
     last = names[-2]
@@ -151,18 +160,21 @@ def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
     discs = {}
     for wheel, row, k in (("1", "I", 0), (fixed, last, 2)):
         letter = f"{end.points[k].letter}_{{{row}}}"
-        near = draft.draw(meet, letter, lines[row], end.levels[k])
-        far = draft.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel])
+        near = draft.draw(meet, letter, lines[row], end.levels[k], why=why.DISC)
+        far = draft.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel], why=why.DISC)
         discs[wheel] = Disc(near, far, feet[row])
-    axes = {name: draft.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B) for name in names}
+    axes = {
+        name: draft.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B, why=why.DISC)
+        for name in names
+    }
     for wheel, row, sense, near in (
         ("2", "I", scheme.first, discs["1"].near),
         (rim, last, scheme.second, discs[fixed].near),
     ):
         if wheel in discs:
             continue
-        away = draft.draw(square, f"(B_{{{row}}})", axes[row], end.axis, sense=sense)
-        far = draft.draw(lay_off, f"D_{{{row}}}", away, end.lengths[wheel])
+        away = draft.draw(square, f"(B_{{{row}}})", axes[row], end.axis, sense=sense, why=why.DISC)
+        far = draft.draw(lay_off, f"D_{{{row}}}", away, end.lengths[wheel], why=why.DISC)
         discs[wheel] = Disc(near, far, axes[row])
     for wheel, disc in discs.items():
         draft.figure("disc", wheel, *disc)

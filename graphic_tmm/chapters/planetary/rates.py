@@ -22,6 +22,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.planetary import reasons as why
 from graphic_tmm.chapters.planetary.dimensions import Dimensions
 from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
 from graphic_tmm.chapters.planetary.pictures import EndView
@@ -76,10 +77,10 @@ def draw_picture(draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimens
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out()
     place = draft.ask(Length, "x_v", "mm")
-    origin = draft.draw(lay_off, "O", end.axis, place)
-    zero = draft.draw(square, "(0)", origin, end.axis, sense=1)
+    origin = draft.draw(lay_off, "O", end.axis, place, why=why.ZERO)
+    zero = draft.draw(square, "(0)", origin, end.axis, sense=1, why=why.ZERO)
     pairs = zip(end.points, end.levels, strict=True)
-    a, b, c = (draft.draw(meet, point.letter, zero, level) for point, level in pairs)
+    a, b, c = (draft.draw(meet, point.letter, zero, level, why=why.ZERO) for point, level in pairs)
     feet, levels = {"A": a, "B": b}, {"A": end.levels.A, "B": end.levels.B}
     known, sought = ("A", "B") if order.driving == "1" else ("B", "A")
     tip, other = known.lower(), sought.lower()
@@ -87,16 +88,25 @@ def draw_picture(draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimens
     arm = sizes.radii["1"] if known == "A" else sizes.axes
     speed = draft.draw(product, f"v_{known}", omega, arm, unit="m/s")
     length = draft.draw(to_board, f"{known}{tip}", speed)
-    along = draft.draw(parallel, f"({known}{tip})", feet[known], levels[known], sense=1)
-    tips = {known: draft.draw(lay_off, tip, along, length)}
-    satellite = draft.draw(join, f"(C{tip})", c, tips[known])
-    tips[sought] = draft.draw(meet, other, satellite, levels[sought])
+    along = draft.draw(
+        parallel, f"({known}{tip})", feet[known], levels[known], sense=1, why=why.KNOWN_VELOCITY
+    )
+    tips = {known: draft.draw(lay_off, tip, along, length, why=why.KNOWN_VELOCITY)}
+    satellite = draft.draw(join, f"(C{tip})", c, tips[known], why=why.SATELLITE_LINE)
+    tips[sought] = draft.draw(meet, other, satellite, levels[sought], why=why.SOUGHT_VELOCITY)
     lines = {
-        "1": draft.draw(join, "(Oa)", origin, tips["A"]),
+        "1": draft.draw(join, "(Oa)", origin, tips["A"], why=why.BODY_LINE),
         "2": satellite,
-        "H": draft.draw(join, "(Ob)", origin, tips["B"]),
+        "H": draft.draw(join, "(Ob)", origin, tips["B"], why=why.BODY_LINE),
     }
-    read = draft.draw(measure_along, f"{sought}{other}", feet[sought], tips[sought], end.axis)
+    read = draft.draw(
+        measure_along,
+        f"{sought}{other}",
+        feet[sought],
+        tips[sought],
+        end.axis,
+        why=why.VELOCITY_READ,
+    )
     found = draft.draw(in_si, f"v_{sought}", read, unit="m/s")
     readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
     ends = (tips["A"], tips["B"])
@@ -117,17 +127,19 @@ def draw_rates(
     depth = draft.ask(Length, "y_ω", "mm")
     mu = draft.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
     fixed = train.scheme.wheels[-1]
-    down = draft.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1)
-    foot = draft.draw(lay_off, fixed, down, depth)
-    line = draft.draw(parallel, "(ω)", foot, end.axis, sense=1)
-    below = draft.draw(square, f"({fixed}P)", foot, line, sense=-1)
-    pole = draft.draw(lay_off, "P", below, distance)
+    down = draft.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1, why=why.RATES_LINE)
+    foot = draft.draw(lay_off, fixed, down, depth, why=why.RATES_LINE)
+    line = draft.draw(parallel, "(ω)", foot, end.axis, sense=1, why=why.RATES_LINE)
+    below = draft.draw(square, f"({fixed}P)", foot, line, sense=-1, why=why.RATES_POLE)
+    pole = draft.draw(lay_off, "P", below, distance, why=why.RATES_POLE)
     draft.lay_out(pole, mu)
     ends, segments, values = {}, {}, {}
     for body, drawn in picture.lines.items():
-        way = draft.draw(parallel, f"(P{body})", pole, drawn, sense=1)
-        ends[body] = draft.draw(meet, body, line, way)
-        segments[body] = draft.draw(measure_along, f"s_{body}", foot, ends[body], line)
+        way = draft.draw(parallel, f"(P{body})", pole, drawn, sense=1, why=why.RATE_RAY)
+        ends[body] = draft.draw(meet, body, line, way, why=why.RATE_RAY)
+        segments[body] = draft.draw(
+            measure_along, f"s_{body}", foot, ends[body], line, why=why.RATE_READ
+        )
         values[body] = draft.draw(in_si, f"ω_{body}", segments[body], unit="1/s")
     driving, driven = ("1", "H") if order.driving == "1" else ("H", "1")
     ratio = draft.draw(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
@@ -10,7 +11,7 @@ from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.dimensions import Condition
 from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.chapters.planetary.tooth_search import Solutions
+from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
@@ -26,6 +27,8 @@ from graphic_tmm.paper.views import wrapped
 
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
+CHOICE = 12
+"""So many trains are shown to choose from."""
 WORDS = Tongues(
     {
         "conditions": said("Conditions on the tooth numbers"),
@@ -117,7 +120,14 @@ def ratio_lines(
     )
 
 
-def train_table(found: Solutions, language: str, heights: Heights, *, rows: int = 12) -> Drawing:
+def trains_wanted(made: Planetary) -> Solutions | None:
+    """Return the trains that fulfil an order; None if it orders one of given teeth."""
+    return None if made.order.ratio is None else search(replace(made.order, teeth=()))
+
+
+def train_table(
+    found: Solutions, language: str, heights: Heights, *, rows: int = CHOICE
+) -> Drawing:
     """Return the table of the first ``rows`` trains that fulfil an order; the size in mm."""
     words = WORDS[language]
     heads = [f"z_{wheel}" for wheel in found.scheme.wheels]

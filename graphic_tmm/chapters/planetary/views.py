@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.beside import BESIDE
@@ -14,8 +13,8 @@ from graphic_tmm.chapters.planetary.tables import (
     rate_table,
     ratio_lines,
     train_table,
+    trains_wanted,
 )
-from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -41,9 +40,8 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     view = draw_planetary_ink(log, reading, made, shown, words["planetary"], high)
     views = [finished(view, lettered), condition_table(log, reading, made, language, high)]
     views.append(rate_table(log, reading, made, language, high))
-    if made.order.ratio is not None:
-        wanted = replace(made.order, teeth=())
-        views.append(train_table(search(wanted), language, high))
+    if (trains := trains_wanted(made)) is not None:
+        views.append(train_table(trains, language, high))
     return views
 
 

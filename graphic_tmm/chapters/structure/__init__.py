@@ -31,6 +31,7 @@ from __future__ import annotations
 from graphic_tmm.chapter import Chapter, Made, Place
 from graphic_tmm.chapters.structure.mobility import PARTS, VIEW, record_mobility
 from graphic_tmm.chapters.structure.note import note
+from graphic_tmm.chapters.structure.tables import SYMBOLS
 from graphic_tmm.chapters.structure.views import part_views, structure_views
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
@@ -68,4 +69,7 @@ CHAPTER = Chapter(
         "formula": STRUCTURE.on(drawn).formula,
     },
     note=note,
+    noted=(PARTS,),
+    sources=("assur", "artobolevsky"),
+    symbols=SYMBOLS,
 )

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from threading import Timer
 from typing import TYPE_CHECKING
 
+from graphic_tmm.commands.shared.spoken import quiet
 from graphic_tmm.language.reader import reader
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ PATIENCE = 1.0
 @contextmanager
 def waiting(what: str) -> Iterator[None]:
     """Show a line on the error stream as long as something takes, from a second on; nothing if no terminal."""
-    if not sys.stderr.isatty():
+    if quiet() or not sys.stderr.isatty():
         yield
         return
     from rich.console import Console
@@ -45,7 +46,7 @@ def progress() -> Iterator[Tell]:
 
     console = Console(stderr=True)
     columns = (BarColumn(), TextColumn("{task.completed}/{task.total}"), TimeRemainingColumn())
-    hidden = not console.is_terminal
+    hidden = quiet() or not console.is_terminal
     with Progress(
         *columns, TextColumn("{task.description}"), console=console, transient=True, disable=hidden
     ) as bar:

@@ -17,10 +17,32 @@ if TYPE_CHECKING:
 
     from graphic_tmm.scene.records import Scene
 
+if TYPE_CHECKING:
+    ParamType = click.ParamType[str]
+else:
+    ParamType = click.ParamType  # no generic class before click 8.2
+
 F = TypeVar("F", bound=Callable[..., Any])
 LOOKED = 256_000
 """So many characters of a scene are looked through for its language."""
 _LANGUAGE = re.compile(r"""^language\s*=\s*["'](\w+)["']""", re.MULTILINE)
+
+
+class SceneName(ParamType):
+    """A scene: a path, the name of one that comes with the package, or - for standard input."""
+
+    name = "scene"
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[Any]:
+        """Return the names of scenes that begin so, and what a shell knows of files."""
+        from click.shell_completion import CompletionItem
+
+        from graphic_tmm.scenes import packaged
+
+        names = [path.name for path in packaged() if path.name.startswith(incomplete)]
+        return [*map(CompletionItem, names), CompletionItem(incomplete, type="file")]
 
 
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:

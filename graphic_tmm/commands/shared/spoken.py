@@ -16,6 +16,8 @@ from graphic_tmm.language.said import Said, said
 
 C = TypeVar("C", bound=click.Command)
 NAMES = "-l", "--language"
+QUIET = "graphic_tmm.quiet"
+"""Where a command keeps that it is to show no progress."""
 CLICK = (
     said("Usage:"),
     said("Options"),
@@ -66,6 +68,27 @@ def language_option() -> click.Option:
     )
 
 
+def quiet_option() -> click.Option:
+    """Return the option of showing no progress, which every command has."""
+
+    def keep(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+        ctx.meta[QUIET] = value
+
+    return click.Option(
+        ("-q", "--quiet"),
+        is_flag=True,
+        expose_value=False,
+        callback=keep,
+        help=said("Show no progress."),
+    )
+
+
+def quiet() -> bool:
+    """Whether the command that runs is to show no progress."""
+    ctx = click.get_current_context(silent=True)
+    return ctx is not None and bool(ctx.meta.get(QUIET))
+
+
 @contextmanager
 def click_speaking() -> Iterator[None]:
     """Let click find its own words in the catalogue within; it asks `gettext.dgettext` for each."""
@@ -89,7 +112,7 @@ class Command(click.Command):
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        self.params.append(language_option())
+        self.params += [quiet_option(), language_option()]
 
     def get_help(self, ctx: click.Context) -> str:
         """Return the help in the reader's language."""

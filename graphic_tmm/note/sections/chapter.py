@@ -8,8 +8,18 @@ from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
-from graphic_tmm.note.bricks import columns, figures_of, heading, plan, results, worked
-from graphic_tmm.note.document import Block, Picture, Runs
+from graphic_tmm.note.bricks import (
+    ALSO,
+    columns,
+    figures_of,
+    heading,
+    plan,
+    referred,
+    results,
+    worked,
+)
+from graphic_tmm.note.document import Block
+from graphic_tmm.note.protocol import Known
 
 
 def chapter_section(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
@@ -28,11 +38,16 @@ def title(chapter: Chapter, language: str) -> str:
 
 
 def from_log(
-    drawn: Drawn, chapter: Chapter, language: str, calculated: Container[str] = ()
+    drawn: Drawn,
+    chapter: Chapter,
+    language: str,
+    calculated: Container[str] = (),
+    *,
+    tables: bool = True,
 ) -> Iterator[Block]:
     """Yield what the log tells of a chapter: its plans with figures, its columns, its results.
 
-    ``calculated``: the views of which only is told what is calculated or read.
+    ``calculated``: the views of which only is told what is calculated or read; ``tables``: of its columns, too.
     """
     at = worked(drawn)
     shown = [
@@ -43,21 +58,19 @@ def from_log(
     ]
     views = _views(drawn, chapter)
     taken: set[str] = set()
-    known: set[Runs] = set()
+    known: Known = set()
     for view in views:
         own = [one for one in shown if view in one.drawing.shows and one.id not in taken]
         taken |= {one.id for one in own}
         bare = view in calculated
         yield from plan(drawn, view, at, language, own, known=known, bare=bare)
-    yield from _left(shown, taken)
-    yield from columns(drawn, chapter.columns(drawn), language)
+    left = [one for one in shown if one.id not in taken]
+    if left:
+        yield referred(left, language, ALSO)
+        yield from left
+    if tables:
+        yield from columns(drawn, chapter.columns(drawn), language)
     yield from results(drawn, chapter, language)
-
-
-def _left(shown: list[Picture], taken: set[str]) -> Iterator[Picture]:
-    for one in shown:
-        if one.id not in taken:
-            yield one
 
 
 def _views(drawn: Drawn, chapter: Chapter) -> list[str]:

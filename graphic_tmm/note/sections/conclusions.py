@@ -4,13 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.captions import captions
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
-from graphic_tmm.note.document import Block, Heading, Item, Listed, Paragraph, Runs, text
+from graphic_tmm.note.bricks import folded
+from graphic_tmm.note.document import (
+    Block,
+    Heading,
+    Item,
+    Listed,
+    Number,
+    Paragraph,
+    Runs,
+    Source,
+    Table,
+    text,
+)
+from graphic_tmm.readers.exactness import deviations
+from graphic_tmm.readers.text import result_name
 from graphic_tmm.readers.warnings import warnings
 
 CONCLUSIONS = said("Conclusions")
+EXACTNESS = said("Largest errors of the drawing against the same without error of the ruler")
+PLAN, ERROR = said("Plan or result"), said("Error, %")
 
 
 def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
@@ -24,6 +42,23 @@ def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
     if found:
         yield Heading(1, text(speaking(language)(CONCLUSIONS)), numbered=False)
         yield Listed(tuple(Item("", (Paragraph(one),)) for one in found))
+        yield from _exactness(made, language)
+
+
+def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
+    """Yield a table of how far what was drawn with a ruler is off the same drawing without error."""
+    words, rows = captions(language), list[tuple[Runs, ...]]()
+    for drawn in made.boards:
+        for one in deviations(drawn):
+            name = words.get(one.plan, one.plan) if one.plan else result_name(one.segment, language)
+            told = f"{one.percent:.1g}" if one.percent < 0.1 else f"{one.percent:.2f}"
+            source = Source("deviation", drawn.board, f"{one.plan}/{one.segment}", one.place)
+            digits = told.replace(".", decimal_sign(language))
+            rows.append((text(name), (Number(digits, "", source, one.percent),)))
+    if rows:
+        heads = text(speaking(language)(PLAN)), text(speaking(language)(ERROR))
+        title = text(speaking(language)(EXACTNESS))
+        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc"))
 
 
 def _sentence(told: str) -> str:

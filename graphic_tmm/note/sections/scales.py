@@ -1,11 +1,13 @@
-"""The scale factors: what of each plan a millimetre stands for."""
+"""The scale factors: how each was chosen, and a table of what a millimetre of each plan stands for."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.board.execute import execute
 from graphic_tmm.captions import captions
-from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -13,25 +15,42 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import Block, Number, Runs, Source, Symbol, Table, text
+from graphic_tmm.note.protocol import Known, protocol_blocks
+from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.titles import title_of
 
-SCALES = said("Scale factors")
 PLAN = said("Drawing")
 
 
 def scales(made: DrawnScene, language: str) -> Iterator[Block]:
     """Yield the section of the scale factors; none where nothing is drawn to scale."""
-    _, words = speaking(language), captions(language)
-    rows: list[tuple[Runs, ...]] = []
-    for drawn in made.boards:
-        for view, scale in drawn.scales.items():
-            source = Source("scale", drawn.board, view)
-            told = Number(number(scale.value, language), "", source, scale.value)
-            name = title_of(drawn.project, view, language)
-            of = text(unit(scale.unit, language))
-            rows.append((text(name), (Symbol(symbol(scale.symbol, language)),), (told,), of))
+    rows = [row for drawn in made.boards for row in _rows(drawn, language)]
     if not rows:
         return
-    yield heading(_(SCALES), 1)
-    heads = text(_(PLAN)), text(words["letter"]), text(words["figure"]), text(words["unit"])
-    yield Table("table-scales", text(_(SCALES)), heads, tuple(rows), "llcc")
+    words = captions(language)
+    yield heading(words[SCALES], 1)
+    known: Known = set()
+    for drawn in made.boards:
+        yield from _chosen(drawn, language, known)
+    heads = text(speaking(language)(PLAN)), text(words["letter"]), text(words["figure"])
+    head = (*heads, text(words["unit"]))
+    yield Table("table-scales", text(words[SCALES]), head, tuple(rows), "llcc")
+
+
+def _chosen(drawn: Drawn, language: str, known: Known) -> Iterator[Block]:
+    """Yield how the scale factors of a board were chosen."""
+    found = choices(drawn)
+    if found.construction.steps:
+        reading = execute(found.construction, found.given)
+        board = f"{SCALES} {drawn.board}"
+        yield from protocol_blocks(
+            Told(board, found.construction, reading, SCALES, 0, language), known=known
+        )
+
+
+def _rows(drawn: Drawn, language: str) -> Iterator[tuple[Runs, ...]]:
+    for view, scale in drawn.scales.items():
+        source = Source("scale", drawn.board, view)
+        told = Number(number(scale.value, language), "", source, scale.value)
+        name, of = title_of(drawn.project, view, language), text(unit(scale.unit, language))
+        yield text(name), (Symbol(symbol(scale.symbol, language)),), (told,), of

@@ -9,7 +9,8 @@ from graphic_tmm.captions import view_name
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import Block
-from graphic_tmm.note.steps import Told, protocol_blocks
+from graphic_tmm.note.protocol import protocol_blocks
+from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.protocol import SYNTHESIS
 from graphic_tmm.readers.protocol import synthesis as found_for
 

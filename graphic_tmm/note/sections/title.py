@@ -19,6 +19,8 @@ PEOPLE = (
 )
 """Who signs, and the fields of the title block that tell their names."""
 LINE = "____________"
+EMPTY = "\N{NO-BREAK SPACE}"
+"""What stands in a line that is left empty: a writer leaves out a paragraph of nothing."""
 
 
 def title_page(made: DrawnScene, language: str) -> Iterator[Block]:
@@ -26,7 +28,7 @@ def title_page(made: DrawnScene, language: str) -> Iterator[Block]:
     _, fields = speaking(language), dict(made.scene.title_block)
     if organisation := fields.get("organisation"):
         yield paragraph(organisation, "centre")
-    yield paragraph("", "space")
+    yield paragraph(EMPTY, "space")
     yield paragraph(_(NOTE), "title")
     yield paragraph(_(TO), "centre")
     yield paragraph(fields.get("name") or made.scene.title, "title")
@@ -34,13 +36,13 @@ def title_page(made: DrawnScene, language: str) -> Iterator[Block]:
         yield paragraph(made.scene.title, "centre")
     if designation := fields.get("designation"):
         yield paragraph(designation, "centre")
-    yield paragraph("", "space")
+    yield paragraph(EMPTY, "space")
     rows: list[tuple[Runs, ...]] = [
         (text(_(role)), text(LINE), text(fields.get(key, "") or LINE))
         for role, key in PEOPLE
         if key in ("drawn_by", "checked_by") or fields.get(key)
     ]
     yield Table("people", (), (), tuple(rows), "lcl", (0.34, 0.33, 0.33), ruled=False)
-    yield paragraph("", "space")
+    yield paragraph(EMPTY, "space")
     yield Break()
     yield Contents()

@@ -323,7 +323,7 @@ def test_a_flywheel_that_is_not_needed_is_a_finding_and_no_number() -> None:
     found = drawn_of(made.asking(flywheel=replace(order, indicator=weak)), exact=True)
     assert np.isnan(second(found))
     told = [f for f in found.findings() if f.kind == "undrawn"]
-    assert [f.step.it.letter for f in told] == ["J_F"]
+    assert [f.step.it.letter for f in told] == ["J_F′"]
     assert "no flywheel is needed" in told[0].step.op.fails
 
 

@@ -212,12 +212,13 @@ def test_the_curves_of_sliding_go_to_one_over_the_limits() -> None:
 
 def test_the_table_of_sliding_is_that_of_the_windrower() -> None:
     of = pair(GearTask(15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=WINDROWER.stations))
-    texts = [label.text for label in sliding_table(of.reading, of.gear, "ru", "X", WALL).labels]
+    texts = [label.text for label in sliding_table(of.drawn, "ru", "X", WALL).labels]
     for figure in ("−3,030", "−0,715", "0,442", "0,828", "0,939", "0,752", "0,417", "−0,793",
                    "−4,82", "−15,27", "68,0", "181,4", "−∞"):  # fmt: skip
         assert figure in texts
-    texts = [label.text for label in dimension_table(of.reading, of.gear, "ru", "X", WALL).labels]
-    for figure in ("56,382", "93,969", "168,683", "73,123", "110,043", "16,483", "26,96", "1,158"):
+    texts = [label.text for label in dimension_table(of.drawn, "ru", "X", WALL).labels]
+    for figure in ("56,382", "93,969", "168,683", "73,123", "110,043", "16,483", "26,96", "1,158",
+                   "1,667", "14,483", "142,3", "41,3", "39,1", "59,6", "400,0"):  # fmt: skip
         assert figure in texts
 
 

@@ -12,7 +12,10 @@ from support.scenes import edited, written
 
 from graphic_tmm.chapters.planetary.beside import BEHIND, BESIDE, CALCULATED
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.chapters.planetary.verdict import train_results, verdict
+from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.note.document import Number as Figure
+from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -91,3 +94,16 @@ place = ["planetary"]
     stopped = math.prod(drawn.reading[mark].item() for mark in BESIDE.on(drawn).stopped)
     assert 1.0 - stopped == pytest.approx(drawn.reading[made.sizes.ratio].item())
     assert value(drawn, "most") == max(k for k, apart in spots if apart > max(tips))
+
+
+def test_results_and_words_tell_the_meshes_and_that_all_conditions_hold() -> None:
+    drawn = part(read(SCENE))
+    found = single(train_results(drawn))
+    assert found["planetary_mesh_1"][0] == pytest.approx(-32 / 25)
+    assert found["planetary_mesh_2"][0] == pytest.approx(89 / 32)
+    (told,) = verdict(drawn, "en")
+    words = "".join(one.text for one in told if isinstance(one, (Text, Figure)))
+    taken, most = found["planetary_satellites"][0], found["planetary_most"][0]
+    assert taken <= most
+    assert f"{taken:g} satellites" in words
+    assert f"at most {most:g} have room" in words

@@ -134,6 +134,7 @@ def test_a_format_is_found_for_auto_that_holds_all(name: str, tmp_path: Path) ->
     made, drawn = composed_sheets(scene)
     assert [sheet.format for sheet in drawn.sheets] == [sheet.format for sheet in found.sheets]
     assert made.scene.sheets == found.sheets
+    assert not [told for told in drawn.remarks if "far too large" in told]
     again = formatted(scene, drawn.composition)
     assert again.sheets == found.sheets
 

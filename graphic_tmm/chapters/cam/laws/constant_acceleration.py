@@ -7,6 +7,7 @@ from graphic_tmm.board.operations.graphs import halve
 from graphic_tmm.board.operations.instruments import join, lay_off, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam import law_formulas as law
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, top, uprights
 
 
@@ -14,12 +15,18 @@ def _parabola(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw two parabolas by rays to even divisions of the perpendicular over the middle of the phase."""
     peak_of_stroke = top(draft, ground, height)
     middle = draft.draw(halve, "m", ground.near, ground.far, free=True)
-    line = draft.draw(square, "(m)", middle, ground.along, sense=1)
+    line = draft.draw(square, "(m)", middle, ground.along, sense=1, why=why.MIDDLE)
     found = []
     for k, share in enumerate(ground.shares):
         even = draft.draw(law.even_height, "x_h", share, height)
-        spots = draft.draw(lay_off, "d", line, even, free=True)
-        rays = draft.draw(join, "(d)", ground.near if ground.outer(k) else peak_of_stroke, spots)
+        spots = draft.draw(lay_off, "d", line, even, free=True, why=why.PARABOLA_RAY)
+        rays = draft.draw(
+            join,
+            "(d)",
+            ground.near if ground.outer(k) else peak_of_stroke,
+            spots,
+            why=why.PARABOLA_RAY,
+        )
         found.append(draft.draw(meet, "s", uprights(draft, ground, k), rays, free=True))
     return tuple(found)
 
@@ -28,11 +35,13 @@ def _triangle(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw two straight lines from the ends of the phase to the peak over its middle."""
     most = draft.draw(law.parabola_V, "h_V", ground.stroke, ground.phase)
     middle = draft.draw(halve, "m", ground.near, ground.far, free=True)
-    line = draft.draw(parallel, "(m)", middle, ground.rise, sense=ground.of.sign)
+    line = draft.draw(parallel, "(m)", middle, ground.rise, sense=ground.of.sign, why=why.MIDDLE)
     peak = draft.draw(lay_off, "k", line, most, free=True)
     found = []
     for k in range(len(ground.shares)):
-        side = draft.draw(join, "(k)", ground.near if ground.outer(k) else ground.far, peak)
+        side = draft.draw(
+            join, "(k)", ground.near if ground.outer(k) else ground.far, peak, why=why.TRIANGLE_SIDE
+        )
         found.append(draft.draw(meet, "v", uprights(draft, ground, k), side, free=True))
     return tuple(found)
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, square
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.phases import Phase
 
 
@@ -58,10 +59,12 @@ class DrawnLaw:
 def uprights(draft: Draft, ground: Ground, stretch: int = 0, *, up: bool = True) -> Mark:
     """Erect the perpendiculars over the positions of a stretch."""
     foot = ground.feet[stretch]
-    return draft.draw(square, f"({foot.letter})", foot, ground.along, sense=1 if up else -1)
+    return draft.draw(
+        square, f"({foot.letter})", foot, ground.along, sense=1 if up else -1, why=why.OVER_POSITION
+    )
 
 
 def top(draft: Draft, ground: Ground, height: Mark) -> Mark:
     """Mark the point of the stroke over the inner end of the phase."""
-    line = draft.draw(square, "(h)", ground.far, ground.along, sense=1)
-    return draft.draw(lay_off, "h", line, height, free=True)
+    line = draft.draw(square, "(h)", ground.far, ground.along, sense=1, why=why.STROKE_TOP)
+    return draft.draw(lay_off, "h", line, height, free=True, why=why.STROKE_TOP)

@@ -8,6 +8,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.instruments import lay_off, meet, parallel, strike
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.cam import reasons as why
 from graphic_tmm.chapters.cam.laws.ground import Ground, uprights
 from graphic_tmm.chapters.cam.operations import divide_semicircle
 
@@ -35,8 +36,15 @@ def by_semicircle(how: Semicircle, draft: Draft, ground: Ground, which: str, hei
     radius = draft.draw(how.radius, "R", *uses)
     centre = ground.near
     if how.centre:
-        centre = draft.draw(lay_off, "C", ground.drop if down else ground.rise, radius, free=True)
-    circle = draft.draw(strike, "(R)", centre, radius)
+        centre = draft.draw(
+            lay_off,
+            "C",
+            ground.drop if down else ground.rise,
+            radius,
+            free=True,
+            why=why.WAVE_CENTRE,
+        )
+    circle = draft.draw(strike, "(R)", centre, radius, why=why.WAVE_CIRCLE)
     begin = {"out": ground.out, "drop": ground.drop, "rise": ground.rise}[how.begin]
     if down and how.begin != "out":
         begin = ground.rise if how.begin == "drop" else ground.drop
@@ -45,10 +53,10 @@ def by_semicircle(how: Semicircle, draft: Draft, ground: Ground, which: str, hei
     (share,) = ground.shares
     angle = draft.draw(how.by, "θ", share, unit="°")
     points = draft.draw(divide_semicircle, "q", circle, begin, angle, sense=sense, free=True)
-    return draft.draw(parallel, "(q)", points, ground.along)
+    return draft.draw(parallel, "(q)", points, ground.along, why=why.WAVE_LEVEL)
 
 
 def at_levels(draft: Draft, ground: Ground, which: str, levels: Mark) -> tuple[Mark, ...]:
     """Return the points of a diagram over the positions, at their levels."""
     over = uprights(draft, ground)
-    return (draft.draw(meet, which.lower(), over, levels, free=True),)
+    return (draft.draw(meet, which.lower(), over, levels, free=True, why=why.WAVE_AT),)

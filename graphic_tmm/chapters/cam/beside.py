@@ -1,0 +1,92 @@
+"""What is calculated beside a cam: dwells in radians, what its limits leave; how fast its follower moves."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.chapter import Aside
+from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.plan import CAM, Cam
+from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower
+from graphic_tmm.project import Bench
+
+VIEW = "cam-calculation"
+"""The view of what is calculated."""
+
+
+class Beside(NamedTuple):
+    """Marks (Number).
+
+    ``dwells``: of those that there are, rad, by the number of the phase. ``left``: what is left up to each
+    limit (Angle, or Number, m), by the name of a result. ``velocity`` and ``acceleration`` of the follower at
+    all positions (m/s, m/s²; of a lever 1/s, 1/s²); None of a cam without a speed.
+    """
+
+    dwells: dict[int, Mark]
+    left: dict[str, Mark]
+    velocity: Mark | None
+    acceleration: Mark | None
+
+
+BESIDE: Aside[Beside] = Aside(CAM.chapter)
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate what the drawing of a cam does not need."""
+    cam, draft = CAM.on(bench), bench.draft
+    draft.open(VIEW)
+    dwells = _dwells(draft, cam.order)
+    return Beside(dwells, _left(draft, cam, cam.order), *_motion(draft, cam, cam.order))
+
+
+def _dwells(draft: Draft, order: CamTask) -> dict[int, Mark]:
+    dwells = {}
+    for number, angle in ((2, order.upper_dwell), (4, order.lower_dwell)):
+        if angle:
+            extent = draft.take(Angle, f"φ_{number}", angle, "°")
+            dwells[number] = draft.draw(f.radians_of, f"Φ_{number}", extent, unit="rad")
+    return dwells
+
+
+def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
+    """Calculate how far a cam is from each of its limits: negative where it passes one."""
+    if isinstance(order.follower, FlatFollower):
+        least = draft.take(Number, "[ρ]", order.follower.least, "m")
+        (flattest,) = cam.curvature.extremes
+        return {"left_curvature": draft.draw(f.above, "Δρ", flattest.value, least, unit="m")}
+    assert cam.pressure is not None
+    assert cam.roller is not None
+    found = {}
+    limits = (order.pressure, order.pressure_return or order.pressure)
+    names = (("rise", "α_{r}"), ("return", "α_{f}"))
+    for (name, letter), limit, extreme in zip(names, limits, cam.pressure.extremes, strict=True):
+        allowed = draft.take(Angle, f"[{letter}]", limit, "°")
+        found[f"left_{name}"] = draft.draw(
+            f.angle_left, f"Δ{letter}", allowed, extreme.value, unit="°"
+        )
+    radius = cam.roller.radius
+    for name, letter, limit_of in (
+        ("r0", "Δr_{r}", cam.roller.by_r0),
+        ("profile", "Δr_{ρ}", cam.roller.by_curvature),
+    ):
+        found[f"left_roller_{name}"] = draft.draw(f.left, letter, limit_of, radius, unit="m")
+    return found
+
+
+def _motion(draft: Draft, cam: Cam, order: CamTask) -> tuple[Mark | None, Mark | None]:
+    """Calculate velocity and acceleration from the ordinates of dS/dφ and d²S/dφ²."""
+    if order.speed is None:
+        return None, None
+    rocks = isinstance(order.follower, RockerFollower)
+    letters = ("ω_{B}", "ε_{B}") if rocks else ("v_{B}", "a_{B}")
+    units = ("1/s", "1/s²") if rocks else ("m/s", "m/s²")
+    omega = draft.take(Number, "ω_1", order.speed, "1/s")
+    ops, diagrams = (f.follower_velocity, f.follower_acceleration), cam.diagrams
+    velocity, acceleration = (
+        draft.draw(op, letter, omega, one.reading, one.chart.mu, unit=unit)
+        for op, letter, one, unit in zip(ops, letters, (diagrams.V, diagrams.A), units, strict=True)
+    )
+    return velocity, acceleration

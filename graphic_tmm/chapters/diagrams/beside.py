@@ -1,0 +1,110 @@
+"""What is calculated beside kinematic diagrams: the time of a turn, where extra positions stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.operations.instruments import measure
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number, Point
+from graphic_tmm.chapter import Aside
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.language.said import said
+from graphic_tmm.project import Bench
+
+CALCULATED = "diagrams-calculation"
+"""The view of what is calculated beside."""
+WHOLE = 1e-9
+"""An extra position that is nearer to one of the row, in intervals, stands on its boundary."""
+
+
+@operation(across=True, why=said("Its place between two positions of the row is sought."))
+def standing(of: Point, *, place: int) -> Point:
+    """Mark {it}, where {of} stands in that position."""
+    return Point(of[:, place : place + 1])
+
+
+@formula(why=said("The crank turns evenly: a turn of 2π rad takes the time 2π/ω."))
+def time_of_turn(omega: Number) -> Number:
+    """2π/{omega}"""
+
+
+@formula(why=said("The base is divided into as many equal parts as the turn."))
+def interval_of(base: Length, intervals: Number) -> Length:
+    """{base}/{intervals}"""
+
+
+@formula(
+    holds="{whole} ≠ 0",
+    fails="the crank pin does not move",
+    why=said(
+        "Equal angles of the crank are equal parts of the base. Within one interval arcs are nearly as their "
+        "chords: the interval is divided as the chord {whole} is by {part}."
+    ),
+)
+def place_between(part: Length, interval: Length, whole: Length) -> Length:
+    """{part}·{interval}/{whole}"""
+
+
+class Place(NamedTuple):
+    """Where an extra position stands: its index, that of the one before it, how far behind that (Length)."""
+
+    extra: int
+    before: int
+    distance: Mark
+
+
+class Beside(NamedTuple):
+    """``time``: of a turn (s); ``places``: of the extra positions that stand between two of the row."""
+
+    time: Mark
+    places: tuple[Place, ...]
+
+
+BESIDE: Aside[Beside] = Aside(DIAGRAMS.chapter)
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate what the diagrams do not need."""
+    made, plans, draft = DIAGRAMS.on(bench), KINEMATICS.on(bench), bench.draft
+    assert plans.velocities is not None
+    assert plans.velocities.speed is not None
+    draft.open(CALCULATED)
+    time = draft.draw(time_of_turn, "t", plans.velocities.speed, unit="s")
+    between = list(_between(np.ravel(plans.numbers), plans.count))
+    if not between:
+        return Beside(time, ())
+    intervals = draft.take(Number, "N", float(plans.count))
+    interval = draft.draw(interval_of, "L_1", made.base.length, intervals)
+    pin, known = plans.crank[1], dict[int, Mark]()
+
+    def at(place: int) -> Mark:
+        """Return the crank pin in a position; marked once."""
+        if place not in known:
+            letter = f"{pin.letter}_{{{bench.names[place]}}}"
+            known[place] = draft.draw(standing, letter, pin, place=place)
+        return known[place]
+
+    found = []
+    for extra, before in between:
+        first, name = at(before), f"{bench.names[before]}÷{bench.names[extra]}"
+        part = draft.draw(measure, f"[{name}]′", first, at(extra))
+        whole = draft.draw(measure, f"[{name}]″", first, at((before + 1) % plans.count))
+        found.append(
+            Place(extra, before, draft.draw(place_between, f"[{name}]", part, interval, whole))
+        )
+    return Beside(time, tuple(found))
+
+
+def _between(numbers: np.ndarray, count: int) -> Iterator[tuple[int, int]]:
+    """Yield the extra positions that stand between two of the row, each with the one before it."""
+    for extra in range(count, numbers.size):
+        number = float(numbers[extra])
+        if np.isfinite(number) and abs(number - round(number)) > WHOLE:
+            yield extra, int(number)

@@ -1,0 +1,24 @@
+"""What a scene gives of an engine's crank mechanism: its cylinder, the masses that go to and fro."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapter import Given
+from graphic_tmm.chapters.engine.formulas import KGF
+from graphic_tmm.chapters.engine.task import ASKED
+from graphic_tmm.chapters.indicator.given import given_of
+from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives; the mass in kgf·s²/m where forces are counted in kgf."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield from given_of(order.indicator)
+    if order.share is not None:
+        yield Given("k", order.share)
+    if order.mass is not None:
+        kgf = order.unit == "kgf"
+        yield Given("m", order.mass / KGF if kgf else order.mass, "kgf·s²/m" if kgf else "kg")

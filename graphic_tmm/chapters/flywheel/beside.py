@@ -1,0 +1,102 @@
+"""What is calculated beside a flywheel: the reduced force, mean moment and power, both methods compared."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.instruments import measure_along
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapter import Aside
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
+from graphic_tmm.chapters.indicator.cylinder import machine_of
+from graphic_tmm.language.said import said
+from graphic_tmm.project import Bench
+
+CALCULATED = "flywheel-calculation"
+"""The view of what is calculated beside."""
+
+
+@formula(
+    holds="{of_pin} ≠ 0",
+    fails="the crank pin does not move",
+    why=said(
+        "The force reduced to the crank pin has the power of the force on the piston: P·v of the one is P·v "
+        "of the other, and the plan of velocities tells the ratio of both."
+    ),
+)
+def reduced_force(outward: Number, force: Number, of_point: Length, of_pin: Length) -> Number:
+    """−{outward}·{force}·{of_point}/{of_pin}"""
+
+
+@formula(
+    why=said(
+        "Moment times rate of turning is power. Over a cycle the constant moment does the work of the one "
+        "that varies, so this is the mean power of the machine."
+    )
+)
+def mean_power(moment: Number, omega: Number) -> Number:
+    """{moment}·{omega}"""
+
+
+@formula(
+    holds="{first} ≠ 0",
+    fails="there is nothing to compare with",
+    why=said(
+        "Both methods seek the same moment of inertia; the first takes the links' energy at the mean speed, "
+        "the other does not. So much of the first do they differ."
+    ),
+)
+def apart(first: Number, second: Number) -> Number:
+    """100·({first} − {second})/{first}"""
+
+
+class Beside(NamedTuple):
+    """Marks (Number).
+
+    ``force``: the gas force reduced to the crank pin (N), None where the loads are reduced. ``moment``: the
+    constant moment (N·m), which is the mean one of the cycle; ``power``: its mean power (W). ``apart``: by how
+    much the moments of inertia of both methods differ, in % of the first; None with one method.
+    """
+
+    force: Mark | None
+    moment: Mark
+    power: Mark
+    apart: Mark | None
+
+
+BESIDE: Aside[Beside] = Aside(FLYWHEEL.chapter)
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate what the drawing of a flywheel does not need."""
+    speed = machine_of(bench).velocities.speed
+    assert speed is not None
+    return calculate(bench.draft, FLYWHEEL.on(bench), speed)
+
+
+def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Beside:
+    """Calculate it of a flywheel as drawn; ``speed``: of its shaft (1/s)."""
+    axes = made.axes
+    draft.open(CALCULATED)
+    force = _force(draft, made)
+    name = made.constant.letter
+    read = draft.draw(
+        measure_along, f"y_{{{name.replace('_', '')}}}", axes.origin, made.constant, axes.up
+    )
+    moment = draft.draw(in_si, name, read, axes.mu, unit="N·m")
+    power = draft.draw(mean_power, "N", moment, speed, unit="W")
+    differ = None
+    if made.energy_mass is not None:
+        differ = draft.draw(apart, "Δ_J", made.inertia, made.energy_mass.inertia, unit="%")
+    return Beside(force, moment, power, differ)
+
+
+def _force(draft: Draft, made: Flywheel) -> Mark | None:
+    """Calculate the force on the piston as reduced to the crank pin, from what the reduced moment is."""
+    if made.indicator is None:
+        return None
+    return draft.draw(reduced_force, "P_{red}", *draft.uses(made.moment)[:4], unit="N")

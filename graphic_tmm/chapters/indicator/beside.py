@@ -1,0 +1,34 @@
+"""What is calculated beside an indicator diagram: the scale of its base, on which the stroke stands."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.operations.choice import scale_of
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapter import Aside
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.project import Bench
+
+CALCULATED = "indicator-calculation"
+"""The view of what is calculated beside."""
+
+
+class Beside(NamedTuple):
+    """The piston's stroke (m), and the scale of the base (m/mm)."""
+
+    stroke: Mark
+    mu: Mark
+
+
+BESIDE: Aside[Beside] = Aside(INDICATOR.chapter)
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate the scale of the base: the stroke, as read on the plan of positions, by its length."""
+    made, draft = INDICATOR.on(bench).indicator, bench.draft
+    draft.open(CALCULATED)
+    stroke = draft.draw(in_si, "S", made.stroke, draft.mu_l, unit="m")
+    length = draft.uses(made.end)[1]
+    return Beside(stroke, draft.draw(scale_of, "μ_S", stroke, length, unit="m/mm"))
