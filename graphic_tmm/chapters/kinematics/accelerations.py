@@ -65,14 +65,13 @@ def _crank(
     body, letter = positions.bodies[number], image_letter(structure.pin)
     epsilon = mechanism.drive.acceleration
     arm = crank_arm(draft, positions, structure)
-    name = f"{pivot}{pin}".lower()
     normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
     draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
     omega = velocities.speed
     assert omega is not None
     because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
     value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²", why=because)
-    length = draft.draw(to_board, f"n_{{{name}}}" if epsilon else f"π{letter}", value)
+    length = draft.draw(to_board, f"n_{{{letter}}}" if epsilon else f"π{letter}", value)
     inward = draft.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT)
     if epsilon:
         end = draft.draw(lay_off, f"n{number}", inward, length, why=why.VECTOR)
@@ -80,9 +79,9 @@ def _crank(
         plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
         name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
         value = draft.draw(product, name_t, gain, arm, unit="m/s²", why=why.TANGENTIAL_OF_PIN)
-        length = draft.draw(to_board, f"t_{{{name}}}", value)
+        length = draft.draw(to_board, f"t_{{{letter}}}", value)
         line = draft.draw(
-            square, f"(t_{{{name}}})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK
+            square, f"(t_{{{letter}}})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK
         )
         image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
     else:
