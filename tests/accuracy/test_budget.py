@@ -20,7 +20,9 @@ from graphic_tmm.studio import make
 
 
 def task(name: str, hand: str | None = None) -> Scene:
+    """A scene on the sheets of its plans: what only tells of them is no matter of a budget."""
     found = read(SHEETS / name)
+    found = replace(found, sheets=found.sheets[:2])
     return found if hand is None else replace(found, hand=hand, ruler=DIVISIONS[hand])
 
 

@@ -70,8 +70,8 @@ class Seen:
 
     def strokes(self, *pens: str) -> list[Stroke]:
         """Strokes of pens; what only joins a mass centre to its link is no line of it."""
-        there = (s for s in self.view.strokes if isinstance(s, Stroke) and s.part != "centre")
-        return [s for s in there if s.pen in pens]
+        there = (s for s in self.view.strokes if isinstance(s, Stroke))
+        return [s for s in there if s.pen in pens and (s.closed or s.part != "centre")]
 
     def arcs(self, *pens: str) -> list[tuple[complex, float]]:
         """Centres and radii of the arcs of pens: a circle is broken where a letter stands on it."""
