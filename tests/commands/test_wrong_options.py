@@ -83,7 +83,7 @@ OPTIONS = [
     (("steps", "cam", "-p", "speed"), ["-p", "velocities"]),
     (
         ("steps", "cam", "-p", "velocities"),
-        ["--plan", "the scene has no plan velocities; it has cam"],
+        ["--plan", "the scene has no plan velocities; it has scales, cam"],
     ),
     (("steps", "crank-rocker", "-p", "cam"), ["the scene has no plan cam; it has", "positions"]),
     (("steps", "crank-rocker", "-n", "99"), ["--position", "there is no 99; there are"]),
