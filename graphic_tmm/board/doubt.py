@@ -30,6 +30,8 @@ DOUBTFUL = 1e-6
 """What rounding moves by more than this share of its natural size is doubtful: no zero is told of it."""
 WRITTEN = 1e-12
 """A bound below this share of a figure shows in no digit that is written."""
+SHEET = 1000.0
+"""No plan that is drawn is larger, mm."""
 UNREAD = 1e-9
 """What is a smaller share of its plan is nothing: a nanometre on a plan of a metre."""
 SHAKEN = 1e-8
@@ -119,10 +121,13 @@ class Doubts:
     def _unread(self, told: Any, mark: Mark, by: Any, places: Any) -> Mask:
         """Return where a figure is too small for its plan, or for what it is the difference of, to be read.
 
-        A plan counts by its least reach: a point that lies far off in one position tells nothing of others.
+        A plan counts as no larger than a sheet: a point that lies far off tells nothing of the others. A length
+        that is calculated to be laid off is what its quantity is, however small.
         """
+        if mark.kind is Length and self.steps[mark.slot].op.formula:
+            return np.zeros(told.shape, dtype=bool)
         if mark.kind is Length:
-            size = np.fmin.reduce(self._sizes.reach(mark.view), axis=1, keepdims=True)
+            size = np.fmin(self._sizes.reach(mark.view), SHEET)
         else:
             shaken = self.bound(mark) > SHAKEN * np.abs(self._found.values[mark.slot])
             size = np.where(shaken, self._sizes.of(mark), 0.0) if shaken.any() else np.zeros((1, 1))
