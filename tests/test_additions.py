@@ -143,7 +143,7 @@ def test_a_format_is_one_file(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_formula_is_one_file(tmp_path: Path) -> None:
-    line = "@formula\ndef working_distance("
+    line = '@formula(\n    why=said(\n        "The base circles stay the same'
     new = (
         "@formula\ndef whole_depth(m: Number, c: Number) -> Number:\n"
         f'    """2·{{m}} + {{c}}·{{m}}"""\n\n\n{line}'
@@ -154,7 +154,7 @@ def test_a_formula_is_one_file(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_an_instrument_operation_is_two_files(tmp_path: Path) -> None:
-    line = "@operation(fails=_NO_LINE)\ndef join("
+    line = '@operation(\n    fails=_NO_LINE,\n    why=said("A line is fixed'
     new = (
         "@operation()\ndef mark_off(on: Line) -> Point:\n"
         f'    """Mark off the beginning {{it}} of {{on}}."""\n    return Point(on.at)\n\n\n{line}'

@@ -46,6 +46,7 @@ from graphic_tmm.chapters.flywheel import beside as flywheel_beside
 from graphic_tmm.chapters.gears import formulas as gearing
 from graphic_tmm.chapters.gears import rack, rolling
 from graphic_tmm.chapters.planetary import formulas as trains
+from graphic_tmm.chapters.structure import mobility as structure_mobility
 
 
 def test_public_names_are_sorted_complete_and_there() -> None:
@@ -83,6 +84,7 @@ def test_every_operation_is_in_the_table() -> None:
         cam_law_formulas,
         cycle_plan,
         diagrams_beside,
+        structure_mobility,
         engine_beside,
         flywheel_beside,
         cams,

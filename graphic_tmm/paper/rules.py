@@ -11,7 +11,13 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.board.operations import graphs as g
-from graphic_tmm.board.operations.choice import accepted, next_standard, next_standard_length
+from graphic_tmm.board.operations.choice import (
+    accepted,
+    nearest_standard,
+    next_ratio,
+    next_standard,
+    next_standard_length,
+)
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import (
     bearing,
@@ -61,6 +67,8 @@ TRACELESS: frozenset[str] = frozenset(
         planimeter,
         stand,
         g.following,
+        nearest_standard,
+        next_ratio,
         next_standard,
         next_standard_length,
     )

@@ -23,8 +23,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.rules import TRACELESS
 
-ASIDE = (r"forces \S+ \d+",)
-"""Views that are worked aside and no sheet shows: force polygons of the passes of friction before the last."""
+ASIDE = (r"forces \S+ \d+", r"\S+-calculation", r"planetary-behind")
+"""Views that are worked aside and no sheet shows: force polygons of the passes of friction before the last, and
+what is calculated beside a drawing, a reading now and then."""
 SHORT, SHARE = 0.5, 0.01
 """What is laid off shorter than this, mm, or than this share of the longest in its view, cannot be seen."""
 EVERYDAY = ("cam", "crank-press", "engine")

@@ -97,6 +97,7 @@ def test_the_document_has_its_shape(name: str) -> None:
             "m/s²",
             "1/s",
             "1/s²",
+            "°",
             "%",
             "Pa",
             "N·m",

@@ -34,7 +34,7 @@ def given(scene: Scene) -> Iterator[Given]:
 
 def _lengths(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
     """The lengths of the moving links, m: from the first point, and from the second where not in line."""
-    for link in mechanism.links:
+    for link in _ordered(mechanism):
         letters = list(link.points)
         for k, other in enumerate(letters[1:], start=1):
             yield from _between(link, letters[0], other)
@@ -83,7 +83,7 @@ def _directions(mechanism: Mechanism) -> Iterator[Given]:
     for guide in mechanism.frame.guides:
         if guide.angle % 90.0:
             yield _direction(guide, 0.0)
-    for link in mechanism.links:
+    for link in _ordered(mechanism):
         spots: Sequence[complex] = [z for z in link.points.values()]
         base = math.degrees(math.atan2(*_sides(spots))) if len(spots) > 1 else 0.0
         for guide in link.guides:
@@ -109,13 +109,18 @@ def _drive(mechanism: Mechanism) -> Iterator[Given]:
 
 
 def _masses(mechanism: Mechanism) -> Iterator[Given]:
-    for link in mechanism.links:
+    for link in _ordered(mechanism):
         if link.mass is not None:
             yield Given(f"m_{link.number}", link.mass, "kg")
-    for link in mechanism.links:
+    for link in _ordered(mechanism):
         if link.inertia is not None:
             about = f"{{{link.centre}}}" if link.centre else f"{link.number}"
             if link.rod is not None:
                 yield Given(f"l_{link.number}", link.rod, "m")
                 continue
             yield Given(f"J_{about}", link.inertia, "kg·m²")
+
+
+def _ordered(mechanism: Mechanism) -> list[Link]:
+    """Return the moving links by their numbers: in what order a scene writes them tells nothing."""
+    return sorted(mechanism.links, key=lambda link: link.number)

@@ -31,7 +31,9 @@ def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the driving link and every group, each with its mobility below it."""
-    assert drawn.scene.mechanism is not None
+    made = MOBILITY.of(drawn)
+    if made is None or drawn.scene.mechanism is None:
+        return []
     structure, high = dissect(drawn.scene.mechanism), heights(drawn.scene, PARTS)
     words, found = WORDS[drawn.scene.language], []
     groups = {group.name for group in structure.groups}
@@ -48,7 +50,7 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             told,
             high,
         )
-        w = drawn.reading[MOBILITY.on(drawn).parts[name]].item()
+        w = drawn.reading[made.parts[name]].item()
         line = f"W = 3·{n} − 2·{p5} = {number(w, drawn.scene.language)}"
         found.append(captioned(finished(view, lettered), told, line, heights=high))
     return found
