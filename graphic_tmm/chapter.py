@@ -86,22 +86,8 @@ class Made(Generic[T]):
         return found
 
 
-class Aside(Made[T]):
-    """What a chapter calculated beside its drawing, by the name of the chapter."""
-
-    def of(self, holder: Holder) -> T | None:
-        """Return what was calculated; None if there is nothing of the kind in this scene."""
-        found: T | None = holder.made.get(aside(self.chapter))
-        return found
-
-    def on(self, holder: Holder) -> T:
-        """Return what was calculated where it is known to have been."""
-        found: T = holder.made[aside(self.chapter)]
-        return found
-
-
 def aside(chapter: str) -> str:
-    """Return the name under which is held what a chapter calculated beside its drawing."""
+    """Return the name under which is held (see `Made`) what a chapter calculated beside its drawing."""
     return f"{chapter} aside"
 
 
@@ -189,7 +175,7 @@ class Chapter:
 
     **What it records and draws.** ``record``: what it leaves on its board; ``aside``: of what it made, what is
     calculated beside it when everything on the board was recorded, in views of its own and used by nothing, so
-    that no drawing changes for it; see `Aside`. ``charts``: of what it made, the graphs on axes. ``places``:
+    that no drawing changes for it; see `aside`. ``charts``: of what it made, the graphs on axes. ``places``:
     what sheets can show of it, ``sizes``: how large.
 
     **Its scale factors.** ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size,

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower
@@ -31,7 +31,7 @@ class Beside(NamedTuple):
     acceleration: Mark | None
 
 
-BESIDE: Aside[Beside] = Aside(CAM.chapter)
+BESIDE: Made[Beside] = Made(aside(CAM.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Aside, Made
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
 from graphic_tmm.chapters.flywheel.beside import Beside, calculate
 from graphic_tmm.chapters.flywheel.plan import (
@@ -53,7 +53,7 @@ class Cycle(NamedTuple):
 
 
 CYCLE: Made[Cycle] = Made("cycle")
-BESIDE: Aside[Beside] = Aside("cycle")
+BESIDE: Made[Beside] = Made(aside("cycle"))
 
 
 def record(bench: Bench) -> Cycle | None:

@@ -12,7 +12,7 @@ from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.instruments import measure
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.language.said import said
@@ -67,7 +67,7 @@ class Beside(NamedTuple):
     places: tuple[Place, ...]
 
 
-BESIDE: Aside[Beside] = Aside(DIAGRAMS.chapter)
+BESIDE: Made[Beside] = Made(aside(DIAGRAMS.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

@@ -21,7 +21,7 @@ from graphic_tmm.board.operations.graphs import level_off
 from graphic_tmm.board.operations.instruments import measure, measure_along, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.engine.formulas import KGF, in_kgf
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
@@ -166,7 +166,7 @@ class Beside(NamedTuple):
     works: tuple[Mark, Mark, Mark]
 
 
-BESIDE: Aside[Beside] = Aside(ENGINE.chapter)
+BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

@@ -10,7 +10,7 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
 from graphic_tmm.chapters.indicator.cylinder import machine_of
 from graphic_tmm.language.said import said
@@ -68,7 +68,7 @@ class Beside(NamedTuple):
     apart: Mark | None
 
 
-BESIDE: Aside[Beside] = Aside(FLYWHEEL.chapter)
+BESIDE: Made[Beside] = Made(aside(FLYWHEEL.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

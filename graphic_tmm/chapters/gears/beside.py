@@ -8,7 +8,7 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears.plan import GEARS, Gear
 from graphic_tmm.project import Bench
@@ -33,7 +33,7 @@ class Beside(NamedTuple):
     limits: tuple[Mark, Mark]
 
 
-BESIDE: Aside[Beside] = Aside(GEARS.chapter)
+BESIDE: Made[Beside] = Made(aside(GEARS.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.project import Bench
 
@@ -22,7 +22,7 @@ class Beside(NamedTuple):
     mu: Mark
 
 
-BESIDE: Aside[Beside] = Aside(INDICATOR.chapter)
+BESIDE: Made[Beside] = Made(aside(INDICATOR.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

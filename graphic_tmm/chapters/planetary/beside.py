@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.planetary import formulas as t
 from graphic_tmm.chapters.planetary.dimensions import rings_of
 from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, Planetary
@@ -35,7 +35,7 @@ class Beside(NamedTuple):
     speed: Mark | None
 
 
-BESIDE: Aside[Beside] = Aside(PLANETARY_TRAIN.chapter)
+BESIDE: Made[Beside] = Made(aside(PLANETARY_TRAIN.chapter))
 
 
 def record_beside(bench: Bench) -> Beside:

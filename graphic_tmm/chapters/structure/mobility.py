@@ -8,7 +8,7 @@ from typing import NamedTuple
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapter import Aside
+from graphic_tmm.chapter import Made, aside
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
@@ -34,7 +34,7 @@ class Mobility(NamedTuple):
     parts: Mapping[str, Mark]
 
 
-MOBILITY: Aside[Mobility] = Aside("structure")
+MOBILITY: Made[Mobility] = Made(aside("structure"))
 
 
 def parts(structure: Structure) -> dict[str, tuple[int, int]]:
