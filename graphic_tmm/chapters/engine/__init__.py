@@ -104,7 +104,7 @@ CHAPTER = Chapter(
     sizes=(
         GRAPH,
         Size("engine", least=0.5, small=0.7, cap=0.4),
-        Size(TRANSFER, least=0.5, small=0.7, cap=0.4),
+        Size(TRANSFER, least=0.5, small=0.7),
     ),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,

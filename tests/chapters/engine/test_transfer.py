@@ -192,11 +192,8 @@ def test_other_cranks_and_rods_by_trigonometry(tmp_path: Path) -> None:
     assert_forces(made, np.arange(17) * 2 * math.pi / 17)
 
 
-def test_it_stands_on_a_sheet_that_names_it_and_only_there(tmp_path: Path) -> None:
-    named = edited(
-        tmp_path, ('place  = ["engine diagrams"]', 'place  = ["engine forces"]'), name="locomobile"
-    )
-    (view,) = transfer_views(drawn_of(read(named), exact=True), True)
+def test_its_letters_are_all_there() -> None:
+    (view,) = transfer_views(exact(), True)
     assert view.shows == (VIEW,)
     texts = [label.text for label in view.labels]
     for part in ("φ", "β", "φ + β", "M", "M′", "h", "OB", "−\\bar{P}", "−\\bar{Q}", "−\\bar{N}"):
