@@ -22,6 +22,7 @@ from graphic_tmm.note.note import note, wanted
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
+from graphic_tmm.scene.author import Author
 from graphic_tmm.studio import make
 from support.gallery import scene
 
@@ -142,6 +143,16 @@ def _of_given(drawn: Drawn, source: Source) -> float:
     return float(found[0])
 
 
+def words_of(author: Author) -> list[str]:
+    """All that the author of a note says, text by text."""
+    told: list[str] = []
+    for value in vars(author).values():
+        several = value.values() if isinstance(value, Mapping) else [value]
+        for one in several:
+            told += [one] if isinstance(one, str) else [*(one if isinstance(one, tuple) else ())]
+    return [one for one in told if one]
+
+
 def stands_for(text: str, value: float) -> bool:
     """Whether a number as it is written can be the value: off by half of its last digit at most."""
     plain = text.replace("−", "-").replace(",", ".")
@@ -168,4 +179,13 @@ def document_of(docx: bytes) -> ElementTree.Element:
     return ElementTree.fromstring(parts(docx)["word/document.xml"])
 
 
-__all__ = ["document_of", "file_of", "looked_up", "noted", "parts", "spoken", "stands_for"]
+__all__ = [
+    "document_of",
+    "file_of",
+    "looked_up",
+    "noted",
+    "parts",
+    "spoken",
+    "stands_for",
+    "words_of",
+]

@@ -38,9 +38,10 @@ from graphic_tmm.chapters.cam.accuracy import ACCURACY
 from graphic_tmm.chapters.cam.beside import record_beside
 from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.cam.choice import choose
+from graphic_tmm.chapters.cam.conclusions import concludes
 from graphic_tmm.chapters.cam.findings import cam_findings, changes
 from graphic_tmm.chapters.cam.given import given
-from graphic_tmm.chapters.cam.note import concludes
+from graphic_tmm.chapters.cam.note import note
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, results
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
@@ -100,6 +101,7 @@ CHAPTER = Chapter(
     results=results,
     accuracy=ACCURACY,
     concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    note=note,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )
