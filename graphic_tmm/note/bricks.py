@@ -5,7 +5,6 @@ A chapter's own section (`Chapter.note`) is built of these; of one that has none
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from string import Formatter
@@ -43,6 +42,7 @@ from graphic_tmm.readers.columns import Column, known_at
 from graphic_tmm.readers.protocol import covering
 from graphic_tmm.readers.text import column_name, result_name
 from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.told import Figures, told
 
 ACROSS = 13
 """So many positions stand beside one another in a table of a page's width."""
@@ -234,8 +234,8 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         shown = known_at(cells)
         title = words.get(f"table {plan}", words.get(plan, plan))
         for k in range(0, len(shown), ACROSS):
-            told = title if k == 0 else f"{title} ({words['continued']})"
-            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], told, language)
+            head = title if k == 0 else f"{title} ({words['continued']})"
+            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], head, language)
 
 
 def _block(
@@ -254,13 +254,13 @@ def _block(
         *(text(names[k]) for k in shown),
     )
     rows: list[tuple[Runs, ...]] = []
-    for column in cells:
+    for column, figures in zip(cells, told(cells), strict=True):
         name = column.ends or column_name(column, language)
         if column.drawn:
-            lengths = _told(drawn, column, shown, language, mm=True)
+            lengths = _told(drawn, column, figures, shown, language, mm=True)
             rows.append((_lettered(name), _unit("mm", language), *lengths))
             name = symbol(column.quantity, language) if column.quantity else name
-        values = _told(drawn, column, shown, language, mm=False)
+        values = _told(drawn, column, figures, shown, language, mm=False)
         rows.append((_lettered(name), _unit(column.unit, language), *values))
     lead = 0.1 if len(shown) > MANY else 0.13
     each = min((1.01 - 2 * lead) / len(shown), WIDEST)
@@ -295,12 +295,18 @@ def _unit(name: str, language: str) -> Runs:
 
 
 def _told(
-    drawn: Drawn, column: Column, shown: Sequence[int], language: str, *, mm: bool
+    drawn: Drawn,
+    column: Column,
+    figures: Figures,
+    shown: Sequence[int],
+    language: str,
+    *,
+    mm: bool,
 ) -> Iterator[Runs]:
     """Yield the cells of a row: figures as the sheet's table tells them, each with where it stands."""
     lengths, values = column.told
     row = lengths if mm else values
-    places = 1 if mm else decimals(row)
+    written, places = (figures.mm, figures.mm_places) if mm else (figures.value, figures.places)
     for k in shown:
         value = row[k]
         if value is None:
@@ -309,13 +315,7 @@ def _told(
         source = Source(
             "column", drawn.board, f"{column.plan}/{column.segment}", k, "", 0 if mm else 1
         )
-        yield (Number(fixed(value, places, language), "", source, value),)
-
-
-def decimals(row: Sequence[float | None]) -> int:
-    """Return how many decimals give the largest figure of a row three significant digits."""
-    largest = max((abs(x) for x in row if x is not None), default=0.0)
-    return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
+        yield (Number(fixed(written[k], places, language), "", source, value),)
 
 
 def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:

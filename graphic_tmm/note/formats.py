@@ -26,6 +26,11 @@ CONTENTS = said("Contents")
 PPI = 200.0
 """Dots per inch of the figures of a DOCX."""
 
+_MARKED = re.compile(r"\\|~|&(?=#?\w+;)|:(?=[\w+-]+:)|^-(?=-+$)")
+"""What pandoc leaves as it is in Markdown, though it means something there."""
+_SHORT = re.compile(r"(?<=\.\.)\.")
+"""Three points, for which typst has a sign of its own."""
+
 Tree = dict[str, Any]
 
 
@@ -176,6 +181,7 @@ def markdown(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[
         _emphasised,
         captioned=False,
         linked=False,
+        word=pandoc.escaped(pandoc.MARKDOWN[0].partition("+")[0], _MARKED),
     )
     found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
     for one in shown.values():
@@ -217,6 +223,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
         _tabled,
         _part,
         figure=figure,
+        word=pandoc.escaped("typst", _SHORT),
     )
     body = pandoc.written(document, target).decode("utf-8")
     head = (
@@ -286,6 +293,11 @@ def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
         attributes = ["", [], [["width", f"{one.width}mm"]]]
         return {"t": "Image", "c": [attributes, words, [f"{one.name}.png", ""]]}
 
+    def styled(block: Tree, style: str) -> list[Tree]:
+        if style == "space":
+            return [raw("openxml", word.empty(document), block=True)]
+        return [pandoc.classed(block, style)]
+
     with TemporaryDirectory() as folder:
         home = Path(folder)
         _pictures(typst, home, list(shown.values()))
@@ -296,10 +308,19 @@ def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
             lambda outline: [raw("openxml", word.contents(outline, document.language), block=True)],
             lambda: [raw("openxml", word.BREAK, block=True)],
             ("--reference-doc=reference.docx",),
+            styled,
+            _bare,
         )
         pandoc.written(document, target, out="note.docx", folder=folder)
         made = word.settled((home / "note.docx").read_bytes(), pandoc.parts(document))
     return {f"{stem}.docx": made}
+
+
+def _bare(made: Tree, table: Table) -> list[Tree]:
+    """Return a table as a word processor is told it: of a style of its own if it has no lines."""
+    if not table.ruled:
+        made["c"][0][2].append(["custom-style", word.UNRULED])
+    return [made]
 
 
 def _pictures(typst: Any, home: Path, shown: Sequence[Drawn]) -> None:

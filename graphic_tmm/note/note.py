@@ -11,6 +11,7 @@ from graphic_tmm.note.document import Block, Document
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.sections.chapter import chapter_section
 from graphic_tmm.note.sections.conclusions import conclusions
+from graphic_tmm.note.sections.introduction import introduction
 from graphic_tmm.note.sections.literature import literature
 from graphic_tmm.note.sections.scales import scales
 from graphic_tmm.note.sections.symbols import symbol_list
@@ -29,7 +30,8 @@ def wanted(scene: Scene) -> set[str]:
 def note(made: DrawnScene) -> Document:
     """Return the note of a scene in its language."""
     language = made.scene.language
-    blocks: list[Block] = [*title_page(made, language), *task(made, language)]
+    blocks: list[Block] = [*title_page(made, language), *introduction(made, language)]
+    blocks += task(made, language)
     blocks += synthesis(made, language)
     told = [
         (chapter.number, board, chapter)

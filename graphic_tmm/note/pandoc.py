@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -66,7 +67,8 @@ class Target(NamedTuple):
     ``picture``: the inline that shows a figure, ``contents`` and ``break_page``: blocks; ``styled``: a
     paragraph of the title page, ``tabled``: a table as it stands,
     ``part``: a heading without a number. ``captioned``: a figure and its caption
-    are one; ``figure``: what they are instead. ``linked``: places in it have names.
+    are one; ``figure``: what they are instead. ``linked``: places in it have names. ``word``: a word of plain
+    text, with what pandoc does not escape.
     """
 
     name: str
@@ -80,6 +82,7 @@ class Target(NamedTuple):
     captioned: bool = True
     linked: bool = True
     figure: Callable[[Picture, Tree], list[Tree]] | None = None
+    word: Callable[[str], list[Tree]] = lambda word: _plain(word)
 
 
 class Numbered(NamedTuple):
@@ -233,7 +236,7 @@ class _Writer:
         if isinstance(run, Ref):
             words = _words(self.plain(run))
             return [_of("Link", [NONE, words, [f"#{run.to}", ""]])] if self.target.linked else words
-        inside = _words(run.text)
+        inside = _words(run.text, self.target.word)
         if run.style == "strong":
             return [_of("Strong", inside)]
         return [_of("Emph", inside)] if run.style else inside
@@ -299,18 +302,36 @@ def classed(block: Tree, style: str) -> Tree:
     return _of("Div", [["", [style], [["custom-style", style]]], [block]])
 
 
-def _words(text: str) -> list[Tree]:
+def _plain(word: str) -> list[Tree]:
+    return [_of("Str", word)]
+
+
+def _words(text: str, word: Callable[[str], list[Tree]] = _plain) -> list[Tree]:
     """Return plain text as words and spaces; lines that are broken stay so."""
     found: list[Tree] = []
     for k, line in enumerate(text.split("\n")):
         if k:
             found.append({"t": "LineBreak"})
-        for j, word in enumerate(line.split(" ")):
+        for j, one in enumerate(line.split(" ")):
             if j:
                 found.append({"t": "Space"})
-            if word:
-                found.append(_of("Str", word))
+            found += word(one) if one else []
     return found
+
+
+def escaped(form: str, strange: re.Pattern[str]) -> Callable[[str], list[Tree]]:
+    """Return how words are written in a format with a backslash before what would mean something there."""
+
+    def word(text: str) -> list[Tree]:
+        found: list[Tree] = []
+        done = 0
+        for match in strange.finditer(text):
+            found += [_of("Str", text[done : match.start()])] if match.start() > done else []
+            found.append(raw(form, f"\\{match[0]}"))
+            done = match.end()
+        return [*found, _of("Str", text[done:])] if done < len(text) else found
+
+    return word
 
 
 def raw(form: str, text: str, *, block: bool = False) -> Tree:

@@ -32,7 +32,7 @@ TYPST = """\
   paper: "a4",
   margin: (left: 30mm, right: 15mm, top: 20mm, bottom: 20mm),
   numbering: "1",
-  number-align: center,
+  footer: context if here().page() > 1 { align(center, counter(page).display("1")) },
 )
 #set text(font: ("Libertinus Serif", "New Computer Modern"), size: 12pt, hyphenate: true)
 #set par(leading: 0.8em, spacing: 0.8em, justify: true, first-line-indent: (amount: 12.5mm, all: true))

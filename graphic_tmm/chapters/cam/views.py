@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.diagrams import LETTERS, VIEWS
 from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
@@ -139,8 +140,8 @@ def _title(view: str, language: str) -> str:
 def _scale(drawn: Drawn, made: Cam, view: str) -> str:
     """Return the scale of a diagram and that of its base, along which the turn is told in degrees."""
     language, scale = drawn.scene.language, drawn.scales.get(view)
-    along = math.degrees(_one(drawn, made.diagrams.base.mu))
-    base = f"μ_φ = {number(along, language)} {unit('°/mm', language)}"
+    along = BESIDE.on(drawn).along
+    base = mu_text(Scale(along.name, _one(drawn, along), along.unit), language)
     if scale is None:
         return base
     if view == VIEWS["V"]:

@@ -24,7 +24,6 @@ from graphic_tmm.language.symbols import symbol as lettered
 from graphic_tmm.note.bricks import (
     at_position,
     columns,
-    decimals,
     filled,
     greatest,
     heading,
@@ -47,6 +46,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
 from graphic_tmm.note.steps import Told, calculated
+from graphic_tmm.readers.told import decimals
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:

@@ -15,9 +15,9 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import decimals
 from graphic_tmm.note.document import Runs, Symbol, Table, text
 from graphic_tmm.note.steps import Told
+from graphic_tmm.readers.told import decimals
 
 ACROSS = 12
 """How many intervals stand in one table beside one another."""

@@ -18,7 +18,7 @@ from graphic_tmm.note.bricks import (
     results,
     worked,
 )
-from graphic_tmm.note.document import Block
+from graphic_tmm.note.document import Block, paragraph
 from graphic_tmm.note.protocol import Known
 
 
@@ -28,6 +28,7 @@ def chapter_section(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[B
     blocks = list(own if own is not None else from_log(drawn, chapter, language))
     if blocks:
         yield heading(title(chapter, language), 1)
+        yield from map(paragraph, drawn.scene.author.remarks.get(chapter.name, ()))
         yield from blocks
 
 

@@ -1,4 +1,4 @@
-"""The conclusions: what follows from the results, chapter by chapter, and what could not be drawn."""
+"""The conclusions: what follows from the results, chapter by chapter, what could not be drawn, the author's."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from graphic_tmm.note.document import (
     Runs,
     Source,
     Table,
+    paragraph,
     text,
 )
 from graphic_tmm.readers.exactness import deviations
@@ -32,17 +33,20 @@ PLAN, ERROR = said("Plan or result"), said("Error, %")
 
 
 def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
-    """Yield what follows from the results; nothing where nothing does."""
+    """Yield what follows from the results, and what the author concludes; nothing where nothing does."""
     found: list[Runs] = []
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
             found += chapter.concludes(drawn, language)
     for drawn in made.boards:
         found += [text(_sentence(told)) for told in warnings(drawn, language)]
-    if found:
+    own = made.scene.author.conclusions
+    if found or own:
         yield Heading(1, text(speaking(language)(CONCLUSIONS)), numbered=False)
+    if found:
         yield Listed(tuple(Item("", (Paragraph(one),)) for one in found))
         yield from _exactness(made, language)
+    yield from map(paragraph, own)
 
 
 def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
