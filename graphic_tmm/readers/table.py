@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from itertools import chain
 from typing import Any
 
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
@@ -93,7 +95,23 @@ def _scales(made: DrawnScene) -> dict[str, Any]:
     for drawn in made.boards:
         for view, scale in drawn.scales.items():
             found[_scale_key(drawn, view)] = {"value": scale.value, "unit": scale.unit}
+        for key, mark in _bases(drawn):
+            found[key] = {"value": float(drawn.reading[mark].ravel()[0]), "unit": mark.unit}
     return found
+
+
+def _bases(drawn: Drawn) -> Iterator[tuple[str, Mark]]:
+    """Yield the scale factors of bases that were calculated and are no view's own, each with its key."""
+    own = {view.scale for view in drawn.construction.views}
+    for step in drawn.construction.steps:
+        letter = BASES.get(step.it.name)
+        if letter and step.it.unit.endswith("/mm") and step.it not in own:
+            view = step.it.view.removesuffix("-calculation").replace(" ", "_").replace("-", "_")
+            yield f"mu_{letter}_{view}", step.it
+
+
+BASES = {"μ_φ": "phi", "μ_S": "S"}
+"""Scale factors of bases, as machines read them."""
 
 
 def _scale_key(drawn: Drawn, view: str) -> str:
