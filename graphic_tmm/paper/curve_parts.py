@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 
@@ -19,7 +18,8 @@ _THIRD = 1.0 / 3.0
 def at(controls: Sequence[complex], u: float) -> complex:
     """Return the point of a chain of cubic arcs at ``u``, 0 … the number of arcs."""
     k = min(int(u), len(controls) // 3 - 1)
-    return _blossom(controls[3 * k : 3 * k + 4], (u - k,) * 3)
+    t = u - k
+    return _blossom(controls[3 * k : 3 * k + 4], t, t, t)
 
 
 def nearest(controls: Sequence[complex], spot: complex) -> float:
@@ -44,7 +44,7 @@ def cut(controls: Sequence[complex], start: float, end: float) -> Controls:
     made: list[complex] = []
     for k in range(int(start), min(math.ceil(end), len(controls) // 3)):
         arc, u, v = controls[3 * k : 3 * k + 4], max(start - k, 0.0), min(end - k, 1.0)
-        part = [_blossom(arc, knots) for knots in ((u, u, u), (u, u, v), (u, v, v), (v, v, v))]
+        part = [_blossom(arc, *knots) for knots in ((u, u, u), (u, u, v), (u, v, v), (v, v, v))]
         made += part if not made else part[1:]
     return tuple(made)
 
@@ -54,8 +54,9 @@ def points(controls: Sequence[complex], count: int) -> np.ndarray:
     return np.array([at(controls, u) for u in np.linspace(0.0, len(controls) // 3, count)])
 
 
-def _blossom(arc: Sequence[complex], knots: tuple[float, float, float]) -> complex:
-    spots = list(arc)
-    for t in knots:
-        spots = [p + t * (q - p) for p, q in pairwise(spots)]
-    return complex(spots[0])
+def _blossom(arc: Sequence[complex], r: float, s: float, t: float) -> complex:
+    """Return the point that de Casteljau's three rounds of shares leave of an arc."""
+    a, b, c, d = arc
+    a, b, c = a + r * (b - a), b + r * (c - b), c + r * (d - c)
+    a, b = a + s * (b - a), b + s * (c - b)
+    return a + t * (b - a)

@@ -212,7 +212,8 @@ def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[
     mean = draft.draw(mean_of_row, "M_m", part, unit=of, row=count)
     turning = draft.draw(work_of_turn, "A_T", mean, unit=of)
     stroke = draft.draw(in_si, "S", cylinder.indicator.stroke, draft.mu_l, unit="m")
-    gas, *others = [_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides]
+    found = (_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides)
+    gas, *others = (work for work in found if work is not None)
     for one in others:
         gas = draft.draw(added, "A_P" if made.order.unit == "N" else "A_P′", gas, one, unit="J")
     if made.order.unit == "kgf":
@@ -220,8 +221,10 @@ def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[
     return turning, gas, draft.draw(works_apart, "Δ_A", turning, gas, unit="%")
 
 
-def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark:
-    """Calculate the work that the gas of one side does in a turn, by its mean pressure."""
+def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark | None:
+    """Calculate the work that the gas of one side does in a turn, by its mean pressure; None if none."""
+    if side.mean is None:
+        return None
     letter = side.force.letter[-1]
     sign = draft.take(Number, f"σ_{letter}", _sense(draft, cylinder, side))
     uses = (sign, side.mean, draft.uses(side.force)[1], stroke)

@@ -57,6 +57,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
     KINEMATICS,
     POSITIONS,
+    TURNS,
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
@@ -72,6 +73,7 @@ def _needs(scene: Scene) -> dict[str, object]:
         found[ACCELERATIONS] = True
     if order is not None and order.gas is not None:
         found[INDICATOR.chapter] = Wish(1, FORCES.chapter, order.gas)
+        found[TURNS] = order.gas.turns
     return found
 
 

@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 
 import pytest
+from support.boards import usual_part
 from support.gallery import SHEETS
 from support.scenes import edited, written
 
@@ -19,7 +20,6 @@ from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make
 
 WANTED = {
     "ring": "teeth = [25, 32, 89]",
@@ -32,7 +32,7 @@ SCENE = SHEETS / "planetary" / "scene.toml"
 
 
 def part(scene: Scene) -> Drawn:
-    return next(one for one in make(scene, exact=True).boards if one.board == "planetary")
+    return usual_part("planetary", scene)
 
 
 def value(drawn: Drawn, name: str) -> float:
