@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from itertools import chain
 from typing import Any
 
-from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
@@ -95,19 +94,21 @@ def _scales(made: DrawnScene) -> dict[str, Any]:
     for drawn in made.boards:
         for view, scale in drawn.scales.items():
             found[_scale_key(drawn, view)] = {"value": scale.value, "unit": scale.unit}
-        for key, mark in _bases(drawn):
-            found[key] = {"value": float(drawn.reading[mark].ravel()[0]), "unit": mark.unit}
+        found |= dict(_bases(drawn))
     return found
 
 
-def _bases(drawn: Drawn) -> Iterator[tuple[str, Mark]]:
-    """Yield the scale factors of bases that were calculated and are no view's own, each with its key."""
+def _bases(drawn: Drawn) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield the scale factors of bases that were calculated and are no view's own, under the same names."""
     own = {view.scale for view in drawn.construction.views}
     for step in drawn.construction.steps:
         letter = BASES.get(step.it.name)
-        if letter and step.it.unit.endswith("/mm") and step.it not in own:
+        told = letter and step.it.unit.endswith("/mm") and step.it in drawn.reading
+        if told and step.it not in own:
             view = step.it.view.removesuffix("-calculation").replace(" ", "_").replace("-", "_")
-            yield f"mu_{letter}_{view}", step.it
+            value = float(drawn.reading[step.it].ravel()[0])
+            if math.isfinite(value):
+                yield f"mu_{letter}_{view}", {"value": value, "unit": step.it.unit}
 
 
 BASES = {"μ_φ": "phi", "μ_S": "S"}

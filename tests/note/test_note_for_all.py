@@ -1,8 +1,8 @@
 """A page of a note is for who sees little or nothing, too: the laws that checkers of pages hold, one by one.
 
 WCAG 2.2, level AA, as far as it can be told from the page itself: language and title (2.4.2, 3.1.1), what is
-not text (1.1.1), headings, lists, heads of tables (1.3.1), names of links (2.4.4), ids (4.1.1), contrast (1.4.3,
-1.4.11).
+not text (1.1.1), headings, lists, heads of tables (1.3.1), names of links (2.4.4), ids (4.1.1), contrast
+(1.4.3, 1.4.11).
 """
 
 from __future__ import annotations
