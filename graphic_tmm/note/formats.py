@@ -110,11 +110,12 @@ def html(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
     target = Target(
         "html5",
         picture,
-        _listed_contents(document.language),
+        _navigated(document.language),
         lambda: [],
         ("--mathml", "--wrap=none"),
+        headed=True,
     )
-    body = pandoc.written(document, target).decode("utf-8")
+    body = _scoped(pandoc.written(document, target).decode("utf-8"))
     title, lang = escape(document.title), escape(document.language)
     page = (
         f'<!doctype html>\n<html lang="{lang}">\n<head>\n<meta charset="utf-8">\n'
@@ -133,6 +134,27 @@ def _inline(one: Drawn) -> str:
     head = re.sub(r' (?:width|height)="[^"]*mm"', "", head)
     label = escape(one.alt, quote=True)
     return f'{head} role="img" aria-label="{label}" style="width:{one.width}mm">{rest}'
+
+
+def _scoped(body: str) -> str:
+    """Return a page on which heads of tables tell what they are heads of; tables without heads are none."""
+    parts = re.split(r"(<thead>.*?</thead>)", body, flags=re.DOTALL)
+    told = [
+        part.replace("<th ", f'<th scope="{"col" if part.startswith("<thead>") else "row"}" ')
+        for part in parts
+    ]
+    return "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
+
+
+def _navigated(language: str) -> Callable[[Outline], list[Tree]]:
+    """Return the contents as a part of the page by which one finds one's way in it."""
+    label = escape(speaking(language)(CONTENTS), quote=True)
+
+    def told(outline: Outline) -> list[Tree]:
+        opening = raw("html", f'<nav aria-label="{label}">', block=True)
+        return [opening, *_listed_contents(language)(outline), raw("html", "</nav>", block=True)]
+
+    return told
 
 
 def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline], list[Tree]]:

@@ -68,7 +68,7 @@ class Target(NamedTuple):
     paragraph of the title page, ``tabled``: a table as it stands,
     ``part``: a heading without a number. ``captioned``: a figure and its caption
     are one; ``figure``: what they are instead. ``linked``: places in it have names. ``word``: a word of plain
-    text, with what pandoc does not escape.
+    text, with what pandoc does not escape. ``headed``: the first cell of a row is its head.
     """
 
     name: str
@@ -81,6 +81,7 @@ class Target(NamedTuple):
     part: Callable[[Tree], list[Tree]] = lambda heading: [heading]
     captioned: bool = True
     linked: bool = True
+    headed: bool = False
     figure: Callable[[Picture, Tree], list[Tree]] | None = None
     word: Callable[[str], list[Tree]] = lambda word: _plain(word)
 
@@ -203,10 +204,16 @@ class _Writer:
                 [None, caption],
                 aligned,
                 [NONE, heads],
-                [[NONE, 0, [], [_row(row) for row in rows]]],
+                [[NONE, self.row_heads(block), [], [_row(row) for row in rows]]],
                 [NONE, []],
             ],
         )
+
+    def row_heads(self, block: Table) -> int:
+        """Return how many cells of a row are its head: none where two rows stand beside one another."""
+        half = len(block.heads) // 2
+        folded = half > 0 and block.heads[:half] == block.heads[half:]
+        return int(self.target.headed and any(block.heads) and not folded)
 
     def cell(self, runs: Sequence[Run]) -> list[Any]:
         inside = [_of("Plain", self.inlines(runs))] if runs else []

@@ -153,8 +153,22 @@ def words_of(author: Author) -> list[str]:
     return [one for one in told if one]
 
 
-def stands_for(text: str, value: float) -> bool:
-    """Whether a number as it is written can be the value: off by half of its last digit at most."""
+def worth_of_a_last_digit(made: DrawnScene, one: Number) -> float:
+    """What half a hundredth of a mm stands for in a column of quantities; 0 for any other number.
+
+    Such a quantity is told as its mm give it, which have two decimals;
+    a quarter thousandth for the digits of μ.
+    """
+    if one.source.kind != "column" or one.source.factor == 0:
+        return 0.0
+    drawn = next(board for board in made.boards if board.board == one.source.board)
+    mm = _of_column(drawn, one.source._replace(factor=0))
+    value = _of_column(drawn, one.source)
+    return abs(value) * (0.005 / abs(mm) + 2.5e-4) if np.isfinite(mm) and mm else 0.0
+
+
+def stands_for(text: str, value: float, more: float = 0.0) -> bool:
+    """Whether a number as it is written can be the value: off by half of its last digit, and ``more``."""
     plain = text.replace("−", "-").replace(",", ".")
     found = re.fullmatch(r"(-?\d+(?:\.(\d+))?)(?:·10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+))?", plain)
     if found is None:
@@ -165,7 +179,7 @@ def stands_for(text: str, value: float) -> bool:
     half = 0.5 * 10.0 ** (power - decimals)
     if not decimals and digits > 4:  # figures of five digits and more are written whole
         half = max(half, 0.5 * 10.0 ** (digits - 4))
-    return abs(float(found[1]) * 10.0**power - value) <= half * (1 + 1e-6)
+    return abs(float(found[1]) * 10.0**power - value) <= (half + more) * (1 + 1e-6)
 
 
 def parts(docx: bytes) -> dict[str, bytes]:
@@ -188,4 +202,5 @@ __all__ = [
     "spoken",
     "stands_for",
     "words_of",
+    "worth_of_a_last_digit",
 ]

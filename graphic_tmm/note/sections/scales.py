@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.captions import captions
+from graphic_tmm.captions import captions, view_name
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.language.catalogue import speaking
@@ -42,10 +42,14 @@ def _chosen(drawn: Drawn, language: str, known: Known) -> Iterator[Block]:
     found = choices(drawn)
     if found.construction.steps:
         reading = execute(found.construction, found.given)
-        board = f"{SCALES} {drawn.board}"
         yield from protocol_blocks(
-            Told(board, found.construction, reading, SCALES, 0, language), known=known
+            Told(_aside(drawn), found.construction, reading, SCALES, 0, language), known=known
         )
+
+
+def _aside(drawn: Drawn) -> str:
+    """Return what the choice of a board's scale factors is called as a source of numbers."""
+    return f"{SCALES} {drawn.board}"
 
 
 def _rows(drawn: Drawn, language: str) -> Iterator[tuple[Runs, ...]]:
@@ -54,3 +58,10 @@ def _rows(drawn: Drawn, language: str) -> Iterator[tuple[Runs, ...]]:
         told = Number(number(scale.value, language), "", source, scale.value)
         name, of = title_of(drawn.project, view, language), text(unit(scale.unit, language))
         yield text(name), (Symbol(symbol(scale.symbol, language)),), (told,), of
+    found = choices(drawn)
+    for view, letter in found.beside:
+        slot = str(found.beside[view, letter].slot)
+        scale, source = found.scale(view, letter), Source("mark", _aside(drawn), slot)
+        told = Number(number(scale.value, language), "", source, scale.value)
+        name, of = view_name(view, language), text(unit(scale.unit, language))
+        yield text(name), (Symbol(symbol(letter, language)),), (told,), of
