@@ -138,8 +138,8 @@ class FlywheelPage(Page):
 
     def _compared(self) -> Iterator[Block]:
         """The mean moment, its power, the excess work, both moments of inertia beside one another."""
-        yield heading(self._(words.SECOND))
         own = self.beside
+        yield heading(self._(words.POWER if own.apart is None else words.SECOND))
         yield from self.calculation(own.moment, own.power, own.excess, own.apart)
 
     def _rim(self) -> Iterator[Block]:

@@ -46,4 +46,5 @@ LIMIT = said(
 MADE = said(
     "Made in whole millimetres the rim has other sizes than those calculated; what it does then:"
 )
-SECOND = said("Mean moment, power; the two methods")
+POWER = said("Mean moment, power, excess work")
+SECOND = said("Mean moment, power, excess work; the two methods")
