@@ -113,6 +113,12 @@ BEGINNINGS = (
         said("disc cam with a roller: diagrams, least radius, profile"),
         said("Cam mechanism"),
     ),
+    Beginning(
+        "arc-cam",
+        "arc-cam",
+        said("cam of base circle, flanks and nose: what its follower does"),
+        said("Cam given by arcs"),
+    ),
 )
 
 

@@ -18,6 +18,7 @@ from graphic_tmm.chapters.cam.beside import VIEW as CALCULATED
 from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
+from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
 from graphic_tmm.chapters.cam.note_page import Page
 from graphic_tmm.chapters.cam.plan import CAM
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
@@ -46,6 +47,7 @@ class _Page(Page):
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told of a cam, in the order in which it is drawn."""
+        yield from self.drawn_as(SCHEME)
         yield heading(self.speech(words.LAW))
         yield from self._law()
         yield from self._centres()

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.chapters.cam.views import cam_views
+from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -55,7 +55,9 @@ class Page:
         rise = made.diagrams.turn.rise
         self.at = rise.first + max(1, round(rise.parts / 4))
         self.position = drawn.names[self.at]
-        shown = [one for one in cam_views(in_hand(drawn), True) if is_figure(one)]
+        held = in_hand(drawn)
+        drawings = [*scheme_views(held, True), *cam_views(held, True)]
+        shown = [one for one in drawings if is_figure(one)]
         self.figures = {one.name: picture(one, language) for one in shown}
 
     def says(self, told: str, put: Mapping[str, Run] | None = None) -> Paragraph:

@@ -16,6 +16,7 @@ from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_graphs import RULES
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
+from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
@@ -50,6 +51,20 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         result_table(PLAN, rows, names, language, upright=True, heights=heights(drawn.scene, PLAN)),
         _results(drawn),
     ]
+
+
+def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the mechanism's scheme in one position."""
+    made, language = CAM.on(drawn), drawn.scene.language
+    pressure, high = "", heights(drawn.scene, PLAN)
+    if made.pressure is not None and not isinstance(made.centre, Convexity):
+        angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
+        pressure = f"α = {fixed(abs(float(angle)), 1, language)}°"
+    told = SchemeNames(pressure, f"r_{{0}} = {_mm(drawn, made.r0)}")
+    title = captions(language)["cam scheme"]
+    on = (drawn.construction, drawn.reading, made)
+    view = finished(draw_scheme_ink(*on, told, title, high), lettered)
+    return [captioned(view, title, _lengths(drawn, made), heights=high)]
 
 
 def _one(drawn: Drawn, mark: Mark) -> float:

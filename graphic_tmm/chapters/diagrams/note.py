@@ -116,12 +116,7 @@ class _Page:
         }
         way = words.FROM_VELOCITIES if self.first == "V" else words.FROM_POSITIONS
         yield self._says(way, put)
-        step = next(
-            s
-            for s in told.log.steps
-            if s.it.view == chart.view and s.it.letter == f"y_{chart.symbol}"
-        )
-        yield from self._shown(told, step.it)
+        yield from self._shown(told, self.made.laid)
         yield self._says(words.SMOOTH)
 
     def _derived(self, chart: Chart) -> Iterator[Block]:
@@ -230,15 +225,11 @@ class _Page:
 
     def _list(self, steps: Sequence[str], source: Chart, chart: Chart) -> Block:
         """Return how a diagram is drawn, step by step; of a second one that it is drawn alike."""
-        own = self._of(chart.view)
-        pole = self._pole_of(own, chart) if own is not None else None
+        told, pole = self._of(chart.view), self.made.poles[chart.symbol]
         put: dict[str, Run] = {
             "given": self._quantity(source),
             "of": self._quantity(chart),
-            "pole": Symbol(f"H_{chart.symbol}")
-            if pole is None or own is None
-            else own.symbol(pole),
-            "distance": Text("") if pole is None or own is None else own.number(pole, unit=True),
+            "distance": told.number(pole, unit=True) if told is not None else Text(""),
         }
         if steps in self.told:
             return self._says(words.ALIKE, put)
@@ -248,13 +239,8 @@ class _Page:
     def _pole(self, told: Told, chart: Chart) -> Iterator[Block]:
         """Yield how the pole distance follows from the scale factors, or one of these from it."""
         for step in told.log.steps:
-            if step.it in (chart.mu, self._pole_of(told, chart)):
+            if step.it in (chart.mu, self.made.poles[chart.symbol]):
                 yield from self._shown(told._replace(view=step.it.view), step.it)
-
-    def _pole_of(self, told: Told | None, chart: Chart) -> Mark | None:
-        """Return the distance of the pole by which a diagram was found."""
-        marks = (*self.drawn.construction.given, *(s.it for s in self.drawn.construction.steps))
-        return next((one for one in marks if one.letter == f"H_{chart.symbol}"), None)
 
     def _shown(self, told: Told, mark: Mark) -> Iterator[Block]:
         """Yield the calculation of a mark as a formula on a line of its own."""

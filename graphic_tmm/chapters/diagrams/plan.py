@@ -53,13 +53,17 @@ class Kinematic:
     """The diagrams as drawn: their base, charts by quantity, and what the plans read of the same quantities.
 
     ``planned``: for V and a, the reading of the plan along the guide with its sign (Length), by quantity.
-    ``middles``: of each diagram found by chords, its axes and the points over the middles of the intervals.
+    ``laid``: the length laid off in the diagram that is taken from the plans (Length); ``poles``: the distance
+    of the pole by which each other one was found (Length). ``middles``: of each diagram found by chords, its
+    axes and the points over the middles of the intervals.
     """
 
     order: KinematicTask
     base: Base
     charts: dict[str, Chart]
     planned: dict[str, Mark]
+    laid: Mark
+    poles: dict[str, Mark]
     middles: dict[str, tuple[Axes, Middles]]
 
     @property
@@ -69,13 +73,25 @@ class Kinematic:
 
 
 class _Derived(NamedTuple):
-    """A diagram found by differentiation: as users see it, its axes, points, curve, points over the middles."""
+    """A diagram found from another: as users see it, the distance of its pole; axes, points, curve.
+
+    ``middles``: the points over the middles of the intervals, of one found by chords.
+    """
 
     chart: Chart
+    distance: Mark
     axes: Axes
     at: Boundaries
     curve: Mark
-    middles: Middles | None
+    middles: Middles | None = None
+
+
+class _Found(NamedTuple):
+    """The diagrams by quantity, the length laid off in the first, those found from others."""
+
+    charts: dict[str, Chart]
+    laid: Mark
+    derived: tuple[_Derived, ...]
 
 
 DIAGRAMS: Made[Kinematic] = Made("diagrams")
@@ -103,17 +119,22 @@ def record(bench: Bench) -> Kinematic | None:
     if accelerations is not None and leg.link in accelerations.readings:
         planned["a"] = accelerations.readings[leg.link]
     if order.start == "displacement":
-        charts, found = _from_displacement(draft, positions, leg, base, order)
+        found = _from_displacement(draft, positions, leg, base, order)
     else:
-        charts, found = _from_velocity(draft, velocities, leg, base, order)
+        found = _from_velocity(draft, velocities, leg, base, order)
     # a derivative by the angle is no velocity: there is nothing to compare it with
     alike = {
-        symbol: mark for symbol, mark in planned.items() if charts[symbol].unit == UNITS[symbol]
+        symbol: mark
+        for symbol, mark in planned.items()
+        if found.charts[symbol].unit == UNITS[symbol]
     }
+    poles = {one.chart.symbol: one.distance for one in found.derived}
     middles = {
-        one.chart.symbol: (one.axes, one.middles) for one in found if one.middles is not None
+        one.chart.symbol: (one.axes, one.middles)
+        for one in found.derived
+        if one.middles is not None
     }
-    return Kinematic(order, base, charts, alike, middles)
+    return Kinematic(order, base, found.charts, alike, found.laid, poles, middles)
 
 
 def sliding_leg(
@@ -190,7 +211,7 @@ def _base(
 
 def _from_displacement(
     draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicTask
-) -> tuple[dict[str, Chart], tuple[_Derived, ...]]:
+) -> _Found:
     point = positions.point(order.point)
     draft.open(POSITIONS)
     start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
@@ -204,12 +225,13 @@ def _from_displacement(
     curve = graphs.through(draft, axes, at)
     speeds = _derivative(draft, "V", axes, at, curve, order)
     rates = _derivative(draft, "a", speeds.axes, speeds.at, speeds.curve, order)
-    return {**charts, "V": speeds.chart, "a": rates.chart}, (speeds, rates)
+    charts |= {"V": speeds.chart, "a": rates.chart}
+    return _Found(charts, length, (speeds, rates))
 
 
 def _from_velocity(
     draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicTask
-) -> tuple[dict[str, Chart], tuple[_Derived, ...]]:
+) -> _Found:
     draft.open(VIEWS["V"])
     mu = draft.scale("μ_V", "(m/s)/mm")
     length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
@@ -219,9 +241,10 @@ def _from_velocity(
     curve = graphs.through(draft, axes, at)
     rates = _derivative(draft, "a", axes, at, curve, order)
     charts["a"] = rates.chart
-    if order.integral == "drawn":
-        charts = {"S": _integral(draft, axes, curve, order), **charts}
-    return charts, (rates,)
+    if order.integral != "drawn":
+        return _Found(charts, length, (rates,))
+    ways = _integral(draft, axes, curve, order)
+    return _Found({"S": ways.chart, **charts}, length, (ways, rates))
 
 
 def _derivative(
@@ -244,10 +267,10 @@ def _derivative(
         found = graphs.through(draft, axes, middles)
         points = graphs.on_curve(draft, axes, found, letter)
     chart = _chart(draft, symbol, axes, points, scaled.chosen, order)
-    return _Derived(chart, axes, points, found, middles)
+    return _Derived(chart, scaled.distance, axes, points, found, middles)
 
 
-def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> Chart:
+def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> _Derived:
     """Integrate the velocities once; the pole stands left of their origin."""
     draft.open(VIEWS["S"])
     scaled: Scaled = integrated_scale(
@@ -260,7 +283,7 @@ def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> 
     at = graphs.on_curve(draft, axes, found, "s")
     chart = _chart(draft, "S", axes, at, scaled.chosen, order)
     end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up, why=why.END_OF_INTEGRAL)
-    return chart._replace(end=end)
+    return _Derived(chart._replace(end=end), scaled.distance, axes, at, found)
 
 
 def _chart(
