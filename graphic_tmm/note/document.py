@@ -57,14 +57,15 @@ class Tree(NamedTuple):
 class Formula(NamedTuple):
     """Sides one after another with the sign between them; ``behind`` follows after a comma.
 
-    ``follows``: it goes on with the formula before it, so that it begins with the sign. ``flat``: it stands
-    among words, fractions with a stroke.
+    ``follows``: it goes on with the formula before it, so that it begins with ``lead``, or with the sign if
+    that is "". ``flat``: it stands among words, fractions with a stroke.
     """
 
     sides: tuple[Leaf | Tree, ...]
     sign: str = "="
     behind: tuple[Symbol, ...] = ()
     follows: bool = False
+    lead: str = ""
     flat: bool = False
 
 

@@ -15,7 +15,6 @@ from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
 from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
-from graphic_tmm.board.values import Number as BoardNumber
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
@@ -30,7 +29,7 @@ from graphic_tmm.note.document import (
     Text,
     Tree,
 )
-from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase
+from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase, worth
 
 PLAIN = (to_board, rescaled, in_si, on_lever, moment)
 """Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
@@ -146,7 +145,7 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
     """
     if step.op.proportion:
         return _proportion(told, step)
-    if not (step.op.reads or step.op.formula or step.op.leaves is BoardNumber):
+    if not worth(step):
         return None
     it = told.symbol(step.it)
     result = told.number(step.it, unit=True)
@@ -160,6 +159,11 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
     letters = Tree(node, {name: told.leaf(mark) for name, mark in marks.items()})
     figures = Tree(node, {name: told.number(mark) for name, mark in marks.items()})
     sides: list[Leaf | Tree] = [it, letters, figures, result]
+    if it in letters.put.values():  # one letter on both sides says nothing
+        sides.remove(letters)
+    if node.head == "±":
+        apart = {name: told.number(mark, unit=True) for name, mark in marks.items()}
+        return Formula((it, Tree(node, apart)))
     if isinstance(only := _alone(figures), Number) and only.text == result.text:
         sides.remove(figures)
     return Formula(tuple(sides))

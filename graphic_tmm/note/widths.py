@@ -35,7 +35,7 @@ def broken(one: Formula) -> tuple[Formula, ...]:
             lines.append(Formula((first,), one.sign, follows=k > 0))
             room = WIDE - needed
         for sign, more in rest:
-            lines.append(Formula((more,), sign, follows=True))
+            lines.append(Formula((more,), one.sign, follows=True, lead=sign))
             room = WIDE - width(more) - SIGN
     lines[-1] = lines[-1]._replace(behind=one.behind)
     return tuple(lines)
