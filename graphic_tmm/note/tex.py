@@ -83,6 +83,8 @@ _WORD = re.compile("[–\u0400-\u04ff-]")
 _NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
 _RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
 
+_LEADS = {"−": "-", "±": r"\pm"}
+"""Signs with which a line goes on with a sum."""
 BEGUN = {"open": ("(", ""), "close": ("", ")"), "inner": ("", "")}
 """Parts of a bracket over several lines: its first, its last (which may be divided), those between."""
 
@@ -120,6 +122,8 @@ class _Writer:
         self.language, self.put = language, put
         self.flat = False
         """Fractions are written in a line: the formula stands among words."""
+        self.signed = False
+        """A sign stands before what is written now."""
 
     def told(self, one: Formula | Tree | Leaf) -> str:
         if isinstance(one, Symbol):
@@ -132,12 +136,15 @@ class _Writer:
         self.flat = one.flat
         found = sign.join(self.told(side) for side in one.sides)
         if one.follows:
-            found = f"{sign.strip()} {found}"
+            lead = _LEADS.get(one.lead, one.lead) or sign
+            found = f"{lead.strip()} {found}"
         return found + "".join(rf",\quad {self.told(more)}" for more in one.behind)
 
     # ------------------------------------------------------------ letters
 
     def markup(self, told: str) -> str:
+        if told.startswith("inv "):
+            return rf"\mathrm{{inv}}\, {self.markup(told[4:])}"
         return self._nodes(markup.parse_markup(indexed(told)), False).strip()
 
     def _nodes(self, nodes: Iterable[Ink], index: bool) -> str:
@@ -195,9 +202,11 @@ class _Writer:
         if node.head in ("+", "−", "±"):
             left, right = node.parts
             sign = {"+": " + ", "−": " - ", "±": r" \pm "}[node.head]
-            return (
-                self.tree(left, put) + sign + self._within(right, put, ("+", "−", "±"), first=False)
-            )
+            before = self.tree(left, put)
+            self.signed = True
+            behind = self._within(right, put, ("+", "−", "±"), first=False)
+            self.signed = False
+            return before + sign + behind
         if node.head == "neg":
             return f"-{self._within(node.parts[0], put, ('+', '−', '±'), first=False)}"
         if node.head == "^":
@@ -253,7 +262,10 @@ class _Writer:
         if len(factors) == 1 and not self.flat:
             return self.tree(factors[0], put)
         loose = ("+", "−", "±", "neg")
-        told = [self._within(one, put, loose, first=not k) for k, one in enumerate(factors)]
+        begun, self.signed = not self.signed, False
+        told = [
+            self._within(one, put, loose, first=begun and not k) for k, one in enumerate(factors)
+        ]
         return r" \cdot ".join(told)
 
     def _below(self, node: Node, put: Mapping[str, Leaf]) -> str:

@@ -24,6 +24,7 @@ CASES = ROOT / "tests" / "cases"
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
 EVERYDAY = (
+    "arc-cam",
     "cam",
     "crank-press",
     "crank-rocker",

@@ -13,6 +13,7 @@ CAPTIONS: dict[str, str] = {
     "diagram V": said("Velocity diagram of {point}"),
     "diagram a": said("Acceleration diagram of {point}"),
     "diagrams-calculation": said("Time of a turn, places on the base"),
+    "view base": said("Base of the diagrams"),
     "table diagrams": said("Diagrams and plans"),
     "V_plan": said("V_{pl}"),
     "a_plan": said("a_{pl}"),

@@ -143,7 +143,7 @@ def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles
                 assert turns == pytest.approx(np.sign(value(couple).real) * rho)
                 touching.add(one.of)
     assert len(rounds) == 5  # O, A of the crank; A, B of the rod, B of the ram
-    assert len(touching) == 2  # in the group the circles lie under the signs of the pins
+    assert len(touching) == 4  # at both ends of the crank and of the rod
 
 
 @pytest.mark.parametrize(
