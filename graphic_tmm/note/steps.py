@@ -13,7 +13,6 @@ from graphic_tmm.board.formula_text import Node, tree_of
 from graphic_tmm.board.functions import FUNCTIONS
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
-from graphic_tmm.board.values import Number as BoardNumber
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
@@ -28,7 +27,7 @@ from graphic_tmm.note.document import (
     Text,
     Tree,
 )
-from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase
+from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase, worth
 
 LEAST = 3
 """A formula has so many sides at least where its letters and its figures differ."""
@@ -141,7 +140,7 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
     """
     if step.op.proportion:
         return _proportion(told, step)
-    if not (step.op.reads or step.op.formula or step.op.leaves is BoardNumber):
+    if not worth(step):
         return None
     it = told.symbol(step.it)
     result = told.number(step.it, unit=True)
@@ -155,6 +154,11 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
     letters = Tree(node, {name: told.leaf(mark) for name, mark in marks.items()})
     figures = Tree(node, {name: told.number(mark) for name, mark in marks.items()})
     sides: list[Leaf | Tree] = [it, letters, figures, result]
+    if it in letters.put.values():  # one letter on both sides says nothing
+        sides.remove(letters)
+    if node.head == "±":
+        apart = {name: told.number(mark, unit=True) for name, mark in marks.items()}
+        return Formula((it, Tree(node, apart)))
     if isinstance(only := _alone(figures), Number) and only.text == result.text:
         sides.remove(figures)
     if it.markup.endswith("/2") and node.head == "/" and len(sides) > LEAST:

@@ -94,7 +94,10 @@ def given_table(drawn: Drawn, language: str) -> Table | None:
     told: list[tuple[Runs, ...]] = []
     for row in rows:
         word = words.get(row.symbol)
-        called: Runs = text(word) if word else (Symbol(markup(symbol(row.symbol, language))),)
+        letter = word or row.symbol
+        called: Runs = text(letter)
+        if not word or "_" in word:
+            called = (Symbol(markup(symbol(letter, language))),)
         value: Runs
         if isinstance(row.value, str):
             value = text(words.get(row.value, row.value))
