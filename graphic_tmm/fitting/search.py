@@ -34,6 +34,8 @@ WAY = (0.93, 0.87, 0.81, 0.75, 0.7, 0.65, 0.6)
 """The shares of their sizes at which plans give way to save a sheet."""
 OVER = (1.03, 1.3)
 """What is lifted takes no more than so many times its share of a sheet: first, and where there is room left."""
+IDLE = 8
+"""After so many steps in a row that make no view larger a size is left as it was: nothing is drawn in it."""
 
 
 class Search:
@@ -184,7 +186,19 @@ class Search:
                     names.remove(name)
                 else:
                     steps.append(larger)
+                    if self._idle(name, steps):
+                        del steps[-IDLE:]
+                        free.remove(name)
+                        names.remove(name)
         return steps
+
+    def _idle(self, name: str, steps: Sequence[Sizes]) -> bool:
+        """Whether the last steps lifted one size alone, and no view is larger for it."""
+        if len(steps) <= IDLE:
+            return False
+        before, last = steps[-1 - IDLE], steps[-1]
+        alone = last == {**before, name: last[name]}
+        return alone and self._share(name, last) == self._share(name, before)
 
     def _share(self, name: str, sizes: Sizes) -> float:
         """Return what a size takes of what it may take of its sheets."""

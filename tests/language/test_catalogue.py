@@ -36,6 +36,7 @@ RUSSIAN_BY_NATURE = {
     "scene/values.py": "input: Russian synonyms of choices",
     "scene/letters.py": "input: letters of points may be Cyrillic; which of them look alike",
     "scene/syntax.py": "a message quotes a Cyrillic key as an example",
+    "scene/author.py": "input: Russian synonyms of choices; examples of an author's words",
     "scene/drawing.py": "input: Russian synonyms of choices; the example of a title",
     "scene/mechanism.py": "input: Russian synonyms of choices",
     "chapters/diagrams/task.py": "input: Russian synonyms of choices",
@@ -187,3 +188,13 @@ def test_a_unit_is_made_of_base_units_each_with_its_name() -> None:
     assert unit("1/s²", "ru") == "с⁻²"
     assert unit("furlong", "ru") == "furlong"
     assert all(not re.search("[A-Za-z]", unit(name, "ru")) for name in BASE)
+
+
+def test_a_figure_that_a_sentence_rounds_has_the_sign_of_the_language() -> None:
+    """What is to be written into a scene is text already, and stays so."""
+    told = said(
+        '{x:.2f} mm, {n} of {k:.0f}: write mu_l = "{value}"', x=1.5, n=2, k=3.0, value="0.01 m/mm"
+    )
+    for language in languages():
+        sign = decimal_sign(language)
+        assert speaking(language)(told) == f'1{sign}50 mm, 2 of 3: write mu_l = "0.01 m/mm"'

@@ -22,6 +22,7 @@ from graphic_tmm.note.note import note, wanted
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
+from graphic_tmm.scene.author import Author
 from graphic_tmm.studio import make
 from support.gallery import scene
 
@@ -142,6 +143,16 @@ def _of_given(drawn: Drawn, source: Source) -> float:
     return float(found[0])
 
 
+def words_of(author: Author) -> list[str]:
+    """All that the author of a note says, text by text."""
+    told: list[str] = []
+    for value in vars(author).values():
+        several = value.values() if isinstance(value, Mapping) else [value]
+        for one in several:
+            told += [one] if isinstance(one, str) else [*(one if isinstance(one, tuple) else ())]
+    return [one for one in told if one]
+
+
 def worth_of_a_last_digit(made: DrawnScene, one: Number) -> float:
     """What half a hundredth of a mm stands for in a column of quantities; 0 for any other number.
 
@@ -190,5 +201,6 @@ __all__ = [
     "parts",
     "spoken",
     "stands_for",
+    "words_of",
     "worth_of_a_last_digit",
 ]

@@ -26,6 +26,7 @@ CAPTIONS: dict[str, str] = {
     "cam integration": said("Integration of the acceleration"),
     "cam centre": said("Region of centres of the cam"),
     "cam profile": said("Profile of the cam"),
+    "cam scheme": said("Scheme of the cam mechanism"),
     "cam-calculation": said("Calculation of the cam"),
     "symbol cam S": said("S"),
     "symbol cam dS": said("S′"),

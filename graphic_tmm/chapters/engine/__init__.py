@@ -39,7 +39,13 @@ from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
-from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views
+from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
+from graphic_tmm.chapters.engine.views import (
+    TRANSFER_PLACE,
+    engine_diagram_views,
+    engine_views,
+    transfer_views,
+)
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -70,7 +76,7 @@ def _views(project: Project) -> dict[str, list[str]]:
     charts = [chart.view for chart in ENGINE.on(project).charts]
     cylinder = INDICATOR.on(project)
     own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE.chapter else []
-    return {ENGINE.chapter: [*own, VIEW, HARMONICS, *charts, CALCULATED]}
+    return {ENGINE.chapter: [*own, VIEW, TRANSFER, HARMONICS, *charts, CALCULATED]}
 
 
 CHAPTER = Chapter(
@@ -81,6 +87,13 @@ CHAPTER = Chapter(
     places=(
         Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes),
         Place(
+            TRANSFER_PLACE,
+            0,
+            transfer_views,
+            follows=(POSITIONS,),
+            sizes=lambda scene, view: (TRANSFER, POSITIONS),
+        ),
+        Place(
             "engine diagrams",
             71,
             engine_diagram_views,
@@ -88,7 +101,11 @@ CHAPTER = Chapter(
             sizes=lambda scene, view: (GRAPHS,),
         ),
     ),
-    sizes=(GRAPH, Size("engine", least=0.5, small=0.7, cap=0.4)),
+    sizes=(
+        GRAPH,
+        Size("engine", least=0.5, small=0.7, cap=0.4),
+        Size(TRANSFER, least=0.5, small=0.7),
+    ),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,

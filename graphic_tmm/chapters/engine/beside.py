@@ -22,8 +22,9 @@ from graphic_tmm.board.operations.instruments import measure, measure_along, squ
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapter import Made, aside
-from graphic_tmm.chapters.engine.formulas import KGF, in_kgf
+from graphic_tmm.chapters.engine.formulas import KGF, in_kgf, moment_of_rod
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
+from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Side
 from graphic_tmm.language.said import said
@@ -109,16 +110,6 @@ def radial_force(force: Number, part: Length, crank: Length, rod: Length, along:
     """{force}·{part}/{crank}·{rod}/{along}"""
 
 
-@formula(
-    why=said(
-        "Q on the crank pin and −Q on the bearing are a couple with the arm R·sin(φ + β), here {arm}: its "
-        "moment is that of the tangential force."
-    )
-)
-def moment_of_rod(force: Number, arm: Length, mu_l: Number) -> Number:
-    """{force}·{arm}·{mu_l}"""
-
-
 @formula(why=said("The mean moment times the angle of a turn, 2π, is the work of the turn."))
 def work_of_turn(moment: Number) -> Number:
     """2π·{moment}"""
@@ -158,12 +149,14 @@ class Beside(NamedTuple):
     """Marks (Number; angles in degrees).
 
     ``beta``: of the rod with the guide; ``checks``: N, Q, T, K and M by the formulas, by what they check;
-    ``works``: of T and of P over a turn (J, or kgf·m) and by how much they differ, %.
+    ``works``: of T and of P over a turn (J, or kgf·m) and by how much they differ, %. ``transfer``: the figure
+    of all forces.
     """
 
     beta: Mark
     checks: Mapping[str, Mark]
     works: tuple[Mark, Mark, Mark]
+    transfer: Transfer
 
 
 BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
@@ -172,11 +165,12 @@ BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of an engine's forces does not need."""
     made, draft, machine = ENGINE.on(bench), bench.draft, machine_of(bench)
+    transfer = draw_transfer(draft, made, machine)
     draft.open(CALCULATED)
     plan = _measure(draft, made, machine)
     checks = _checks(draft, made, plan)
     works = _works(draft, made, INDICATOR.on(bench), machine.count)
-    return Beside(draft.draw(slope_of_rod, "β", plan.height, plan.along), checks, works)
+    return Beside(draft.draw(slope_of_rod, "β", plan.height, plan.along), checks, works, transfer)
 
 
 def _measure(draft: Draft, made: Engine, machine: Machine) -> _Plan:
@@ -218,7 +212,8 @@ def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[
     mean = draft.draw(mean_of_row, "M_m", part, unit=of, row=count)
     turning = draft.draw(work_of_turn, "A_T", mean, unit=of)
     stroke = draft.draw(in_si, "S", cylinder.indicator.stroke, draft.mu_l, unit="m")
-    gas, *others = [_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides]
+    found = (_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides)
+    gas, *others = (work for work in found if work is not None)
     for one in others:
         gas = draft.draw(added, "A_P" if made.order.unit == "N" else "A_P′", gas, one, unit="J")
     if made.order.unit == "kgf":
@@ -226,8 +221,10 @@ def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[
     return turning, gas, draft.draw(works_apart, "Δ_A", turning, gas, unit="%")
 
 
-def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark:
-    """Calculate the work that the gas of one side does in a turn, by its mean pressure."""
+def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark | None:
+    """Calculate the work that the gas of one side does in a turn, by its mean pressure; None if none."""
+    if side.mean is None:
+        return None
     letter = side.force.letter[-1]
     sign = draft.take(Number, f"σ_{letter}", _sense(draft, cylinder, side))
     uses = (sign, side.mean, draft.uses(side.force)[1], stroke)

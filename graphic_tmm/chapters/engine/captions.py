@@ -6,6 +6,7 @@ from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
     "engine": said("Forces of the crank mechanism"),
+    "engine-148": said("Transfer of forces in the crank mechanism"),
     "harmonics": said("Rotating vectors of the inertia force"),
     "engine-calculation": said("Checks of the triangles, works over a turn"),
     "engine beta": "β",

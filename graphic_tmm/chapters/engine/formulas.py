@@ -136,3 +136,13 @@ def in_kgf(force: Number, unit: Number) -> Number:
 )
 def couple_of(force: Number, distance: Length, mu_l: Number) -> Number:
     """{force}·{distance}·{mu_l}"""
+
+
+@formula(
+    why=said(
+        "Q on the crank pin and −Q on the bearing are a couple with the arm R·sin(φ + β), here {arm}: its "
+        "moment is that of the tangential force."
+    )
+)
+def moment_of_rod(force: Number, arm: Length, mu_l: Number) -> Number:
+    """{force}·{arm}·{mu_l}"""

@@ -53,7 +53,7 @@ from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, TURNS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.language.catalogue import speaking
@@ -74,7 +74,8 @@ def _needs(scene: Scene) -> dict[str, object]:
     gas = order.indicator if order is not None else None
     if gas is None:
         return {VELOCITIES: True, FORCES.chapter: True}
-    return {VELOCITIES: True, INDICATOR.chapter: Wish(3, FLYWHEEL.chapter, gas)}
+    wish = Wish(3, FLYWHEEL.chapter, gas)
+    return {VELOCITIES: True, INDICATOR.chapter: wish, TURNS: gas.turns}
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:

@@ -65,7 +65,8 @@ def results_for(drawn: Drawn, made: Flywheel, beside: Beside) -> Results:
         marks |= {"D_max": rim.limit, "D_e": rim.outer, "D_i": rim.inner, "D_mean": rim.mean}
         marks |= {"rim_mass": rim.mass, "rim_width": rim.width}
     for side in made.indicator.sides if made.indicator is not None else ():
-        marks[f"p_mean_{side.name}"] = side.mean
+        if side.mean is not None:
+            marks[f"p_mean_{side.name}"] = side.mean
     if beside.apart is not None:
         marks["J_apart"] = beside.apart
     marks |= {"M_mean": beside.moment, "power": beside.power}
