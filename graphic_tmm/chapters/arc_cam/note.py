@@ -19,7 +19,7 @@ from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.note.bricks import at_position, columns, filled, heading, referred
+from graphic_tmm.note.bricks import columns, filled, heading, referred
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -32,6 +32,7 @@ from graphic_tmm.note.document import (
     Text,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.plans import at_position
 from graphic_tmm.note.steps import Told, calculated
 
 

@@ -13,7 +13,7 @@ from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
-from graphic_tmm.note.bricks import at_position, filled, plan, referred
+from graphic_tmm.note.bricks import filled, referred
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -28,6 +28,7 @@ from graphic_tmm.note.document import (
     Symbol,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.plans import at_position, plan
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.readers.columns import Column

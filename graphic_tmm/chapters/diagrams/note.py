@@ -22,7 +22,6 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol as lettered
 from graphic_tmm.note.bricks import (
-    at_position,
     columns,
     filled,
     greatest,
@@ -45,6 +44,7 @@ from graphic_tmm.note.document import (
     Text,
 )
 from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.plans import at_position
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.readers.told import decimals
 
