@@ -9,6 +9,7 @@ from graphic_tmm.chapters.forces.captions import called
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
+from graphic_tmm.chapters.forces.note_lever import applied, compared
 from graphic_tmm.chapters.forces.note_sums import Kept, sums
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon
@@ -134,17 +135,19 @@ class _Page:
             yield Display(found)
 
     def lever(self) -> Iterator[Block]:
-        """Yield what is told of the lever: its figure, its protocol, its moments, what it comes to."""
-        language = self.language
+        """Yield what is told of the lever: how loads stand on it, its figure, its moments, the comparison."""
+        language, made = self.language, self.made
         yield heading(captions(language)[LEVER])
         shown = self.figures(LEVER)
         if shown:
             yield referred(shown, language)
         told = at_position(self.drawn, LEVER, self.at, language)
         if told is not None:
-            yield from protocol_blocks(told)
+            yield from applied(told, made.lever)
         yield from shown
-        yield from self.moments(iter(lever_rows(self.writer, self.made)))
+        yield from self.moments(iter(lever_rows(self.writer, made)))
+        if told is not None:
+            yield from compared(told, made.difference)
 
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
