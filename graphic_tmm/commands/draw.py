@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -12,7 +11,6 @@ from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
-from graphic_tmm.language.reader import asked
 from graphic_tmm.language.said import said
 
 
@@ -65,11 +63,9 @@ def draw(
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(beside(task.source))
-    language = asked() or task.language
-    spoken = task if language == task.language else replace(task, language=language)
     with waiting(said("choosing scale factors and composing the sheets")):
         made, texts = sheet_files(
-            spoken, wanted, strokes=strokes, given=given, composition=composition
+            task, wanted, strokes=strokes, given=given, composition=composition
         )
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))

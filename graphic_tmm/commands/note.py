@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -11,7 +10,6 @@ from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
-from graphic_tmm.language.reader import asked
 from graphic_tmm.language.said import said
 
 
@@ -49,10 +47,8 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     refuse_missing(wanted)
     task = drawn_by(read_scene(scene, lettered=True), hand, seed)
     given = read_composition(beside(task.source))
-    language = asked() or task.language
-    spoken = task if language == task.language else replace(task, language=language)
     with waiting(said("choosing scale factors and writing the note")):
-        made = make(spoken, wanted=drawn_for(spoken), given=given)
+        made = make(task, wanted=drawn_for(task), given=given)
         texts = note_files(made, f"{scene_name(task.source)}-note", wanted)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))

@@ -10,7 +10,6 @@ from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
-from graphic_tmm.language.reader import asked
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
@@ -58,7 +57,6 @@ def steps(scene: str | None, plan: str, position: str | None, why: bool, exact: 
     with waiting(said("drawing the plans")):
         drawn = make(task, exact=exact)
     chosen = plans() if plan == "all" else (plan,)
-    language = asked() or drawn.scene.language
-    for line in steps_of(drawn, chosen, position, language, why=why):
+    for line in steps_of(drawn, chosen, position, task.language, why=why):
         click.echo(line)
     warn(drawn)

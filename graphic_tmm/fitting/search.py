@@ -225,16 +225,15 @@ class Search:
 
         What no sheet shows is as large as one would draw it to read off its lengths.
         """
-        found: Sizes = usual(self.scene)
-        unseen = [n for n, (_, size) in self.own.items() if not self.rooms.views(n, found)]
+        known: Sizes = usual(self.scene)
+        found = known
         for name, (board, size) in self.own.items():
-            if name in unseen:
-                found = {**found, name: size.unseen or found[name]}
-            elif size.small and size.in_mm:
+            if size.small and size.in_mm:
                 found = {**found, name: size.small}
-                while found[name] < size.usual(self.scene) and board.mm(name, found) < MEASURABLE:
-                    found = {**found, name: min(found[name] * size.step, size.usual(self.scene))}
-        return found
+                while found[name] < known[name] and board.mm(name, found) < MEASURABLE:
+                    found = {**found, name: min(found[name] * size.step, known[name])}
+        unseen = [n for n, (_, size) in self.own.items() if not self.rooms.views(n, found)]
+        return {**found, **{n: self.own[n][1].unseen or known[n] for n in unseen}}
 
     def _held(self, sizes: Sizes) -> Sizes:
         """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""

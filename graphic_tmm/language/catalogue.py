@@ -49,11 +49,24 @@ class Speech:
         return told[form].format(**{key: self._put(value) for key, value in values.items()})
 
     def _put(self, value: Any) -> Any:
+        if isinstance(value, float) and (sign := self(".", context="decimal sign")) != ".":
+            return _Figure(value, sign)
         return self(value) if isinstance(value, Said) else value
 
     def knows(self, text: str, context: str = "") -> bool:
         """Whether the catalogue has a text of its own for this one."""
         return (context, text) in self._texts
+
+
+class _Figure:
+    """A number in a sentence that says how many digits it has: the language's decimal sign stands in it."""
+
+    def __init__(self, value: float, sign: str) -> None:
+        self.value, self.sign = value, sign
+
+    def __format__(self, wanted: str) -> str:
+        told = format(self.value, wanted)
+        return told.replace(".", self.sign) if wanted else told
 
 
 def languages() -> tuple[str, ...]:

@@ -32,8 +32,10 @@ _B, _I, _FLYWHEEL = (
 )
 _C, _S = said("c", context="index: cover side"), said("s", context="index: shaft side")
 _MEAN = said("mean", context="index")
+_ZH = said("Zh", context="index: Zhukovsky")
 _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
-    (r"([PM])_\{bl\}", r"\1_{%s}^{%s}", (_B, said("Zh", context="index: Zhukovsky"))),
+    (r"([PM])_\{bl\}", r"\1_{%s}^{%s}", (_B, _ZH)),
+    (r"μ_\{vl\}", "μ_{v}^{%s}", (_ZH,)),
     (r"([PM])_\{?b\}?(?![a-z])", r"\1_{%s}", (_B,)),
     (r"(?<=[yh]_\{[PM])b(?=[}^])", "%s", (_B,)),
     (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1%s", (_I,)),
@@ -59,7 +61,7 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"(?<=[pPFDdnfhcAσ]_)v(?=0?$)|(?<=[ph]_\{)v(?=,)", "%s", (_S,)),
 )
 """Where a word stands in an index. The log's own letter is left where a language has the same."""
-_NOT_ITS_OWN = frozenset({_C, _S, _MEAN, _WORDS[0][2][1]})
+_NOT_ITS_OWN = frozenset({_C, _S, _MEAN, _ZH})
 """Words for which the log has another letter, so that they are put in English too."""
 _RULES = tuple((re.compile(pattern), put, words) for pattern, put, words in _WORDS)
 

@@ -83,6 +83,8 @@ _WORD = re.compile("[–\u0400-\u04ff-]")
 _NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
 _RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
 
+_LEADS = {"−": "-", "±": r"\pm"}
+"""Signs with which a line goes on with a sum."""
 BEGUN = {"open": ("(", ""), "close": ("", ")"), "inner": ("", "")}
 """Parts of a bracket over several lines: its first, its last (which may be divided), those between."""
 
@@ -120,6 +122,10 @@ class _Writer:
         self.language, self.put = language, put
         self.flat = False
         """Fractions are written in a line: the formula stands among words."""
+        self.signed = False
+        """A sign stands before what is written now."""
+        self.led = False
+        """A sign stands before the line that is written now, which goes on with a sum."""
 
     def told(self, one: Formula | Tree | Leaf) -> str:
         if isinstance(one, Symbol):
@@ -129,15 +135,18 @@ class _Writer:
         if isinstance(one, Tree):
             return self.tree(one.node, one.put)
         sign = _RELATIONS.get(one.sign, f" {one.sign} ")
-        self.flat = one.flat
+        self.flat, self.led = one.flat, bool(one.lead)
         found = sign.join(self.told(side) for side in one.sides)
         if one.follows:
-            found = f"{sign.strip()} {found}"
+            lead = _LEADS.get(one.lead, one.lead) or sign
+            found = f"{lead.strip()} {found}"
         return found + "".join(rf",\quad {self.told(more)}" for more in one.behind)
 
     # ------------------------------------------------------------ letters
 
     def markup(self, told: str) -> str:
+        if told.startswith("inv "):
+            return rf"\mathrm{{inv}}\, {self.markup(told[4:])}"
         return self._nodes(markup.parse_markup(indexed(told)), False).strip()
 
     def _nodes(self, nodes: Iterable[Ink], index: bool) -> str:
@@ -195,9 +204,11 @@ class _Writer:
         if node.head in ("+", "−", "±"):
             left, right = node.parts
             sign = {"+": " + ", "−": " - ", "±": r" \pm "}[node.head]
-            return (
-                self.tree(left, put) + sign + self._within(right, put, ("+", "−", "±"), first=False)
-            )
+            before = self.tree(left, put)
+            self.signed = True
+            behind = self._within(right, put, ("+", "−", "±"), first=False)
+            self.signed = False
+            return before + sign + behind
         if node.head == "neg":
             return f"-{self._within(node.parts[0], put, ('+', '−', '±'), first=False)}"
         if node.head == "^":
@@ -216,7 +227,11 @@ class _Writer:
         if node.head == "π":
             return r"\pi "
         if node.head == "name":
-            return self.told(put[node.word]) if node.word in put else self._text(node.word, False)
+            led, self.led = self.led, False
+            leaf = put.get(node.word, Symbol(node.word))
+            told = self.told(leaf) if node.word in put else self._text(node.word, False)
+            minus = led and isinstance(leaf, Number) and leaf.text.startswith("−")
+            return rf"\left({told}\right)" if minus else told
         degrees = "°" if node.head == "°" else ""
         return self.put(node.word.replace(".", decimal_sign(self.language)) + degrees)
 
@@ -231,7 +246,8 @@ class _Writer:
         told = self.tree(node, put).strip()
         if node.head == "name":
             leaf = put.get(node.word)
-            simple = not (isinstance(leaf, Number) and (leaf.unit or leaf.text.startswith("−")))
+            bare = not isinstance(leaf, Number) or not (leaf.unit or leaf.text.startswith("−"))
+            simple = bare and not _powered(node, put)
             if simple and not (isinstance(leaf, Symbol) and "^" in leaf.markup):
                 return told if not isinstance(leaf, Number) else f"{{{told}}}"
             return rf"{{\left({told}\right)}}"
@@ -246,20 +262,24 @@ class _Writer:
         if not self.flat:
             return rf"\frac{{{self._row(above, put)}}}{{{self._row(below, put)}}}"
         upper, lower = (self._row(row, put) for row in (above, below))
-        return f"{upper}/{lower}" if len(below) == 1 else f"{upper}/({lower})"
+        plain = len(below) == 1 and not _powered(below[0], put)
+        return f"{upper}/{lower}" if plain else f"{upper}/({lower})"
 
     def _row(self, factors: Sequence[Node], put: Mapping[str, Leaf]) -> str:
         """Return factors of a product; one that stands alone above or below a line needs no brackets."""
         if len(factors) == 1 and not self.flat:
             return self.tree(factors[0], put)
         loose = ("+", "−", "±", "neg")
-        told = [self._within(one, put, loose, first=not k) for k, one in enumerate(factors)]
+        begun, self.signed = not self.signed, False
+        told = [
+            self._within(one, put, loose, first=begun and not k) for k, one in enumerate(factors)
+        ]
         return r" \cdot ".join(told)
 
     def _below(self, node: Node, put: Mapping[str, Leaf]) -> str:
-        """Return what stands behind a stroke of a fraction."""
+        """Return what stands behind a stroke of a fraction; a power of ten there would be a factor above it."""
         told = self.tree(node, put)
-        return told if node.head in _LEAVES else f"({told})"
+        return told if node.head in _LEAVES and not _powered(node, put) else f"({told})"
 
     def _within(
         self, node: Node, put: Mapping[str, Leaf], loose: tuple[str, ...], *, first: bool
@@ -310,6 +330,12 @@ def _factors(node: Node, over: bool = False) -> Iterable[tuple[Node, bool]]:
         yield from _factors(node.parts[1], not over)
     else:
         yield node, over
+
+
+def _powered(node: Node, put: Mapping[str, Leaf]) -> bool:
+    """Whether a part is a number with a power of ten, which is a product."""
+    leaf = put.get(node.word) if node.head == "name" else None
+    return isinstance(leaf, Number) and "·10" in leaf.text
 
 
 def _known(c: str) -> bool:

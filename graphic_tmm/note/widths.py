@@ -9,7 +9,7 @@ from graphic_tmm.board.formula_text import Node
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering.markup import plain
 
-WIDE = 68.0
+WIDE = 70.0
 """So many letters stand on a line of a page, brackets and signs among them. Measured on pages of PDF."""
 SMALL = 0.65
 """What a letter of an index takes of one on the line."""
@@ -35,7 +35,7 @@ def broken(one: Formula) -> tuple[Formula, ...]:
             lines.append(Formula((first,), one.sign, follows=k > 0))
             room = WIDE - needed
         for sign, more in rest:
-            lines.append(Formula((more,), sign, follows=True))
+            lines.append(Formula((more,), one.sign, follows=True, lead=sign))
             room = WIDE - width(more) - SIGN
     lines[-1] = lines[-1]._replace(behind=one.behind)
     return tuple(lines)
@@ -149,7 +149,7 @@ def _short(one: Formula) -> bool:
     return sum(width(side) + SIGN for side in one.sides) <= SHORT
 
 
-SHORT = 35.0
+SHORT = 33.0
 """A formula of so many letters at the most takes half a line."""
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 
@@ -18,15 +20,17 @@ _THIRD = 1.0 / 3.0
 def at(controls: Sequence[complex], u: float) -> complex:
     """Return the point of a chain of cubic arcs at ``u``, 0 … the number of arcs."""
     k = min(int(u), len(controls) // 3 - 1)
+    a, b, c, d = controls[3 * k : 3 * k + 4]
     t = u - k
-    return _blossom(controls[3 * k : 3 * k + 4], t, t, t)
+    s = 1.0 - t
+    return complex(s * s * (s * a + 3.0 * t * b) + t * t * (3.0 * s * c + t * d))
 
 
 def nearest(controls: Sequence[complex], spot: complex) -> float:
     """Return where on a chain of cubic arcs the point nearest to ``spot`` stands."""
     arcs = len(controls) // 3
-    tried = [k / _SAMPLES for k in range(arcs * _SAMPLES + 1)]
-    best = min(tried, key=lambda u: abs(at(controls, u) - spot))
+    spots = _sampled(tuple(controls))
+    best = int(np.argmin(np.abs(spots - spot))) / _SAMPLES
     low, high = max(0.0, best - 1 / _SAMPLES), min(float(arcs), best + 1 / _SAMPLES)
     for _ in range(_NARROWINGS):
         u, v = low + _THIRD * (high - low), high - _THIRD * (high - low)
@@ -37,6 +41,12 @@ def nearest(controls: Sequence[complex], spot: complex) -> float:
     return (low + high) / 2
 
 
+@lru_cache(maxsize=64)
+def _sampled(controls: Controls) -> np.ndarray:
+    """Return the points of a chain of cubic arcs at which the nearest is looked for first."""
+    return points(controls, len(controls) // 3 * _SAMPLES + 1)
+
+
 def cut(controls: Sequence[complex], start: float, end: float) -> Controls:
     """Return the part of a chain of cubic arcs between two of its places, run from ``start`` to ``end``."""
     if start > end:
@@ -44,19 +54,24 @@ def cut(controls: Sequence[complex], start: float, end: float) -> Controls:
     made: list[complex] = []
     for k in range(int(start), min(math.ceil(end), len(controls) // 3)):
         arc, u, v = controls[3 * k : 3 * k + 4], max(start - k, 0.0), min(end - k, 1.0)
-        part = [_blossom(arc, *knots) for knots in ((u, u, u), (u, u, v), (u, v, v), (v, v, v))]
+        part = [_blossom(arc, knots) for knots in ((u, u, u), (u, u, v), (u, v, v), (v, v, v))]
         made += part if not made else part[1:]
     return tuple(made)
 
 
 def points(controls: Sequence[complex], count: int) -> np.ndarray:
     """Return ``count`` points along a chain of cubic arcs, evenly by its arcs."""
-    return np.array([at(controls, u) for u in np.linspace(0.0, len(controls) // 3, count)])
+    chain, arcs = np.asarray(controls), len(controls) // 3
+    u = np.linspace(0.0, arcs, count)
+    k = np.minimum(u.astype(int), arcs - 1)
+    a, b, c, d = (chain[3 * k + n] for n in range(4))
+    t = u - k
+    s = 1.0 - t
+    return s * s * (s * a + 3.0 * t * b) + t * t * (3.0 * s * c + t * d)  # type: ignore[no-any-return]
 
 
-def _blossom(arc: Sequence[complex], r: float, s: float, t: float) -> complex:
-    """Return the point that de Casteljau's three rounds of shares leave of an arc."""
-    a, b, c, d = arc
-    a, b, c = a + r * (b - a), b + r * (c - b), c + r * (d - c)
-    a, b = a + s * (b - a), b + s * (c - b)
-    return a + t * (b - a)
+def _blossom(arc: Sequence[complex], knots: tuple[float, float, float]) -> complex:
+    spots = list(arc)
+    for t in knots:
+        spots = [p + t * (q - p) for p, q in pairwise(spots)]
+    return complex(spots[0])

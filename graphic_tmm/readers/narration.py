@@ -10,6 +10,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.captions import captions, view_name
+from graphic_tmm.chapter import chapters
 from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
@@ -146,10 +147,16 @@ _EXTREMES = {
 
 
 def remark(note: str, language: str) -> str:
-    """Return a remark of the log in words: "D: left" is the extreme left position of D."""
+    """Return a remark of the log in words: "D: left" is the extreme left position of D.
+
+    What else a remark is called its chapter says.
+    """
     words = captions(language)
     if f"phase {note}" in words:
         return words[f"phase {note}"]
+    named = (one.called(note, speaking(language)) for one in chapters())
+    if name := next(filter(None, named), ""):
+        return name
     letter, _, way = note.partition(": ")
     return (
         speaking(language)(_EXTREMES[way], point=letter)

@@ -118,7 +118,7 @@ def calculation(
     """
     if step.op.proportion:
         return _proportion(step, reading, place, language)
-    if not (step.op.reads or step.op.formula or step.op.leaves is Number):
+    if not worth(step):
         return ""
     it = spoken(step.it, language)
     if not np.isfinite(_value(reading, step.it, place)):
@@ -132,17 +132,43 @@ def calculation(
         text += "°" if mark.kind is Angle else ""
         return f"({text})" if text.startswith("−") else text
 
-    letters = letters_of(step, lambda mark: spoken(mark, language) or put(mark))
-    numbers = letters_of(step, put)
     formula = step.op.formula
+    letters = letters_of(step, lambda mark: spoken(mark, language) or put(mark))
+    numbers = _closed(formula, letters_of(step, put))
     if summed:
         terms = [spoken(m, language) for m in summed], [put(m) for m in summed]
         formulas = [" + ".join(of) for of in terms]
     else:
         formulas = [formula.format(**letters), formula.format(**numbers)]
+    if not summed and any(spoken(mark, language) == it for mark in step.uses):
+        del formulas[0]  # one letter on both sides says nothing
+    if _APART in formula:
+        return f"{it} = {formulas[-1]} {_unit_of(step.it, language)}".rstrip()
     return " = ".join(dict.fromkeys([it, *formulas, result]))
 
 
+def _closed(formula: str, numbers: dict[str, str]) -> dict[str, str]:
+    """Return numbers, in brackets where a product would come apart: behind a stroke, or raised."""
+    bound = {found[1] or found[2] for found in _BOUND.finditer(formula)}
+    return {
+        name: f"({told})" if name in bound and _POWER in told and told[0] != "(" else told
+        for name, told in numbers.items()
+    }
+
+
+def worth(step: Step) -> bool:
+    """Whether a step has a figure that its sentence has not told: what is taken without a letter it tells."""
+    op = step.op
+    if op.formula or op.reads:
+        return True
+    return op.leaves is Number and all(mark.name for mark in step.uses)
+
+
+_BOUND = re.compile(r"(?<=/)\{(\w+)\}|\{(\w+)\}(?=[²³^])")
+_APART = "±"
+"""What stands before how far a value may be off: it is no sum."""
+_POWER = "·10"
+"""A number with a power of ten is a product."""
 NOTHING = 1e-9
 """A segment that is shorter, mm, is none: nothing is in a proportion to it."""
 _SEGMENT = re.compile(r"\{(\w+)\}\{(\w+)\}")

@@ -168,6 +168,12 @@ class Author:
     introduction: tuple[str, ...] = key(
         PARAGRAPHS, "goes on with the introduction", ["Нож приводит кулисный механизм."], ()
     )
+    task: tuple[str, ...] = key(
+        PARAGRAPHS,
+        "conditions of the task, behind what is given",
+        "Принять длину шатуна равной длине плеча кулисы.",
+        (),
+    )
     remarks: Mapping[str, tuple[str, ...]] = key(
         ByChapter(PARAGRAPHS),
         "what the sections of chapters begin with",

@@ -83,3 +83,32 @@ def test_a_sheet_is_drawn_in_the_language_asked_for(tmp_path: Path) -> None:
     drawn = Path(done.stdout.splitlines()[0]).read_text(encoding="utf-8")
     assert 'lang="ru"' in drawn
     assert "План положений" in drawn
+
+
+@pytest.mark.parametrize(
+    ("arguments", "russian"),
+    [
+        (("table", "crank-rocker", "-l", "ru"), True),
+        (("table", "crank-rocker"), False),
+        (("steps", "crank-rocker", "-p", "scales", "-l", "ru"), True),
+        (("steps", "oscillating-cylinder", "-p", "scales", "-l", "en"), False),
+    ],
+)
+def test_what_is_printed_is_in_the_language_asked_for(
+    arguments: tuple[str, ...], russian: bool
+) -> None:
+    done = invoke(*arguments)
+    assert done.exit_code == 0
+    assert bool(RUSSIAN.search(done.stdout)) == russian
+
+
+def test_steps_tell_the_scale_factors_of_the_sheets_in_that_language(tmp_path: Path) -> None:
+    """Words are wider in one language than in another, so each has scale factors of its own."""
+    for language, mark in (
+        ("ru", r"μ_v = ([\d,]+) \(м/с\)/мм"),
+        ("en", r"μ_v = ([\d.]+) \(m/s\)/mm"),
+    ):
+        assert invoke("draw", "crank-press", "-o", tmp_path, "-l", language).exit_code == 0
+        drawn = set(re.findall(mark, (tmp_path / "crank-press.svg").read_text(encoding="utf-8")))
+        told = invoke("steps", "crank-press", "-p", "scales", "-l", language).stdout
+        assert drawn == set(re.findall(mark, told))

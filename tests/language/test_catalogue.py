@@ -188,3 +188,13 @@ def test_a_unit_is_made_of_base_units_each_with_its_name() -> None:
     assert unit("1/s²", "ru") == "с⁻²"
     assert unit("furlong", "ru") == "furlong"
     assert all(not re.search("[A-Za-z]", unit(name, "ru")) for name in BASE)
+
+
+def test_a_figure_that_a_sentence_rounds_has_the_sign_of_the_language() -> None:
+    """What is to be written into a scene is text already, and stays so."""
+    told = said(
+        '{x:.2f} mm, {n} of {k:.0f}: write mu_l = "{value}"', x=1.5, n=2, k=3.0, value="0.01 m/mm"
+    )
+    for language in languages():
+        sign = decimal_sign(language)
+        assert speaking(language)(told) == f'1{sign}50 mm, 2 of 3: write mu_l = "0.01 m/mm"'

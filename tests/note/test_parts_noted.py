@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from support.gallery import SHEETS
-from support.notes import looked_up, stands_for
+from support.notes import looked_up, stands_for, worth_of_a_last_digit
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.document import Document, Heading, Number, Picture, Table, Text, numbers, walk
@@ -46,17 +46,12 @@ def told(path: Path, scene: str) -> tuple[DrawnScene, Document]:
     return made, note(made)
 
 
-EDGE = 2e-3
-"""Of a table's quantity, which on the edge between two figures is what mm and μ give as they are written."""
-
-
 def wrong(made: DrawnScene, document: Document) -> list[Number]:
-    found = []
-    for one in numbers(document):
-        slack = EDGE if one.source.kind == "column" else 1e-6
-        if not stands_for(one.text, looked_up(made, one), slack):
-            found.append(one)
-    return found
+    return [
+        one
+        for one in numbers(document)
+        if not stands_for(one.text, looked_up(made, one), worth_of_a_last_digit(made, one))
+    ]
 
 
 @pytest.mark.parametrize("kind", sorted(CAMS))

@@ -83,7 +83,8 @@ def test_the_document_has_its_shape(name: str) -> None:
     assert made["results"]["W"] == 1
     for plan, scale in made["scales"].items():
         known = plan in MU.values() or plan in OTHER_MU
-        assert known or plan.startswith(("mu_F_", "mu_l_")) or plan.endswith("_engine")
+        parts = ("mu_F_", "mu_l_", "mu_phi_", "mu_S_")
+        assert known or plan.startswith(parts) or plan.endswith("_engine")
         assert set(scale) == {"value", "unit"}
         assert scale["value"] > 0
     count = len(made["positions"])

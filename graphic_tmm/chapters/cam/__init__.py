@@ -40,7 +40,7 @@ from graphic_tmm.chapters.cam.beside import record_beside
 from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.cam.choice import choose
 from graphic_tmm.chapters.cam.findings import cam_findings, changes
-from graphic_tmm.chapters.cam.given import given
+from graphic_tmm.chapters.cam.given import given, stated
 from graphic_tmm.chapters.cam.note import note
 from graphic_tmm.chapters.cam.note_conclusions import concludes
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
@@ -94,6 +94,7 @@ CHAPTER = Chapter(
     sizes=(_told("cam.mu_l"), _told("cam.base")),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
+    stated=stated,
     sections=SECTIONS,
     record=record,
     aside=record_beside,

@@ -14,7 +14,7 @@ from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
-from graphic_tmm.note.bricks import at_position, filled, plan, referred
+from graphic_tmm.note.bricks import filled, referred
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -28,7 +28,8 @@ from graphic_tmm.note.document import (
     Source,
     Symbol,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.figures import is_figure, picture, readable
+from graphic_tmm.note.plans import at_position, listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.readers.told import told as as_told
@@ -58,8 +59,7 @@ class Page:
         found = cam_columns(drawn)
         written = zip(found, as_told(found), strict=True)
         self.columns = {one.segment: (one, figures) for one, figures in written}
-        held = in_hand(drawn)
-        drawings = [*scheme_views(held, True), *cam_views(held, True)]
+        drawings = [*readable(drawn, scheme_views), *readable(drawn, cam_views)]
         shown = [one for one in drawings if is_figure(one)]
         self.figures = {one.name: picture(one, language) for one in shown}
 
@@ -124,7 +124,7 @@ class Page:
 
     def from_log(self, view: str, at: int, shown: Sequence[Picture] = ()) -> Iterator[Block]:
         """Yield a view as the log tells it, step by step."""
-        yield from plan(self.drawn, view, at, self.language, shown, known=self.known)
+        yield from listed(self.drawn, view, at, self.language, shown, known=self.known)
 
     def cell(self, segment: str, factor: int) -> Number:
         """Return what a column holds in the position that is worked: in mm (0), or the quantity (1)."""

@@ -12,7 +12,7 @@ CAPTIONS: dict[str, str] = {
     "diagram S": said("Displacement diagram of {point}"),
     "diagram V": said("Velocity diagram of {point}"),
     "diagram a": said("Acceleration diagram of {point}"),
-    "base": said("Base of the diagrams"),
+    "view base": said("Base of the diagrams"),
     "diagrams-calculation": said("Time of a turn, places on the base"),
     "table diagrams": said("Diagrams and plans"),
     "V_plan": said("V_{pl}"),

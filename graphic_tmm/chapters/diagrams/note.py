@@ -22,7 +22,6 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol as lettered
 from graphic_tmm.note.bricks import (
-    at_position,
     columns,
     filled,
     greatest,
@@ -44,7 +43,8 @@ from graphic_tmm.note.document import (
     Symbol,
     Text,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.figures import is_figure, picture, readable
+from graphic_tmm.note.plans import at_position
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.readers.told import told as as_told
 
@@ -268,5 +268,5 @@ class _Page:
         return at_position(self.drawn, view, self.at, self.language)
 
     def _figures(self) -> tuple[Picture, ...]:
-        shown = diagram_views(in_hand(self.drawn), True)
+        shown = readable(self.drawn, diagram_views)
         return tuple(picture(one, self.language) for one in shown if is_figure(one))

@@ -42,7 +42,7 @@ from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS, called
 from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
-from graphic_tmm.chapters.forces.given import given
+from graphic_tmm.chapters.forces.given import given, stated
 from graphic_tmm.chapters.forces.note import concludes, note
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
@@ -117,6 +117,7 @@ CHAPTER = Chapter(
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
+    stated=stated,
     sections=SECTIONS,
     record=record,
     reach=reach,

@@ -24,11 +24,13 @@ CAPTIONS: dict[str, str] = {
 def called(view: str, speech: Speech) -> str:
     """Return what the figure, the polygon or the equations of a group or a link are called, and its pass.
 
-    "" for other views.
+    So is the friction of a pass, "friction 1"; "" for other views.
     """
     kind, _, name = view.partition(" ")
     if kind == "load" and name:
         return speech(LOAD, letter=plain(name))
+    if kind == "friction" and name.isdigit():
+        return speech(_FRICTION, number=name, before=int(name) - 1)
     if kind not in _TITLES or not name:
         return ""
     name, _, tried = name.partition(" ")
@@ -46,6 +48,7 @@ _TITLES = {
 LOAD = said("Diagram of the load {letter}")
 """What the diagram of a load that varies is called."""
 _PASS = said(", pass {number}")
+_FRICTION = said("Pass {number}: friction by the reactions of pass {before}")
 
 SYMBOLS = (
     ("m", said("mass"), "kg"),

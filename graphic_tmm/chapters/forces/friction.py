@@ -87,8 +87,8 @@ class Rub:
         self._coefficients: dict[str, Mark] = {}
         self._relative: dict[tuple[int, int], Mark | None] = {}
 
-    def draw(self, found: tuple[Joint, ...], reactions: Reactions) -> Rubbing:
-        """Return the friction that the reactions of the pass before cause."""
+    def draw(self, found: tuple[Joint, ...], reactions: Reactions, number: int) -> Rubbing:
+        """Return the friction of a pass by its number: what the reactions of the pass before cause."""
         self.draft.open(VIEW)
         made = Rubbing()
         for joint in found:
@@ -96,6 +96,8 @@ class Rub:
                 continue
             reaction = reactions[(*joint.links, joint.pair.name)]
             if joint.pair.kind == "R":
+                if not made.couples:
+                    self.draft.say(f"{VIEW} {number}")
                 self._pin(joint, reaction, made)
             else:
                 self._guide(joint, reaction, made)

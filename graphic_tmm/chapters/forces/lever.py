@@ -187,7 +187,7 @@ def draw_lever(
     """
     draft.open(VIEW)
     plan = _Plan(draft, velocities, quarters)
-    mu = draft.draw(per_times, "μ_v", velocities.mu, plan.times, unit="(m/s)/mm")
+    mu = draft.draw(per_times, "μ_{vl}", velocities.mu, plan.times, unit="(m/s)/mm")
     draft.lay_out(plan.pole, mu)
     forces, turned = loads
     pin_image = velocities.images.at(driver.body, driver.pin)

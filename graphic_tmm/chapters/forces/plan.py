@@ -182,7 +182,7 @@ def draw_forces(
     passes: list[_Pass] = []
     for k in range(count + 1):
         if k and rub is not None:
-            rubbing = rub.draw(found, _by_joint(found, passes[-1]))
+            rubbing = rub.draw(found, _by_joint(found, passes[-1]), k)
         suffix = "" if k == count else f" {k}"
         passes.append(_solve(ground, driver, order, loads, rubbing, figures, suffix))
     last = passes[-1]

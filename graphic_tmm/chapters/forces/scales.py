@@ -127,7 +127,7 @@ def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[st
     """Return the scales of the lever, and of the polygons and detached groups that have one ``given``."""
     made = FORCES.on(project)
     mu = made.lever.mu
-    found = {mu.view: Scale("μ_v", float(reading[mu][0, 0]), mu.unit)}
+    found = {mu.view: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
     for polygon in made.polygons:
         if polygon.mu in given:
             found[polygon.view] = Scale("μ_F", float(reading[polygon.mu][0, 0]), "N/mm")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from graphic_tmm.language.catalogue import languages
-from graphic_tmm.language.reader import hear
+from graphic_tmm.language.reader import asked, hear
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
@@ -46,7 +47,10 @@ class SceneName(ParamType):
 
 
 def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
-    """Return the scene of a path or a name; ``lettered``: refuse letters that cannot be written on a sheet."""
+    """Return the scene of a path or a name, in the language that was asked for.
+
+    ``lettered``: refuse letters that cannot be written on a sheet.
+    """
     from graphic_tmm.scene.read import read
     from graphic_tmm.scenes import scene_path
 
@@ -58,8 +62,9 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
         scene = read(path, missing=missing)
     else:
         scene = read(path)
-    hear(scene.language)
-    return scene
+    language = asked() or scene.language
+    hear(language)
+    return scene if language == scene.language else replace(scene, language=language)
 
 
 def language_of(path: Path) -> str:

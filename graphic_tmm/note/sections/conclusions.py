@@ -20,6 +20,7 @@ from graphic_tmm.note.document import (
     Runs,
     Source,
     Table,
+    lettered,
     paragraph,
     text,
 )
@@ -29,6 +30,8 @@ from graphic_tmm.readers.warnings import warnings
 
 CONCLUSIONS = said("Conclusions")
 EXACTNESS = said("Largest errors of the drawing against the same without error of the ruler")
+SHARES = (0.35, 0.15)
+"""What the columns take of a page's width, twice."""
 PLAN, ERROR = said("Plan or result"), said("Error, %")
 
 
@@ -58,11 +61,11 @@ def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
             told = f"{one.percent:.1g}" if one.percent < 0.1 else f"{one.percent:.2f}"
             source = Source("deviation", drawn.board, f"{one.plan}/{one.segment}", one.place)
             digits = told.replace(".", decimal_sign(language))
-            rows.append((text(name), (Number(digits, "", source, one.percent),)))
+            rows.append((lettered(name), (Number(digits, "", source, one.percent),)))
     if rows:
         heads = text(speaking(language)(PLAN)), text(speaking(language)(ERROR))
         title = text(speaking(language)(EXACTNESS))
-        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc"))
+        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc", SHARES), 2)
 
 
 def _sentence(told: str) -> str:

@@ -85,6 +85,8 @@ def placed(
     units: Sequence[Unit], outlines: Sequence[Outline], room: Room, gap: float
 ) -> Places | None:
     """Return where boxes stand, cut into a sheet with gaps no narrower; None if it does not hold them."""
+    if not units:
+        return {}
     cut = cutting(units, room, gap)
     if cut is None:
         return None
