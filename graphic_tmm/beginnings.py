@@ -78,6 +78,18 @@ BEGINNINGS = (
         said("Engine"),
     ),
     Beginning(
+        "four-stroke",
+        "four-stroke",
+        said("four strokes over two turns: indicator diagram, flywheel over 4π"),
+        said("Four-stroke engine"),
+    ),
+    Beginning(
+        "moments",
+        "moment-cycle",
+        said("moments given over a cycle of turns, without a mechanism: flywheel"),
+        said("Flywheel for given moments"),
+    ),
+    Beginning(
         "rocker-by-task",
         "windrower",
         said("lengths found from the stroke and K_v; forces, diagrams, flywheel"),
@@ -100,6 +112,12 @@ BEGINNINGS = (
         "cam",
         said("disc cam with a roller: diagrams, least radius, profile"),
         said("Cam mechanism"),
+    ),
+    Beginning(
+        "arc-cam",
+        "arc-cam",
+        said("cam of base circle, flanks and nose: what its follower does"),
+        said("Cam given by arcs"),
     ),
 )
 

@@ -171,7 +171,7 @@ class Chapter:
     **What is asked.** ``sections``: what scenes may write for it; ``asked``: whether a scene calls for it;
     ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by
     name: a chapter, or what another chapter understands. ``given``: what a scene gives for it, as the sheet
-    of a task lists it.
+    of a task lists it; ``stated``: what it says besides in words, a sentence each in a language.
 
     **What it records and draws.** ``record``: what it leaves on its board; ``aside``: of what it made, what is
     calculated beside it when everything on the board was recorded, in views of its own and used by nothing, so
@@ -217,6 +217,7 @@ class Chapter:
     always: bool = False
     needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
     given: Callable[[Scene], Iterable[Given]] = lambda scene: ()
+    stated: Callable[[Scene, str], Iterable[str]] = lambda scene, language: ()
     record: Callable[[Bench], Any] = lambda bench: None
     aside: Callable[[Bench], Any] = lambda bench: None
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()

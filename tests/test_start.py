@@ -8,6 +8,7 @@ import shlex
 from pathlib import Path
 
 import pytest
+from docx import Document as read_docx
 from support.command import invoke
 from support.gallery import SHEETS
 
@@ -27,13 +28,13 @@ def commands(text: str) -> list[list[str]]:
 
 def edited(file: Path, blocks: list[str]) -> None:
     """Write into a scene what the guide says: the values of keys that are there, then further sections."""
-    values, sections = blocks
+    values, *sections = blocks
     text = file.read_text(encoding="utf-8")
     for line in values.splitlines():
         key = line.split()[0]
         text, count = re.subn(rf'(?m)^({key} *= )"[^"]*"', rf"\1{line.partition('= ')[2]}", text)
         assert count == 1, key
-    file.write_text(text + "\n" + sections, encoding="utf-8")
+    file.write_text("\n".join([text, *sections]), encoding="utf-8")
 
 
 def filled(file: Path, table: Path) -> None:
@@ -74,6 +75,7 @@ def test_every_command_of_the_guide_does_what_it_says(
             edited(Path("variant/scene.toml"), blocks)
             assert read(Path("variant")).language == language
     assert list(Path("out").glob("variant*.svg"))
+    assert "2026" in "".join(one.text for one in read_docx("out/variant-note.docx").paragraphs)
     assert len(Path("steps.txt").read_text(encoding="utf-8").splitlines()) > 10
 
 
@@ -83,7 +85,7 @@ def test_the_guides_tell_the_same() -> None:
     assert [words[0] for words in first] == [words[0] for words in second]
     links = [re.findall(r"\]\((\.\./[^)]*)\)", guide(language)) for language in LANGUAGES]
     assert links[0] == links[1]
-    assert guide("en").count("\n## ") == guide("ru").count("\n## ") == 4
+    assert guide("en").count("\n## ") == guide("ru").count("\n## ") == 5
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -11,12 +11,12 @@ from typing import NamedTuple
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.boards import drawn_of
 from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.findings import finding
@@ -313,7 +313,7 @@ def test_a_finding_names_plan_step_reason_amount_and_positions(tmp_path: Path) -
     text = (SHEETS / "engine" / "scene.toml").read_text(encoding="utf-8")
     short = tmp_path / "scene.toml"
     short.write_text(text.replace('l  = "0.64 m"', 'l  = "0.25 m"'), encoding="utf-8")
-    work = fitted(read(short))
+    work = drawn_of(read(short))
     found = next(f for f in work.findings() if f.kind == "undrawn")
     names = work.project.names
     # at position 4 the crank stands up: OA - AB = 60 - 50 mm; at 3 and 5 it is 60·sin 60° - 50

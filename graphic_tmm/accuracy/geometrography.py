@@ -114,6 +114,8 @@ SYMBOLS: dict[str, str] = {
     "extreme_of_two": FREE,
     "stand": FREE,
     "in_turn": FREE,
+    "on_arc": FREE,
+    "line_on_arc": FREE,
     "nearest_standard": _LOOK,
     "next_ratio": _LOOK,
     "next_standard": _LOOK,
@@ -125,6 +127,7 @@ SYMBOLS: dict[str, str] = {
     "arm": f"{_SLIDE} + {_READ}",
     "bearing": _ANGLE,
     "slant": _ANGLE,
+    "turn_between": _ANGLE,
     "angle_at": _ANGLE,
     # a whole row at once
     "french_curve": _CURVE,

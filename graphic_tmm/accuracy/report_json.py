@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, slopes, step_name
+from graphic_tmm.accuracy.cost import Work
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
 from graphic_tmm.accuracy.measure import Run
 from graphic_tmm.accuracy.study import Study
@@ -39,6 +40,7 @@ def json_report(study: Study) -> str:
             ]
             for steps in study.steps
         },
+        "choice": _work(study.choice),
         "sentences": [*slopes(study), *best_numbers(study)],
         "advice": [*advice(study), *most(study)],
         "left_out": list(study.left_out),
@@ -59,11 +61,7 @@ def _run(study: Study, run: Run) -> dict[str, Any]:
         "error_median_percent": _figure(run.errors.median),
         "error_standard_error": _figure(run.errors.spread),
         "failed_percent": _figure(run.errors.failed),
-        "simplicity": run.work.simplicity,
-        "exactitude": run.work.exactitude,
-        "minutes": _figure(run.work.minutes),
-        "symbol": run.work.symbol,
-        "operations": dict(sorted(run.work.operations.items())),
+        **_work(run.work),
         "pareto": run in study.fronts,
     }
     if run.seconds is not None:
@@ -73,6 +71,16 @@ def _run(study: Study, run: Run) -> dict[str, Any]:
             "pareto_seconds": run in study.fast,
         }
     return found
+
+
+def _work(work: Work) -> dict[str, Any]:
+    return {
+        "simplicity": work.simplicity,
+        "exactitude": work.exactitude,
+        "minutes": _figure(work.minutes),
+        "symbol": work.symbol,
+        "operations": dict(sorted(work.operations.items())),
+    }
 
 
 def _slope(study: Study, one: Fitted) -> dict[str, Any]:

@@ -28,7 +28,7 @@ def text_report(study: Study) -> list[Any]:
         Text(words["measure"].format(trials=study.trials)),
     ]
     made += [_divided(study, name) for name in study.quantities if _measured(study, name)]
-    made += [_others(study), _steps(study)]
+    made += [_others(study), _steps(study), Text(_choice(study))]
     for heading, lines in (
         ("slopes", slopes(study)),
         ("optima", best_numbers(study)),
@@ -38,6 +38,14 @@ def text_report(study: Study) -> list[Any]:
         if told:
             made += [Text(words[heading], style="bold"), *(Text(f"• {line}") for line in told)]
     return [*made, *(Text(words["left out"].format(text=text)) for text in study.left_out)]
+
+
+def _choice(study: Study) -> str:
+    """Return what it takes to choose the scale factors."""
+    language, work = study.scene.language, study.choice
+    minutes = number(work.minutes, language)
+    told = {"simplicity": work.simplicity, "minutes": minutes, "symbol": work.symbol}
+    return WORDS[language]["choice"].format(**told)
 
 
 def _measured(study: Study, name: str) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from graphic_tmm.accuracy.axes import Varied, grid, own_setting, singly
+from graphic_tmm.accuracy.cost import NOTHING, Work, count
 from graphic_tmm.accuracy.drawing import pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
 from graphic_tmm.accuracy.measure import Measure, Run
@@ -15,7 +16,9 @@ from graphic_tmm.accuracy.settings import Setting, named, whole
 from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.chapter import chapters
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
@@ -45,7 +48,7 @@ class Study:
 
     ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
     front over minutes, ``fast``: over seconds. ``timed``: whether seconds are told. ``left_out``: settings that
-    could not be drawn, and why.
+    could not be drawn, and why. ``choice``: the work of choosing all scale factors.
     """
 
     scene: Scene
@@ -60,6 +63,7 @@ class Study:
     fast: frozenset[Run]
     timed: bool
     left_out: tuple[str, ...]
+    choice: Work
 
 
 def study(
@@ -83,7 +87,8 @@ def study(
     own = own_setting(full, hand, trials)
     along = [*grid(own, trials), *singly(own, trials)]
     told(0, len(along) + 2, "")
-    scales = pinned(make(scene, exact=True))
+    made = make(scene, exact=True)
+    scales = pinned(made)
     measure = Measure(scales, References(full, scales), clock=clock, minutes=minutes)
     units = {q.name: q.unit for d in measure.drawings(own) for q in quantities(d)}
     if not units:
@@ -110,7 +115,14 @@ def study(
         best_of(runs, machine=True),
         clock,
         tuple(left_out),
+        _choice(made, minutes),
     )
+
+
+def _choice(made: DrawnScene, minutes: Mapping[str, float] | None) -> Work:
+    """Return the work of choosing the scale factors of all boards; done once, for all positions."""
+    logs = (choices(drawn).construction for drawn in made.boards)
+    return sum((count(log, (), minutes=minutes) for log in logs), NOTHING)
 
 
 def _measure(measure: Measure, place: Varied, runs: list[Run], left_out: list[str]) -> None:

@@ -52,6 +52,10 @@ TEXTS: dict[str, str] = {
     "share": said("share"),
     "shares": said("Share of the variance per step, student, {count} positions"),
     "step of": said("{view}, step {number}: {text}"),
+    "choice": said(
+        "Choosing the scale factors takes S = {simplicity}, {minutes} min besides, once for all positions: "
+        "{symbol}."
+    ),
     "slope": said(
         "{quantity}: with the exact hand the error falls as N^{error} ± {width}, the work "
         "grows as N^{minutes}."

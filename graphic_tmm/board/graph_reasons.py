@@ -41,5 +41,5 @@ MEAN_RAY = said(
 )
 STATION = said(
     "The base is divided into as many equal parts as the turn; a position outside the row stands between "
-    "its neighbours as the crank pin divides their arc: [6–6*]/[6–7] is the arc 6–6* to the arc 6–7."
+    "its neighbours as the crank pin divides their arc."
 )

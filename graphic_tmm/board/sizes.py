@@ -29,6 +29,7 @@ class Sizes:
         self.steps, self.found = steps, found
         self._sizes: dict[int, Reals] = {}
         self._extents: dict[str, Reals] = {}
+        self._reaches: dict[str, Reals] = {}
 
     def of(self, mark: Mark) -> Reals:
         """Return the natural size of a mark: that of what it is computed from, (1, position).
@@ -54,6 +55,11 @@ class Sizes:
 
     def reach(self, view: str) -> Reals:
         """Return how far the points of a plan lie apart that are drawn, (1, position); 0 without points."""
+        if view not in self._reaches:
+            self._reaches[view] = self._apart(view)
+        return self._reaches[view]
+
+    def _apart(self, view: str) -> Reals:
         if not self._points.get(view):
             return NOTHING
         rows = np.broadcast_arrays(*(self.found.values[mark.slot] for mark in self._points[view]))

@@ -10,7 +10,7 @@ from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
 from graphic_tmm.checking.known import known
-from graphic_tmm.checking.mistakes.likely import likely
+from graphic_tmm.checking.mistakes.likely import Alternatives, likely
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scenes import scene_name
@@ -59,6 +59,7 @@ def checks(
     The hand draws once for all drawings of which the same figures were read. Otherwise as `check`.
     """
     made = make(scene, exact=True)
+    others = Alternatives(made)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
     known_by: dict[frozenset[object], Yardstick] = {}
     for source, readings in drawings:
@@ -68,7 +69,7 @@ def checks(
             known_by[read] = yardstick(made, rows, drawing, limits, points)
         by = known_by[read]
         judged = judge(made, rows, by)
-        found = likely(made, judged, by.spread, scene.language)
+        found = likely(others, judged, by.spread, scene.language)
         name = scene_name(scene.source)
         yield Report(name, scene.title, scene.language, hand, judged, found, notes)
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +28,7 @@ from graphic_tmm.board.operations.choice import (
 )
 from graphic_tmm.board.operations.formulas import mm_of_time, mm_of_turn, pole_distance, to_board
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import GRAPHS
@@ -38,9 +39,15 @@ SCALES = "scales"
 """The view of the choice, and the plan by which protocols tell it."""
 GRAINS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.1)
 """What is meant for something is told in multiples of these, mm, the coarsest first."""
+SAME = 1e-9
+"""A scale factor that is told and one that follows from a length that is told are one within this share."""
 FOLLOWING = (mm_of_time, mm_of_turn, pole_distance)
 """What is calculated of scale factors that are known: bases and pole distances."""
 _NOTHING = said("There is nothing to be drawn to it, so any scale will do.")
+_SHARED = said(
+    "Lengths of one graph are taken from those of the other, or laid off against them: both have one scale "
+    "factor."
+)
 _OWN_LENGTH = said(
     "The task says how long {quantity} is drawn; a scale factor tells how much of a quantity a millimetre "
     "stands for."
@@ -51,15 +58,24 @@ class Choices(NamedTuple):
     """The choice of a board's scale factors: its log, what was given, and what became of each.
 
     ``chosen``: by slot of the mark of a scale factor on the board, the mark in this log that has its value.
+    ``beside``: by view and letter those of pictures that are no construction of the board: of what is given.
     """
 
     construction: Construction
     given: Mapping[Mark, object]
     chosen: Mapping[int, Mark]
+    beside: Mapping[tuple[str, str], Mark] = MappingProxyType({})
 
     def value(self, mu: Mark) -> float:
         """Return what was chosen for a scale factor of the board, SI a mm."""
-        mark = self.chosen[mu.slot]
+        return self._figure(self.chosen[mu.slot])
+
+    def scale(self, view: str, letter: str) -> Scale:
+        """Return what was chosen for a picture that is no construction of the board."""
+        mark = self.beside[view, letter]
+        return Scale(mark.name, self._figure(mark), mark.unit)
+
+    def _figure(self, mark: Mark) -> float:
         return float(execute(self.construction, self.given, [mark])[mark][0, 0])
 
 
@@ -70,6 +86,7 @@ class Ledger:
         self.draft = Draft()
         self.draft.open(SCALES)
         self.chosen: dict[int, Mark] = {}
+        self.beside: dict[tuple[str, str], Mark] = {}
         self._known: dict[str, Mark] = {}
         self._view = ""
 
@@ -102,15 +119,32 @@ class Ledger:
         ``lengths``: standard is what ГОСТ 2.302 has. What is told to be meant for it is a round number of mm
         from which the same follows. Where there is nothing to draw any scale factor will do.
         """
-        draft, letter = self.draft, mu.letter
-        most, rule, op = self._value(largest), standard, next_standard
-        if lengths:
-            rule, op = standard_length, next_standard_length
-        if not most > 0.0:
+        if not self._value(largest) > 0.0:
             return self.told(mu, due, why=_NOTHING)
-        wanted = draft.take(Length, f"[{largest.name}]", _round(most, due, rule))
-        exact = draft.draw(scale_of, f"{letter}′", largest, wanted, unit=mu.unit)
-        return self.enter(mu, draft.draw(op, letter, exact, unit=mu.unit))
+        rules = (standard_length, next_standard_length) if lengths else (standard, next_standard)
+        return self.enter(mu, self._standard(mu.letter, mu.unit, largest, due, *rules))
+
+    def pictured(self, letter: str, unit: str, largest: Mark, room: float) -> None:
+        """Record the choice for the picture of what is given: ``largest`` takes ``room`` (mm) at most."""
+        due = standard(self._value(largest), room)
+        found = self._standard(letter, unit, largest, due, standard, next_standard)
+        self.beside[self._view, letter] = found
+
+    def _standard(
+        self,
+        letter: str,
+        unit: str,
+        largest: Mark,
+        due: float,
+        rule: Callable[[float, float], float],
+        op: Operation,
+    ) -> Mark:
+        """Record the way from the largest to be drawn, over the length meant for it, to a standard value."""
+        wanted = self.draft.take(
+            Length, f"[{largest.name}]", _round(self._value(largest), due, rule)
+        )
+        exact = self.draft.draw(scale_of, f"{letter}′", largest, wanted, unit=unit)
+        return self.draft.draw(op, letter, exact, unit=unit)
 
     def told(self, mu: Mark, value: float, *, why: str = "") -> Mark:
         """Record that a scale factor is what the scene gives."""
@@ -159,7 +193,8 @@ class Ledger:
 
     def choices(self) -> Choices:
         """Return what was recorded."""
-        return Choices(self.draft.board.construction(), dict(self.draft.given), dict(self.chosen))
+        given, chosen, beside = dict(self.draft.given), dict(self.chosen), dict(self.beside)
+        return Choices(self.draft.board.construction(), given, chosen, beside)
 
     def _value(self, mark: Mark) -> float:
         found = execute(self.draft.board.construction(), self.draft.given, [mark])
@@ -187,14 +222,18 @@ def _graphs(drawn: Drawn, charts: Iterable[Chart], ledger: Ledger) -> None:
             found[chart.mu] = chart
     for mu, chart in found.items():
         ledger.of(chart.view)
-        value = ledger.value_of(drawn, mu)
+        value, most = ledger.value_of(drawn, mu), reach[chart.view]
+        letter = f"{chart.symbol}_{{max}}"
+        if chart.wanted and chart.room and math.isclose(most, value * chart.room, rel_tol=SAME):
+            largest = ledger.quantity(letter, most, chart.unit)
+            ledger.by_length(mu, largest, f"[{letter}]", chart.room)
+            continue
         if chart.wanted:
             ledger.told(mu, value)
             continue
-        letter = f"{chart.symbol}_{{max}}"
         if chart.room is None and _crosses(drawn, chart):
             letter += f"−{chart.symbol}_{{min}}"
-        ledger.fitting(mu, ledger.quantity(letter, reach[chart.view], chart.unit), value)
+        ledger.fitting(mu, ledger.quantity(letter, most, chart.unit), value)
 
 
 def _crosses(drawn: Drawn, chart: Chart) -> bool:
@@ -214,9 +253,21 @@ def _calculated(drawn: Drawn, ledger: Ledger) -> None:
             ledger.told(mark, ledger.value_of(drawn, mark))
     wanted = [view.scale for view in log.views if view.scale in steps]
     wanted += [step.it for step in log.steps if step.op in FOLLOWING]
-    for mark in sorted({mark for mark in wanted if mark is not None}):
+    for mark in sorted(
+        {mark for mark in wanted if mark is not None and mark.slot not in ledger.chosen}
+    ):
         ledger.of(mark.view)
         ledger.copied(drawn, steps, mark)
+
+
+def _shared(charts: Iterable[Chart], ledger: Ledger) -> None:
+    """Record that a graph has the scale factor of another, where it calls it by a letter of its own."""
+    for chart in charts:
+        letter = f"μ_{chart.symbol}" if len(chart.symbol) == 1 else f"μ_{{{chart.symbol}}}"
+        if chart.mu.slot in ledger.chosen and letter != chart.mu.name:
+            ledger.of(chart.view)
+            same = ledger.chosen[chart.mu.slot]
+            ledger.draft.draw(accepted, letter, same, unit=chart.mu.unit, why=_SHARED)
 
 
 def choices(drawn: Drawn) -> Choices:
@@ -227,6 +278,7 @@ def choices(drawn: Drawn) -> Choices:
             chapter.choice(drawn, ledger)
             _graphs(drawn, chapter.charts(drawn.made[chapter.name]), ledger)
         _calculated(drawn, ledger)
+        _shared(drawn.project.charts, ledger)
         drawn.cache[SCALES] = ledger.choices()
     found: Choices = drawn.cache[SCALES]
     return found

@@ -34,6 +34,8 @@ WAY = (0.93, 0.87, 0.81, 0.75, 0.7, 0.65, 0.6)
 """The shares of their sizes at which plans give way to save a sheet."""
 OVER = (1.03, 1.3)
 """What is lifted takes no more than so many times its share of a sheet: first, and where there is room left."""
+IDLE = 8
+"""After so many steps in a row that make no view larger a size is left as it was: nothing is drawn in it."""
 
 
 class Search:
@@ -184,7 +186,19 @@ class Search:
                     names.remove(name)
                 else:
                     steps.append(larger)
+                    if self._idle(name, steps):
+                        del steps[-IDLE:]
+                        free.remove(name)
+                        names.remove(name)
         return steps
+
+    def _idle(self, name: str, steps: Sequence[Sizes]) -> bool:
+        """Whether the last steps lifted one size alone, and no view is larger for it."""
+        if len(steps) <= IDLE:
+            return False
+        before, last = steps[-1 - IDLE], steps[-1]
+        alone = last == {**before, name: last[name]}
+        return alone and self._share(name, last) == self._share(name, before)
 
     def _share(self, name: str, sizes: Sizes) -> float:
         """Return what a size takes of what it may take of its sheets."""
@@ -211,16 +225,15 @@ class Search:
 
         What no sheet shows is as large as one would draw it to read off its lengths.
         """
-        found: Sizes = usual(self.scene)
-        unseen = [n for n, (_, size) in self.own.items() if not self.rooms.views(n, found)]
+        known: Sizes = usual(self.scene)
+        found = known
         for name, (board, size) in self.own.items():
-            if name in unseen:
-                found = {**found, name: size.unseen or found[name]}
-            elif size.small and size.in_mm:
+            if size.small and size.in_mm:
                 found = {**found, name: size.small}
-                while found[name] < size.usual(self.scene) and board.mm(name, found) < MEASURABLE:
-                    found = {**found, name: min(found[name] * size.step, size.usual(self.scene))}
-        return found
+                while found[name] < known[name] and board.mm(name, found) < MEASURABLE:
+                    found = {**found, name: min(found[name] * size.step, known[name])}
+        unseen = [n for n, (_, size) in self.own.items() if not self.rooms.views(n, found)]
+        return {**found, **{n: self.own[n][1].unseen or known[n] for n in unseen}}
 
     def _held(self, sizes: Sizes) -> Sizes:
         """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""

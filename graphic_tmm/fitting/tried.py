@@ -64,6 +64,7 @@ class Mechanism:
         self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
         self._drawn: dict[object, Drawn] = {}
         self._scales: dict[object, dict[str, Scale]] = {}
+        self._chosen: dict[object, tuple[tuple[object, float], ...]] = {}
 
     def freed(self, scene: Scene) -> Mechanism:
         """Return the board for a scene that fixes other scale factors, or orders other sheets."""
@@ -73,14 +74,18 @@ class Mechanism:
         other.whole = (
             other.project if self.whole is self.project else replace(self.whole, scene=scene)
         )
-        other._drawn, other._scales = {}, {}
+        other._drawn, other._scales, other._chosen = {}, {}, {}
         return other
 
     def chosen(self, sizes: Sizes) -> tuple[tuple[object, float], ...]:
         """Return all scale factors, and what else comes of sizes."""
-        given, _ = chosen(self.project, sizes, self.reach)
-        fixed = self.project.given
-        return tuple((m, v) for m, v in given.items() if v is not fixed.get(m))  # type: ignore[misc]
+        key = tuple(sizes[name] for name in self.sizes)
+        if key not in self._chosen:
+            given, _ = chosen(self.project, sizes, self.reach)
+            fixed = self.project.given
+            found = ((m, v) for m, v in given.items() if v is not fixed.get(m))
+            self._chosen[key] = tuple(found)  # type: ignore[arg-type]
+        return self._chosen[key]
 
     def known(self, size: str, sizes: Sizes) -> object:
         """Return the scale factors that come of sizes; of what is not seen in them the size itself."""
@@ -135,14 +140,17 @@ class Part:
         self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
         self._projects: dict[object, tuple[Project, dict[str, Any]]] = {}
         self._drawn: dict[object, Drawn] = {}
+        self._known: dict[object, object] = {}
 
     def known(self, size: str, sizes: Sizes) -> object:
         """Return the scale factors and lengths that come of sizes."""
-        project, reach = self._recorded(sizes)
-        given, _ = chosen(project, sizes, reach)
-        return tuple(
-            (mark.key, value) for mark, value in given.items() if np.asarray(value).ndim == 0
-        )
+        key = tuple(sizes[name] for name in self.sizes)
+        if key not in self._known:
+            project, reach = self._recorded(sizes)
+            given, _ = chosen(project, sizes, reach)
+            plain = ((m.key, value) for m, value in given.items() if np.ndim(value) == 0)  # type: ignore[arg-type]
+            self._known[key] = tuple(plain)
+        return self._known[key]
 
     def comes_of(self, size: str, sizes: Sizes) -> object:
         """Return what comes of all sizes."""

@@ -103,7 +103,7 @@ class Extreme:
 
 @dataclass(frozen=True)
 class Row:
-    """The row of positions: ``count`` equal steps of the crank from the zero position, and extras.
+    """The row of positions: ``count`` equal steps of the crank over its ``turns``, and extras.
 
     ``zero`` is the crank's angle (degrees) or an extreme position of a point; the zero position bears the
     number ``first``. ``extra`` holds crank angles in degrees, or the word "other extreme".
@@ -115,3 +115,4 @@ class Row:
     zero: float | Extreme = 0.0
     extra: tuple[float | str, ...] = ()
     accelerations: tuple[str, ...] = ()
+    turns: int = 1

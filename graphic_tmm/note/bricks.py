@@ -5,14 +5,12 @@ A chapter's own section (`Chapter.note`) is built of these; of one that has none
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
 from string import Formatter
 
-from graphic_tmm.board.record import Step
 from graphic_tmm.captions import captions
-from graphic_tmm.chapter import MECHANISM, Chapter, Place
+from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -20,8 +18,10 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import (
+    Beside,
     Block,
     Heading,
+    Letter,
     Number,
     Paragraph,
     Picture,
@@ -32,20 +32,23 @@ from graphic_tmm.note.document import (
     Symbol,
     Table,
     Text,
+    lettered,
     text,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.protocol import Known, protocol_blocks
-from graphic_tmm.note.steps import Told
+from graphic_tmm.note.figures import fit, is_figure, picture, readable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column, known_at
-from graphic_tmm.readers.protocol import covering
-from graphic_tmm.readers.text import column_name, result_name
-from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.text import column_name
+from graphic_tmm.readers.told import Figures, told
+
+Figure = Picture | Beside
 
 ACROSS = 13
 """So many positions stand beside one another in a table of a page's width."""
+
+NARROW = 3
+"""A table of no more positions than these is narrow."""
 
 MANY = 8
 """With more positions than these the first columns of a table are narrower."""
@@ -56,6 +59,7 @@ WIDEST = 0.12
 
 SEE = said("The construction is shown in {}.")
 ALSO = said("Shown besides: {}.")
+TABLED = said("Step by step it stands in {}.")
 
 
 def worked(drawn: Drawn) -> int:
@@ -74,87 +78,6 @@ def heading(words: str, level: int = 2) -> Heading:
     return Heading(level, text(words))
 
 
-def at_position(drawn: Drawn, view: str, place: int, language: str) -> Told | None:
-    """Return where the numbers of a view are read in a position; None where it is not drawn there."""
-    reading, row = drawn.of(view), drawn.row(view)
-    if reading is None or not row:
-        return None
-    if view in drawn.project.rows:
-        if place not in row:
-            place = row[0]
-        place = row.index(place)
-    return Told(drawn.board, drawn.construction, reading, view, place, language)
-
-
-def plan(
-    drawn: Drawn,
-    view: str,
-    place: int,
-    language: str,
-    shown: Sequence[Picture] = (),
-    level: int = 2,
-    known: Known | None = None,
-    bare: bool = False,
-) -> Iterator[Block]:
-    """Yield the section of a view: heading, protocol in a position, the figures that show it.
-
-    ``known``: what was told already; ``bare``: only what is calculated or read; see `protocol.protocol_blocks`.
-    """
-    told = at_position(drawn, view, place, language)
-    if told is None or not any(step.it.view == view for step in drawn.construction.steps):
-        return
-    words, project = captions(language), drawn.project
-    title = title_of(project, view, language)
-    if _varies(drawn, view) and len(drawn.names) > 1:
-        at = drawn.row(view)[told.place] if view in project.rows else place
-        title = f"{title}, {words['position']} {drawn.names[at]}"
-    yield heading(title, level)
-    if shown:
-        yield referred(shown, language)
-    yield from protocol_blocks(
-        told,
-        turned=drawn.scene.turned,
-        elsewhere=_elsewhere(drawn, view, told),
-        known=known,
-        bare=bare,
-        usual=_usual(drawn, view, known),
-    )
-    yield from shown
-
-
-OPERATION = "operation "
-"""Among what is known: an operation of a graph that was told, by its name."""
-
-
-def _usual(drawn: Drawn, view: str, known: Known | None) -> frozenset[str]:
-    """Return the operations that graphs before this one were drawn by; enter its own.
-
-    Graphs are drawn alike: their axes, their divisions, their ordinates are told of the first of them.
-    """
-    log = drawn.construction
-    if known is None or not any(f.kind == AXES and f.view == view for f in log.figures):
-        return frozenset()
-    told = frozenset(
-        one.removeprefix(OPERATION)
-        for one in known
-        if isinstance(one, str) and one.startswith(OPERATION)
-    )
-    known |= {OPERATION + step.op.name for step in log.steps if step.it.view == view}
-    return told
-
-
-AXES = "axes"
-"""The kind of figure that a graph has and no other view."""
-
-
-def _elsewhere(drawn: Drawn, view: str, told: Told) -> list[tuple[int, str]]:
-    """Return other positions of a part, so that what is not there in one is told in another."""
-    if drawn.board == MECHANISM:
-        return []
-    steps = [step.it for step in drawn.construction.steps if step.it.view == view]
-    return [(k, drawn.names[k]) for k in covering(told.reading, steps, [told.place])]
-
-
 def filled(told: str, put: Mapping[str, Run]) -> Runs:
     """Return a sentence with runs in the places of its names."""
     found: list[Run] = []
@@ -164,29 +87,42 @@ def filled(told: str, put: Mapping[str, Run]) -> Runs:
     return tuple(found)
 
 
-def _varies(drawn: Drawn, view: str) -> bool:
-    """Whether anything of a view differs from position to position."""
-    steps = [step for step in drawn.construction.steps if step.it.view == view]
-    return any(not step.op.across and _row(drawn, step) > 1 for step in steps)
-
-
-def _row(drawn: Drawn, step: Step) -> int:
-    reading = drawn.of(step.it.view)
-    if reading is None or step.it not in reading:
-        return 1
-    value = reading[step.it]
-    parts = value if isinstance(value, tuple) else (value,)
-    return max((part.shape[1] for part in parts if hasattr(part, "shape")), default=1)
-
-
-def referred(shown: Sequence[Picture], language: str, told: str = SEE) -> Paragraph:
-    """Return the sentence that leads to figures."""
+def referred(
+    shown: Sequence[Figure], language: str, told: str = SEE, tables: Sequence[Table] = ()
+) -> Paragraph:
+    """Return the sentences that lead to figures, and to tables of calculations."""
     runs: list[Run] = []
+    for words, ids in ((told, shown), (TABLED, tables)):
+        if ids:
+            before, behind = speaking(language)(words).split("{}")
+            runs += [Text(" "), Text(before)] if runs else [Text(before)]
+            for k, one in enumerate(ids):
+                runs += [Text(", "), Ref(one.id)] if k else [Ref(one.id)]
+            runs.append(Text(behind))
+    return Paragraph(tuple(runs))
+
+
+def paired(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Yield the blocks of a section, figures that are narrow two and two beside one another."""
+    held: list[Block | None] = list(blocks)
+    places = [k for k, one in enumerate(held) if isinstance(one, Picture | Beside)]
+    for k, other in pairwise(places):
+        first, second = held[k], held[other]
+        if isinstance(first, Picture) and isinstance(second, Picture) and fit((first, second)):
+            (held[k],) = beside((first, second))
+            held[other] = None
+    yield from (one for one in held if one is not None)
+
+
+def beside(shown: Sequence[Picture]) -> tuple[Figure, ...]:
+    """Return views as one figure, beside one another; one alone, or none, as it is."""
+    if len(shown) < 2:
+        return tuple(shown)
+    whole: list[Run] = []
     for k, one in enumerate(shown):
-        runs += [Text(", ")] if k else []
-        runs.append(Ref(one.id))
-    before, behind = speaking(language)(told).split("{}")
-    return Paragraph((Text(before), *runs, Text(behind)))
+        whole += [Text("; ")] if k else []
+        whole += [Letter(k), Text(") "), *one.caption]
+    return (Beside(f"{shown[0].id}-beside", tuple(whole), tuple(shown)),)
 
 
 def figures_of(
@@ -218,7 +154,7 @@ def drawings(drawn: Drawn, place: Place) -> list[Drawing]:
     """Return the views of a place, lettered for a page; kept beside the drawing."""
     kept: dict[str, list[Drawing]] = drawn.cache.setdefault("note drawings", {})
     if place.name not in kept:
-        kept[place.name] = place.draw(in_hand(drawn), True)
+        kept[place.name] = readable(drawn, place.draw)
     return kept[place.name]
 
 
@@ -234,8 +170,8 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         shown = known_at(cells)
         title = words.get(f"table {plan}", words.get(plan, plan))
         for k in range(0, len(shown), ACROSS):
-            told = title if k == 0 else f"{title} ({words['continued']})"
-            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], told, language)
+            head = title if k == 0 else f"{title} ({words['continued']})"
+            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], head, language)
 
 
 def _block(
@@ -254,36 +190,44 @@ def _block(
         *(text(names[k]) for k in shown),
     )
     rows: list[tuple[Runs, ...]] = []
-    for column in cells:
+    for column, figures in zip(cells, told(cells), strict=True):
         name = column.ends or column_name(column, language)
         if column.drawn:
-            lengths = _told(drawn, column, shown, language, mm=True)
+            lengths = _told(drawn, column, figures, shown, language, mm=True)
             rows.append((_lettered(name), _unit("mm", language), *lengths))
             name = symbol(column.quantity, language) if column.quantity else name
-        values = _told(drawn, column, shown, language, mm=False)
+        values = _told(drawn, column, figures, shown, language, mm=False)
         rows.append((_lettered(name), _unit(column.unit, language), *values))
     lead = 0.1 if len(shown) > MANY else 0.13
     each = min((1.01 - 2 * lead) / len(shown), WIDEST)
     wide = (lead, lead - 0.01, *[each] * len(shown))
     id = f"table-{plan}-{shown[0]}".replace(" ", "-")
-    made = Table(id, text(title), heads, tuple(rows), "lc" + "c" * len(shown), wide)
-    return folded(made) if len(shown) == 1 else made
+    align = "lc" + "c" * len(shown)
+    made = Table(id, text(title), heads, tuple(rows), align, wide, apart=True)
+    return folded(made._replace(widths=())) if len(shown) <= NARROW else made
 
 
-TALL = 12
-"""A narrow table of more rows than these stands in two halves beside one another."""
+TALL = 5
+"""A narrow table of more rows than these stands in parts beside one another."""
+ABREAST = 10
+"""So many columns stand beside one another then at most, in three parts at most."""
 
 
-def folded(one: Table) -> Table:
-    """Return a narrow table in two halves beside one another if it has many rows."""
-    count = len(one.rows)
-    if count <= TALL:
+def folded(one: Table, most: int = 3) -> Table:
+    """Return a narrow table in two or three parts, ``most``, beside one another if it has many rows."""
+    count, times = len(one.rows), min(ABREAST // len(one.heads), most)
+    if count <= TALL or times < 2:
         return one
-    half = -(-count // 2)
+    each = -(-count // times)
     none: tuple[Runs, ...] = ((),) * len(one.heads)
-    second = (*one.rows[half:], *[none] * (2 * half - count))
-    rows = tuple((*a, *b) for a, b in zip(one.rows[:half], second, strict=True))
-    return one._replace(heads=one.heads * 2, rows=rows, align=one.align * 2, widths=one.widths * 2)
+    filled = (*one.rows, *[none] * (each * times - count))
+    rows = tuple(
+        tuple(cell for part in range(times) for cell in filled[part * each + k])
+        for k in range(each)
+    )
+    return one._replace(
+        heads=one.heads * times, rows=rows, align=one.align * times, widths=one.widths * times
+    )
 
 
 def _lettered(name: str) -> Runs:
@@ -295,12 +239,18 @@ def _unit(name: str, language: str) -> Runs:
 
 
 def _told(
-    drawn: Drawn, column: Column, shown: Sequence[int], language: str, *, mm: bool
+    drawn: Drawn,
+    column: Column,
+    figures: Figures,
+    shown: Sequence[int],
+    language: str,
+    *,
+    mm: bool,
 ) -> Iterator[Runs]:
     """Yield the cells of a row: figures as the sheet's table tells them, each with where it stands."""
     lengths, values = column.told
     row = lengths if mm else values
-    places = 1 if mm else decimals(row)
+    written, places = (figures.mm, figures.mm_places) if mm else (figures.value, figures.places)
     for k in shown:
         value = row[k]
         if value is None:
@@ -309,13 +259,7 @@ def _told(
         source = Source(
             "column", drawn.board, f"{column.plan}/{column.segment}", k, "", 0 if mm else 1
         )
-        yield (Number(fixed(value, places, language), "", source, value),)
-
-
-def decimals(row: Sequence[float | None]) -> int:
-    """Return how many decimals give the largest figure of a row three significant digits."""
-    largest = max((abs(x) for x in row if x is not None), default=0.0)
-    return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
+        yield (Number(fixed(written[k], places, language), "", source, value),)
 
 
 def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
@@ -328,7 +272,7 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     if rows:
         heads = (text(words["value"]), text(words["figure"]), text(words["unit"]))
         id, title = f"table-results-{chapter.name}", text(words["results"])
-        yield folded(Table(id, title, heads, tuple(rows), "lcc"))
+        yield folded(Table(id, title, heads, tuple(rows), "lcc", apart=True))
 
 
 def _result(name: str, chapter: str, language: str) -> Runs:
@@ -336,11 +280,8 @@ def _result(name: str, chapter: str, language: str) -> Runs:
     caption = captions(language).get(name)
     if caption is None:
         return (Symbol(result_symbol(name.removeprefix(f"{chapter}_"), language)),)
-    return (
-        text(result_name(name, language))
-        if " " in caption
-        else (Symbol(symbol(caption, language)),)
-    )
+    told = symbol(caption, language)
+    return lettered(told) if " " in told else (Symbol(told),)
 
 
 # ---------------------------------------------------------------- conclusions

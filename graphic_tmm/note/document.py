@@ -6,6 +6,7 @@ how it is written in the end. So a note can be walked back to the log: `numbers`
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -82,7 +83,20 @@ class Ref(NamedTuple):
     to: str
 
 
-Run = Text | Formula | Number | Symbol | Ref
+class Letter(NamedTuple):
+    """The letter of a part of a figure, by its number from 0: а, б; a, b in others."""
+
+    of: int
+
+
+class Once(NamedTuple):
+    """Words that are said once in a note, whatever letters they are said of: ``key`` tells them again."""
+
+    key: str
+    runs: tuple[Run, ...]
+
+
+Run = Text | Formula | Number | Symbol | Ref | Letter | Once
 Runs = tuple[Run, ...]
 
 
@@ -124,6 +138,7 @@ class Table(NamedTuple):
     """A ruled table: its id, its caption, heads, rows of cells; ``align``: "l", "c", "r" of each column.
 
     ``widths``: shares of the text's width, () for as wide as needed. ``ruled``: with lines and a number.
+    ``long``: it may go on over pages, its heads above it on each; ``apart``: it may stand where there is room.
     """
 
     id: str
@@ -133,6 +148,8 @@ class Table(NamedTuple):
     align: str
     widths: tuple[float, ...] = ()
     ruled: bool = True
+    long: bool = False
+    apart: bool = False
 
 
 class Picture(NamedTuple):
@@ -144,6 +161,14 @@ class Picture(NamedTuple):
     alt: str
 
 
+class Beside(NamedTuple):
+    """Views beside one another as one figure: its id, what it shows; each view is a part with a letter."""
+
+    id: str
+    caption: Runs
+    parts: tuple[Picture, ...]
+
+
 class Contents(NamedTuple):
     """The table of contents."""
 
@@ -152,7 +177,7 @@ class Break(NamedTuple):
     """A new page."""
 
 
-Block = Heading | Paragraph | Display | Listed | Table | Picture | Contents | Break
+Block = Heading | Paragraph | Display | Listed | Table | Picture | Beside | Contents | Break
 
 
 class Document(NamedTuple):
@@ -174,12 +199,14 @@ def paragraph(words: str, style: str = "") -> Paragraph:
 
 
 def walk(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Yield blocks, those in lists among them."""
+    """Yield blocks, those in lists among them, and the parts of figures."""
     for block in blocks:
         yield block
         if isinstance(block, Listed):
             for item in block.items:
                 yield from walk(item.blocks)
+        elif isinstance(block, Beside):
+            yield from block.parts
 
 
 def runs_of(block: Block) -> Iterator[Run]:
@@ -188,13 +215,73 @@ def runs_of(block: Block) -> Iterator[Run]:
         yield from block.runs
     elif isinstance(block, Display):
         yield from block.formulas
-    elif isinstance(block, Picture):
+    elif isinstance(block, Picture | Beside):
         yield from block.caption
     elif isinstance(block, Table):
         yield from block.caption
         for row in (block.heads, *block.rows):
             for cell in row:
                 yield from cell
+
+
+def once(blocks: Sequence[Block]) -> tuple[Block, ...]:
+    """Return blocks in which what is to be said once is said where it comes first; empty paragraphs go."""
+    known: set[str] = set()
+    found: list[Block] = []
+    for block in blocks:
+        if isinstance(block, Paragraph):
+            block = block._replace(runs=_said(block.runs, known))
+            if not block.runs:
+                continue
+        elif isinstance(block, Listed):
+            items = (one._replace(blocks=once(one.blocks)) for one in block.items)
+            block = block._replace(items=tuple(items))
+        elif isinstance(block, Table):
+            rows = tuple(tuple(_said(cell, known) for cell in row) for row in block.rows)
+            block = block._replace(rows=rows)
+        found.append(block)
+    return tuple(found)
+
+
+_LETTER = re.compile(
+    r"(?<![^\W\d_])(?:\[?[^\W\d_]+(?:\^\{?[A-Z]\}?|_\{?[^\W²³]+\*?\}?)\]?[′″]?|[a-zA-Z]\d)(?![^\W²])²?"
+)
+"""A letter with an index among words: K_v, ω_max², [r_1], z3."""
+
+
+def lettered(words: str, style: str = "") -> Runs:
+    """Return words with the letters among them, which have an index, as symbols."""
+    found: list[Run] = []
+    end = 0
+    for one in _LETTER.finditer(words):
+        found += text(words[end : one.start()], style)
+        found.append(Symbol(_braced(one[0])))
+        end = one.end()
+    return (*found, *text(words[end:], style))
+
+
+def _braced(letter: str) -> str:
+    """Return a letter as mark-up: an index of several signs is one, a square is raised."""
+    letter = re.sub(r"_([\w*]{2,})", r"_{\1}", letter.replace("²", "^2"))
+    return letter
+
+
+def _said(runs: Runs, known: set[str]) -> Runs:
+    """Return runs without what was said; a space before what is gone goes with it."""
+    found: list[Run] = []
+    for run in runs:
+        if isinstance(run, Text) and not run.style:
+            found += lettered(run.text)
+        elif not isinstance(run, Once):
+            found.append(run)
+        elif run.key not in known:
+            known.add(run.key)
+            found += _said(run.runs, known)
+        elif found and found[-1] == Text(" "):
+            found.pop()
+    while found and found[0] == Text(" "):
+        found.pop(0)
+    return tuple(found)
 
 
 def leaves(one: Run | Tree) -> Iterator[Leaf]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from graphic_tmm.drawn import Drawn
@@ -16,12 +16,20 @@ FORMAT = "A4"
 """The format whose pens and letters figures are drawn with: a note is held in the hand."""
 WALL, SMALL = "A1", 0.65
 """The format whose letters are larger, and below how much of its size a figure is lettered so."""
-WIDTH, HEIGHT, WHOLE = 165.0, 105.0, 215.0
+WIDTH, HEIGHT, WHOLE = 165.0, 80.0, 200.0
 """Room for a figure on a page, mm: its width, its usual height, the height of a page."""
-SMALLEST = 0.6
+SMALLEST = 0.45
 """A figure takes more of a page than usual before it is made smaller than this. Chosen by eye."""
 LARGEST = 1.25
 """How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""
+LETTER = 3.5
+"""How large the letter of a part of a figure is on the page, mm."""
+GAP = 5.0
+"""What is between parts beside one another, mm."""
+LESS, ALIKE = 0.8, 0.55
+"""Parts beside one another are made smaller than this times no view; the lowest is so high of the highest."""
+AT_MOST = 1.7
+"""No part is shown larger than so many times the smallest one beside it: their letters are of a size."""
 EDGE = 1.5
 """White about a figure, mm: half of its thickest line, and a little."""
 
@@ -35,10 +43,17 @@ def in_hand(drawn: Drawn, format: str = FORMAT) -> Drawn:
 
 def readable(drawn: Drawn, draw: Callable[[Drawn, bool], list[Drawing]]) -> list[Drawing]:
     """Return lettered views; those that are made much smaller for a page in the letters of a wall's sheet."""
-    found = draw(in_hand(drawn), False)
-    boxes = [bounds(view) for view in found]
-    least = min((scale(b[2] - b[0], b[3] - b[1]) for b in boxes), default=1.0)
-    return draw(in_hand(drawn, FORMAT if least > SMALL else WALL), True)
+    far = draw(in_hand(drawn, WALL), True)
+    small = [not is_figure(view) or _scale_of(view) <= SMALL for view in far]
+    if all(small):
+        return far
+    near = draw(in_hand(drawn), True)
+    return [far[k] if one else near[k] for k, one in enumerate(small)]
+
+
+def _scale_of(view: Drawing) -> float:
+    left, low, right, top = bounds(view)
+    return scale(right - left, top - low)
 
 
 def is_figure(drawing: Drawing) -> bool:
@@ -74,11 +89,21 @@ TOUCH = 1e-9
 """Lengths nearer to one another than this, mm, are one."""
 
 
-def sheet_of(drawing: Drawing, language: str, name: str) -> Sheet:
-    """Return a paper just as large as a view."""
+def sheet_of(
+    drawing: Drawing, language: str, name: str, letter: str = "", times: float = 1.0
+) -> Sheet:
+    """Return a paper just as large as a view.
+
+    ``letter``: of a part of a figure, it stands below; ``times``: how many times larger that is shown.
+    """
     left, low, right, top = bounds(drawing._replace(cell=None))
-    width, height = right - left + 2 * EDGE, top - low + 2 * EDGE
     moved = drawing.moved(complex(EDGE - left, EDGE - low))
+    width, height = right - left + 2 * EDGE, top - low + 2 * EDGE
+    if letter:
+        size = LETTER / times
+        label = Label(letter, complex(width / 2, 0.6 * size), size, "middle", inclined=False)
+        moved = moved.moved(2j * size)
+        moved, height = moved._replace(labels=(*moved.labels, label)), height + 2 * size
     return Sheet(name, drawing.title, FORMAT, width, height, (moved,), language)
 
 
@@ -86,3 +111,30 @@ def scale(width: float, height: float) -> float:
     """Return how many times larger a picture stands on its page."""
     usual = min(HEIGHT / height, LARGEST)
     return min(WIDTH / width, max(usual, min(SMALLEST, WHOLE / height)))
+
+
+def sizes_of(pictures: Sequence[Picture]) -> list[tuple[float, float]]:
+    """Return how wide and high the papers of views are, mm."""
+    boxes = [bounds(one.drawing._replace(cell=None)) for one in pictures]
+    return [(box[2] - box[0] + 2 * EDGE, box[3] - box[1] + 2 * EDGE) for box in boxes]
+
+
+def fit(pictures: Sequence[Picture]) -> bool:
+    """Whether views stand beside one another on a page without being made much smaller."""
+    sizes = sizes_of(pictures)
+    heights = [size[1] * scale(*size) for size in sizes]
+    if min(heights) < ALIKE * max(heights):
+        return False
+    return sum(size[0] * scale(*size) for size in sizes) * LESS + GAP <= WIDTH
+
+
+def scales_of(pictures: Sequence[Picture]) -> list[float]:
+    """Return how many times larger views stand on their page, one alone or several beside one another."""
+    sizes = sizes_of(pictures)
+    times = [scale(*size) for size in sizes]
+    if len(pictures) == 1:
+        return times
+    times = [min(one, AT_MOST * min(times)) for one in times]
+    room = WIDTH - GAP * (len(sizes) - 1)
+    wide = sum(one * size[0] for one, size in zip(times, sizes, strict=True))
+    return [one * min(1.0, room / wide) for one in times]

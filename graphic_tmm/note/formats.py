@@ -13,10 +13,10 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc, word
-from graphic_tmm.note.document import Document, Picture, Table, walk
-from graphic_tmm.note.figures import scale, sheet_of
-from graphic_tmm.note.pandoc import Outline, Target, raw
-from graphic_tmm.note.styles import CSS, TYPST
+from graphic_tmm.note.document import Beside, Document, Picture, Table
+from graphic_tmm.note.figures import scales_of, sheet_of
+from graphic_tmm.note.pandoc import Outline, Target, letter_of, raw
+from graphic_tmm.note.styles import APART, CSS, NEARER, TYPST
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import svg
 
@@ -26,14 +26,19 @@ CONTENTS = said("Contents")
 PPI = 200.0
 """Dots per inch of the figures of a DOCX."""
 
+_MARKED = re.compile(r"\\|~|&(?=#?\w+;)|:(?=[\w+-]+:)|^-(?=-+$)")
+"""What pandoc leaves as it is in Markdown, though it means something there."""
+_SHORT = re.compile(r"(?<=\.\.)\.")
+"""Three points, for which typst has a sign of its own."""
+
 Tree = dict[str, Any]
 
 
-TALL = 80.0
+TALL = 30.0
 """A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
 
 
-SHORT = 24
+SHORT = 14
 """A table of so many rows stands on one page."""
 
 
@@ -54,13 +59,20 @@ class Drawn(NamedTuple):
 def drawn_figures(document: Document) -> dict[str, Drawn]:
     """Return the figures of a note by id, each on a paper of its size."""
     found: dict[str, Drawn] = {}
-    for block in walk(document.blocks):
-        if isinstance(block, Picture):
-            name = f"figure-{len(found) + 1}"
-            sheet = sheet_of(block.drawing, document.language, name)
-            width = sheet.width * scale(sheet.width, sheet.height)
-            found[block.id] = Drawn(name, sheet, round(width, 1), block.alt)
+    for block in document.blocks:
+        if isinstance(block, Picture | Beside):
+            _draw(block, document.language, found)
     return found
+
+
+def _draw(block: Picture | Beside, language: str, found: dict[str, Drawn]) -> None:
+    """Enter a figure, or the parts of one, each with its letter."""
+    parts = (block,) if isinstance(block, Picture) else block.parts
+    times = scales_of(parts)
+    for k, (one, larger) in enumerate(zip(parts, times, strict=True)):
+        letter = f"{letter_of(k, language)})" if len(parts) > 1 else ""
+        sheet = sheet_of(one.drawing, language, f"figure-{len(found) + 1}", letter, larger)
+        found[one.id] = Drawn(sheet.name, sheet, round(sheet.width * larger, 1), one.alt)
 
 
 def files(document: Document, stem: str, formats: Sequence[str]) -> dict[str, str | bytes]:
@@ -105,11 +117,12 @@ def html(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
     target = Target(
         "html5",
         picture,
-        _listed_contents(document.language),
+        _navigated(document.language),
         lambda: [],
         ("--mathml", "--wrap=none"),
+        headed=True,
     )
-    body = pandoc.written(document, target).decode("utf-8")
+    body = _scoped(pandoc.written(document, target).decode("utf-8"))
     title, lang = escape(document.title), escape(document.language)
     page = (
         f'<!doctype html>\n<html lang="{lang}">\n<head>\n<meta charset="utf-8">\n'
@@ -128,6 +141,27 @@ def _inline(one: Drawn) -> str:
     head = re.sub(r' (?:width|height)="[^"]*mm"', "", head)
     label = escape(one.alt, quote=True)
     return f'{head} role="img" aria-label="{label}" style="width:{one.width}mm">{rest}'
+
+
+def _scoped(body: str) -> str:
+    """Return a page on which heads of tables tell what they are heads of; tables without heads are none."""
+    parts = re.split(r"(<thead>.*?</thead>)", body, flags=re.DOTALL)
+    told = [
+        part.replace("<th ", f'<th scope="{"col" if part.startswith("<thead>") else "row"}" ')
+        for part in parts
+    ]
+    return "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
+
+
+def _navigated(language: str) -> Callable[[Outline], list[Tree]]:
+    """Return the contents as a part of the page by which one finds one's way in it."""
+    label = escape(speaking(language)(CONTENTS), quote=True)
+
+    def told(outline: Outline) -> list[Tree]:
+        opening = raw("html", f'<nav aria-label="{label}">', block=True)
+        return [opening, *_listed_contents(language)(outline), raw("html", "</nav>", block=True)]
+
+    return told
 
 
 def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline], list[Tree]]:
@@ -176,6 +210,7 @@ def markdown(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[
         _emphasised,
         captioned=False,
         linked=False,
+        word=pandoc.escaped(pandoc.MARKDOWN[0].partition("+")[0], _MARKED),
     )
     found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
     for one in shown.values():
@@ -187,6 +222,8 @@ def _emphasised(block: Tree, style: str) -> list[Tree]:
     """Return a paragraph of the title page as Markdown has it."""
     if style == "space":
         return []
+    if style in (pandoc.RAGGED, pandoc.LEADING):
+        return [block]
     strong = {"t": "Strong", "c": block["c"]}
     return [{"t": "Para", "c": [strong]}] if style == "title" else [block]
 
@@ -198,10 +235,14 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
     typst = _typst("pdf")
 
-    def figure(block: Picture, caption: Tree) -> list[Tree]:
-        one = shown[block.id]
-        image = f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
-        where = "bottom" if one.height > TALL else "none"
+    def figure(block: Picture | Beside, caption: Tree) -> list[Tree]:
+        parts = [shown[one.id] for one in (block.parts if isinstance(block, Beside) else [block])]
+        told = [
+            f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
+            for one in parts
+        ]
+        image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
+        where = "bottom" if max(one.height for one in parts) > TALL else "none"
         opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
         closing = raw("typst", f"]) <{block.id}>", block=True)
         return [raw("typst", opening, block=True), caption, closing]
@@ -217,11 +258,13 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
         _tabled,
         _part,
         figure=figure,
+        word=pandoc.escaped("typst", _SHORT),
     )
     body = pandoc.written(document, target).decode("utf-8")
     head = (
         f"#set document(title: {quoted(document.title)}, date: none)\n"
         f"#set text(lang: {quoted(document.language)})\n"
+        f"#let apart = {APART.get(document.language, NEARER)}\n"
     )
     with TemporaryDirectory() as folder:
         home = Path(folder)
@@ -238,6 +281,8 @@ def _set(block: Tree, style: str) -> list[Tree]:
     """Return a paragraph of the title page as typst sets it."""
     if style == "space":
         return [raw("typst", "#v(1fr)", block=True)]
+    if style in (pandoc.RAGGED, pandoc.LEADING):
+        return [raw("typst", f"#{style}[", block=True), block, raw("typst", "]", block=True)]
     opening = "#great[" if style == "title" else "#centred["
     return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
 
@@ -249,9 +294,12 @@ def _part(heading: Tree) -> list[Tree]:
 
 def _tabled(made: Tree, table: Table) -> list[Tree]:
     """Return a table as typst sets it: without lines if it has none, on one page if it is short."""
-    if table.ruled and len(table.rows) > SHORT:
+    if table.long:
+        return [raw("typst", "#long[", block=True), made, raw("typst", "]", block=True)]
+    if table.ruled and not table.apart and len(table.rows) > SHORT:
         return [made]
-    opening = raw("typst", "#whole[" if table.ruled else "#bare[", block=True)
+    kind = "bare" if not table.ruled else "apart-whole" if table.apart else "whole"
+    opening = raw("typst", f"#{kind}[", block=True)
     return [opening, made, raw("typst", "]", block=True)]
 
 
@@ -286,6 +334,11 @@ def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
         attributes = ["", [], [["width", f"{one.width}mm"]]]
         return {"t": "Image", "c": [attributes, words, [f"{one.name}.png", ""]]}
 
+    def styled(block: Tree, style: str) -> list[Tree]:
+        if style == "space":
+            return [raw("openxml", word.empty(document), block=True)]
+        return [pandoc.classed(block, style)]
+
     with TemporaryDirectory() as folder:
         home = Path(folder)
         _pictures(typst, home, list(shown.values()))
@@ -296,10 +349,20 @@ def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
             lambda outline: [raw("openxml", word.contents(outline, document.language), block=True)],
             lambda: [raw("openxml", word.BREAK, block=True)],
             ("--reference-doc=reference.docx",),
+            styled,
+            _bare,
+            styled_rows=True,
         )
         pandoc.written(document, target, out="note.docx", folder=folder)
         made = word.settled((home / "note.docx").read_bytes(), pandoc.parts(document))
     return {f"{stem}.docx": made}
+
+
+def _bare(made: Tree, table: Table) -> list[Tree]:
+    """Return a table as a word processor is told it: of a style of its own if it has no lines."""
+    if not table.ruled:
+        made["c"][0][2].append(["custom-style", word.UNRULED])
+    return [made]
 
 
 def _pictures(typst: Any, home: Path, shown: Sequence[Drawn]) -> None:

@@ -7,10 +7,12 @@ from itertools import chain
 
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.note.document import Block, Document
+from graphic_tmm.note.document import Block, Document, once
 from graphic_tmm.note.formats import files
+from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.sections.chapter import chapter_section
 from graphic_tmm.note.sections.conclusions import conclusions
+from graphic_tmm.note.sections.introduction import introduction
 from graphic_tmm.note.sections.literature import literature
 from graphic_tmm.note.sections.scales import scales
 from graphic_tmm.note.sections.symbols import symbol_list
@@ -29,7 +31,8 @@ def wanted(scene: Scene) -> set[str]:
 def note(made: DrawnScene) -> Document:
     """Return the note of a scene in its language."""
     language = made.scene.language
-    blocks: list[Block] = [*title_page(made, language), *task(made, language)]
+    blocks: list[Block] = [*title_page(made, language), *introduction(made, language)]
+    blocks += task(made, language)
     blocks += synthesis(made, language)
     told = [
         (chapter.number, board, chapter)
@@ -37,17 +40,18 @@ def note(made: DrawnScene) -> Document:
         for chapter in board.project.chapters
     ]
     told.sort(key=lambda one: one[0])
+    known: Known = set()
     first = [one for one in told if one[0] < FIRST]
     for _, board, chapter in first:
-        blocks += chapter_section(board, chapter, language)
+        blocks += chapter_section(board, chapter, language, known)
     blocks += scales(made, language)
     for _, board, chapter in told:
         if (_, board, chapter) not in first:
-            blocks += chapter_section(board, chapter, language)
+            blocks += chapter_section(board, chapter, language, known)
     blocks += conclusions(made, language)
     blocks += symbol_list(made, blocks, language)
     blocks += literature(made, language)
-    return Document(made.scene.title, language, tuple(blocks))
+    return Document(made.scene.title, language, once(blocks))
 
 
 FIRST = 2

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -17,6 +18,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import (
+    Beside,
     Block,
     Break,
     Contents,
@@ -24,6 +26,7 @@ from graphic_tmm.note.document import (
     Document,
     Formula,
     Heading,
+    Letter,
     Listed,
     Number,
     Paragraph,
@@ -32,6 +35,7 @@ from graphic_tmm.note.document import (
     Run,
     Symbol,
     Table,
+    Text,
     runs_of,
     walk,
 )
@@ -66,7 +70,9 @@ class Target(NamedTuple):
     ``picture``: the inline that shows a figure, ``contents`` and ``break_page``: blocks; ``styled``: a
     paragraph of the title page, ``tabled``: a table as it stands,
     ``part``: a heading without a number. ``captioned``: a figure and its caption
-    are one; ``figure``: what they are instead. ``linked``: places in it have names.
+    are one; ``figure``: what they are instead. ``styled_rows``: parts beside one another and their caption are
+    paragraphs of the styles of a figure. ``linked``: places in it have names. ``word``: a word of plain text,
+    with what pandoc does not escape. ``headed``: the first cell of a row is its head.
     """
 
     name: str
@@ -74,20 +80,27 @@ class Target(NamedTuple):
     contents: Callable[[Outline], list[Tree]]
     break_page: Callable[[], list[Tree]]
     options: tuple[str, ...] = ()
-    styled: Callable[[Tree, str], list[Tree]] = lambda block, style: [classed(block, style)]
+    styled: Callable[[Tree, str], list[Tree]] = lambda block, style: styled(block, style)
     tabled: Callable[[Tree, Table], list[Tree]] = lambda made, table: [made]
     part: Callable[[Tree], list[Tree]] = lambda heading: [heading]
     captioned: bool = True
     linked: bool = True
-    figure: Callable[[Picture, Tree], list[Tree]] | None = None
+    headed: bool = False
+    figure: Callable[[Picture | Beside, Tree], list[Tree]] | None = None
+    styled_rows: bool = False
+    word: Callable[[str], list[Tree]] = lambda word: _plain(word)
 
 
 class Numbered(NamedTuple):
-    """The numbers of a note: headings by their place among the blocks, figures and tables by id."""
+    """The numbers of a note: headings by their place among the blocks, figures and tables by id.
+
+    ``wholes``: the id of the figure that a part of one belongs to, by that of the part.
+    """
 
     headings: Mapping[int, str]
-    figures: Mapping[str, int]
+    figures: Mapping[str, str]
     tables: Mapping[str, int]
+    wholes: Mapping[str, str]
 
 
 def numbered(document: Document) -> Numbered:
@@ -99,14 +112,26 @@ def numbered(document: Document) -> Numbered:
             counts = [*counts[: block.level], *[0] * (block.level - len(counts))]
             counts[block.level - 1] += 1
             headings[k] = ".".join(map(str, counts))
-    figures: dict[str, int] = {}
+    figures: dict[str, str] = {}
     tables: dict[str, int] = {}
-    for block in walk(document.blocks):
-        if isinstance(block, Picture):
-            figures[block.id] = len(figures) + 1
+    wholes: dict[str, str] = {}
+    count = 0
+    for block in document.blocks:
+        if isinstance(block, Picture | Beside):
+            count += 1
+            figures[block.id] = str(count)
+        if isinstance(block, Beside):
+            for k, part in enumerate(block.parts):
+                figures[part.id] = f"{count}, {letter_of(k, document.language)}"
+                wholes[part.id] = block.id
         elif isinstance(block, Table) and block.ruled:
             tables[block.id] = len(tables) + 1
-    return Numbered(headings, figures, tables)
+    return Numbered(headings, figures, tables, wholes)
+
+
+def letter_of(k: int, language: str) -> str:
+    """Return the letter of a part of a figure, by its number from 0."""
+    return "абвгдежик"[k] if language == "ru" else "abcdefghi"[k]
 
 
 class _Writer:
@@ -143,7 +168,8 @@ class _Writer:
             return [made] if block.numbered else self.target.part(made)
         if isinstance(block, Paragraph):
             told = _of("Para", self.inlines(block.runs))
-            return self.target.styled(told, block.style) if block.style else [told]
+            style = block.style or _set_as(block)
+            return self.target.styled(told, style) if style else [told]
         if isinstance(block, Display):
             return [_of("Para", [self.row(one)]) for one in packed(block.formulas)]
         if isinstance(block, Listed):
@@ -151,7 +177,7 @@ class _Writer:
         if isinstance(block, Table):
             made = self.table(block)
             return self.target.tabled(made, block)
-        if isinstance(block, Picture):
+        if isinstance(block, Picture | Beside):
             return self.figure(block)
         if isinstance(block, Contents):
             return self.target.contents(self.outline())
@@ -200,24 +226,34 @@ class _Writer:
                 [None, caption],
                 aligned,
                 [NONE, heads],
-                [[NONE, 0, [], [_row(row) for row in rows]]],
+                [[NONE, self.row_heads(block), [], [_row(row) for row in rows]]],
                 [NONE, []],
             ],
         )
+
+    def row_heads(self, block: Table) -> int:
+        """Return how many cells of a row are its head: none where two rows stand beside one another."""
+        half = len(block.heads) // 2
+        folded = half > 0 and block.heads[:half] == block.heads[half:]
+        return int(self.target.headed and any(block.heads) and not folded)
 
     def cell(self, runs: Sequence[Run]) -> list[Any]:
         inside = [_of("Plain", self.inlines(runs))] if runs else []
         return [NONE, {"t": "AlignDefault"}, 1, 1, inside]
 
-    def figure(self, block: Picture) -> list[Tree]:
+    def figure(self, block: Picture | Beside) -> list[Tree]:
         number = self.speech(FIGURE, number=self.numbers.figures[block.id])
         caption = [*_words(number), *self.inlines(block.caption)]
-        shown = self.target.picture(block)
+        parts = block.parts if isinstance(block, Beside) else (block,)
+        shown = [one for part in parts for one in (self.target.picture(part), {"t": "Space"})][:-1]
         if not self.target.captioned:
-            return [_of("Para", [shown]), _of("Para", caption)]
+            return [_of("Para", shown), _of("Para", caption)]
         if self.target.figure is not None:
             return self.target.figure(block, _of("Plain", caption))
-        whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", [shown])]]
+        if isinstance(block, Beside) and self.target.styled_rows:
+            row = classed(_of("Para", shown), "Captioned Figure", block.id)
+            return [row, classed(_of("Para", caption), "Image Caption")]
+        whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", shown)]]
         return [_of("Figure", whole)]
 
     # ------------------------------------------------------------ runs
@@ -230,10 +266,15 @@ class _Writer:
             return [self.math(run)]
         if isinstance(run, Number):
             return [_of("Str", self.plain(run))]
+        if isinstance(run, Letter):
+            return [_of("Str", letter_of(run.of, self.document.language))]
         if isinstance(run, Ref):
             words = _words(self.plain(run))
-            return [_of("Link", [NONE, words, [f"#{run.to}", ""]])] if self.target.linked else words
-        inside = _words(run.text)
+            to = self.numbers.wholes.get(run.to, run.to)
+            return [_of("Link", [NONE, words, [f"#{to}", ""]])] if self.target.linked else words
+        if not isinstance(run, Text):
+            return []
+        inside = _words(run.text, self.target.word)
         if run.style == "strong":
             return [_of("Strong", inside)]
         return [_of("Emph", inside)] if run.style else inside
@@ -247,7 +288,7 @@ class _Writer:
             if run.to in self.numbers.figures:
                 return self.speech(FIGURE_AT, number=self.numbers.figures[run.to])
             return self.speech(TABLE_AT, number=self.numbers.tables[run.to])
-        return run.text if not isinstance(run, Formula | Symbol) else ""
+        return run.text if isinstance(run, Text) else ""
 
     def row(self, beside: Sequence[Formula]) -> Tree:
         """Return formulas beside one another on a line of their own."""
@@ -257,6 +298,14 @@ class _Writer:
     def math(self, one: Formula | Symbol) -> Tree:
         """Return a formula among words."""
         return _of("Math", [{"t": "InlineMath"}, tex(one, self.document.language, self.put)])
+
+
+def _set_as(block: Paragraph) -> str:
+    """Return how a paragraph is set: with calculations its lines are not spread; one may lead to a formula."""
+    if any(isinstance(run, Formula) and len(run.sides) > 2 for run in block.runs):
+        return RAGGED
+    last = block.runs[-1] if block.runs else None
+    return LEADING if isinstance(last, Text) and last.text.endswith(":") else ""
 
 
 def parts(document: Document) -> list[str]:
@@ -294,23 +343,50 @@ def _row(cells: list[Any]) -> list[Any]:
     return [NONE, cells]
 
 
-def classed(block: Tree, style: str) -> Tree:
+def styled(block: Tree, style: str) -> list[Tree]:
+    """Return a paragraph of a style; how it is set is of no account but on pages."""
+    return [block] if style in (RAGGED, LEADING) else [classed(block, style)]
+
+
+RAGGED, LEADING = "ragged", "leading"
+"""How a paragraph is set whose lines are not spread; one that stays with what follows it."""
+
+
+def classed(block: Tree, style: str, id: str = "") -> Tree:
     """Return a block as one of a class, which is a style to a word processor."""
-    return _of("Div", [["", [style], [["custom-style", style]]], [block]])
+    return _of("Div", [[id, [style], [["custom-style", style]]], [block]])
 
 
-def _words(text: str) -> list[Tree]:
+def _plain(word: str) -> list[Tree]:
+    return [_of("Str", word)]
+
+
+def _words(text: str, word: Callable[[str], list[Tree]] = _plain) -> list[Tree]:
     """Return plain text as words and spaces; lines that are broken stay so."""
     found: list[Tree] = []
     for k, line in enumerate(text.split("\n")):
         if k:
             found.append({"t": "LineBreak"})
-        for j, word in enumerate(line.split(" ")):
+        for j, one in enumerate(line.split(" ")):
             if j:
                 found.append({"t": "Space"})
-            if word:
-                found.append(_of("Str", word))
+            found += word(one) if one else []
     return found
+
+
+def escaped(form: str, strange: re.Pattern[str]) -> Callable[[str], list[Tree]]:
+    """Return how words are written in a format with a backslash before what would mean something there."""
+
+    def word(text: str) -> list[Tree]:
+        found: list[Tree] = []
+        done = 0
+        for match in strange.finditer(text):
+            found += [_of("Str", text[done : match.start()])] if match.start() > done else []
+            found.append(raw(form, f"\\{match[0]}"))
+            done = match.end()
+        return [*found, _of("Str", text[done:])] if done < len(text) else found
+
+    return word
 
 
 def raw(form: str, text: str, *, block: bool = False) -> Tree:

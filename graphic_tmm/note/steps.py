@@ -11,8 +11,6 @@ from typing import NamedTuple
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.formula_text import Node, tree_of
 from graphic_tmm.board.functions import FUNCTIONS
-from graphic_tmm.board.operations.formulas import in_si, rescaled, to_board
-from graphic_tmm.board.operations.statics import moment, on_lever
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.language.names import spoken
@@ -31,12 +29,8 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase, worth
 
-PLAIN = (to_board, rescaled, in_si, on_lever, moment)
-"""Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
-LEAST = 2
-"""A formula of more sides than these stands on a line of its own; what is only read stands in its sentence."""
-
-
+LEAST = 3
+"""A formula has so many sides at least where its letters and its figures differ."""
 _INDEX = re.compile(r"_(\w[\w–-]+)")
 
 
@@ -74,16 +68,17 @@ class Told(NamedTuple):
 
 def sentence_runs(told: Told, step: Step) -> Runs:
     """Return what is done in a step, its letters as symbols."""
-    return put(phrase(step, told.language, told.reading, told.place), _marks(step), told)
+    return put(phrase(step, told.language, told.reading, told.place), marks_of(step), told)
 
 
 def reason_runs(told: Told, step: Step) -> Runs:
     """Return why a step is done, its letters as symbols; none if nobody gave a reason."""
     found = grounds(step, told.language, told.reading, told.place)
-    return put(found, _marks(step), told) if found is not None else ()
+    return put(found, marks_of(step), told) if found is not None else ()
 
 
-def _marks(step: Step) -> dict[str, Mark]:
+def marks_of(step: Step) -> dict[str, Mark]:
+    """Return the marks of a step by the names that its sentence has for them."""
     return dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
 
 
@@ -166,6 +161,8 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
         return Formula((it, Tree(node, apart)))
     if isinstance(only := _alone(figures), Number) and only.text == result.text:
         sides.remove(figures)
+    if it.markup.endswith("/2") and node.head == "/" and len(sides) > LEAST:
+        sides.remove(letters)  # the letter says it: half of what it is named after
     return Formula(tuple(sides))
 
 
@@ -174,7 +171,7 @@ _SEGMENT = re.compile(r"\{(\w+)\}\{(\w+)\}")
 
 def _proportion(told: Told, step: Step) -> Formula | None:
     """Return the segment sought by the proportion of a figure drawn similar to another: pc = pb·AC/AB."""
-    marks = _marks(step)
+    marks = marks_of(step)
     segments = [(marks[a], marks[b]) for a, b in _SEGMENT.findall(step.op.proportion)]
     sizes = [_segment(told, *ends) for ends in segments]
     sought, base, part, whole = sizes

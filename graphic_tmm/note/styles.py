@@ -32,43 +32,51 @@ TYPST = """\
   paper: "a4",
   margin: (left: 30mm, right: 15mm, top: 20mm, bottom: 20mm),
   numbering: "1",
-  number-align: center,
+  footer: context if here().page() > 1 { align(center, counter(page).display("1")) },
 )
-#set text(font: ("Libertinus Serif", "New Computer Modern"), size: 12pt, hyphenate: true)
-#set par(leading: 0.8em, spacing: 0.8em, justify: true, first-line-indent: (amount: 12.5mm, all: true))
-#set enum(indent: 6mm, body-indent: 2mm, spacing: 0.75em)
+#set text(
+  font: ("Libertinus Serif", "New Computer Modern"),
+  size: 14pt,
+  top-edge: 0.75em,
+  bottom-edge: -0.25em,
+  hyphenate: true,
+)
+#set par(leading: apart, spacing: apart, justify: true, first-line-indent: (amount: 12.5mm, all: true))
+#set enum(indent: 6mm, body-indent: 2mm)
 #set list(marker: [–], indent: 6mm, body-indent: 2mm)
-#set table(stroke: 0.5pt, inset: (x: 3pt, y: 3.5pt))
+#set table(stroke: 0.5pt, inset: (x: 3pt, y: 1.3pt))
 #set table.hline(stroke: 0.5pt)
-#show table: set text(size: 10pt, hyphenate: false)
+#show table: set text(size: 10.5pt, hyphenate: false)
 #show table: it => {
   let wide = type(it.columns) == array and it.columns.len() > 10
-  set text(size: 8.5pt) if wide
-  set table(inset: (x: 1.5pt, y: 3pt)) if wide
+  set text(size: 9pt) if wide
+  set table(inset: (x: 1.5pt, y: 1.5pt)) if wide
   it
 }
-#show table: set par(justify: false, leading: 0.5em, first-line-indent: 0mm)
-#show figure: set block(breakable: true, above: 1.2em, below: 1.2em)
+#show table: set par(justify: false, leading: 0.1em, spacing: 0.1em, first-line-indent: 0mm)
+#show figure: set block(breakable: true, above: 0.8em, below: 0.8em)
 #show figure.where(kind: table): set figure.caption(position: top)
 #show figure.where(kind: table): set align(left)
 #show figure.where(kind: image): set block(breakable: false)
 #show figure.caption: it => {
-  set par(first-line-indent: 0mm, justify: false)
+  set par(first-line-indent: 0mm, justify: false, leading: 0.15em)
+  set text(size: 12pt, hyphenate: false)
+  set align(if it.kind == table { left } else { center })
   block(sticky: true, width: 100%, it.body)
 }
-#show math.equation.where(block: true): set block(above: 0.8em, below: 0.8em, breakable: true)
+#show math.equation.where(block: true): set block(above: 0.55em, below: 0.55em, breakable: true)
 #show math.equation: set text(font: "New Computer Modern Math")
 #show heading: set text(hyphenate: false)
-#show heading: set par(justify: false, first-line-indent: 0mm)
-#show heading: set block(above: 1.6em, below: 1em)
-#show heading.where(level: 1): set text(size: 15pt)
-#show heading.where(level: 2): set text(size: 13pt)
-#show heading.where(level: 3): set text(size: 12pt, style: "italic", weight: "regular")
+#show heading: set par(justify: false, first-line-indent: 0mm, leading: 0.2em)
+#show heading: set block(above: 0.9em, below: 0.6em)
+#show heading.where(level: 1): set text(size: 16pt)
+#show heading.where(level: 2): set text(size: 14pt)
+#show heading.where(level: 3): set text(size: 14pt, style: "italic", weight: "regular")
 #show link: set text(fill: black)
 #let contents(title) = {
-  align(center, text(size: 15pt, weight: "bold", title))
-  set text(size: 11pt)
-  set par(leading: 0.55em, spacing: 0.55em)
+  align(center, text(size: 16pt, weight: "bold", title))
+  set text(size: 12pt)
+  set par(leading: 0.2em, spacing: 0.2em)
   outline(title: none, depth: 2, indent: 6mm)
   pagebreak(weak: true)
 }
@@ -78,10 +86,30 @@ TYPST = """\
 }
 #let bare(told) = {
   set table(stroke: none)
-  show table: set text(size: 12pt)
+  show table: set text(size: 14pt)
   told
 }
+#let beside(..parts) = grid(
+  columns: parts.pos().len(),
+  column-gutter: 5mm,
+  align: center + bottom,
+  ..parts.pos(),
+)
+#let ragged(told) = {
+  set par(justify: false)
+  told
+}
+#let leading(told) = block(sticky: true, above: apart, below: apart, told)
 #let part(told) = align(center, told)
+#let long(told) = {
+  show table: set text(size: 9.5pt)
+  told
+}
+#let apart-whole(told) = {
+  set figure(placement: auto)
+  show figure: set block(breakable: false)
+  told
+}
 #let whole(told) = {
   show figure: set block(breakable: false)
   told
@@ -89,4 +117,8 @@ TYPST = """\
 #show enum: it => { show math.equation.where(block: true): set align(left); it }
 #let great(told) = centred(text(size: 18pt, weight: "bold", told))
 """
-"""Of PDF: what pandoc writes for typst is set by it."""
+"""Of PDF: what pandoc writes for typst is set by it; `apart` is the white between two lines of text."""
+APART = {"ru": "0.5em"}
+"""Lines stand one and a half sizes apart in Russian notes (ГОСТ 7.32)."""
+NEARER = "0.25em"
+"""White between lines in others."""

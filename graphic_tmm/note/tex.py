@@ -271,7 +271,9 @@ class _Writer:
             return self.tree(factors[0], put)
         loose = ("+", "−", "±", "neg")
         begun, self.signed = not self.signed, False
-        told = [self._within(one, put, loose, first=begun and not k) for k, one in enumerate(factors)]
+        told = [
+            self._within(one, put, loose, first=begun and not k) for k, one in enumerate(factors)
+        ]
         return r" \cdot ".join(told)
 
     def _below(self, node: Node, put: Mapping[str, Leaf]) -> str:

@@ -9,7 +9,7 @@ from graphic_tmm.board.formula_text import Node
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering.markup import plain
 
-WIDE = 68.0
+WIDE = 70.0
 """So many letters stand on a line of a page, brackets and signs among them. Measured on pages of PDF."""
 SMALL = 0.65
 """What a letter of an index takes of one on the line."""
@@ -149,7 +149,7 @@ def _short(one: Formula) -> bool:
     return sum(width(side) + SIGN for side in one.sides) <= SHORT
 
 
-SHORT = 35.0
+SHORT = 33.0
 """A formula of so many letters at the most takes half a line."""
 
 

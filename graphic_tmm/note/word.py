@@ -7,14 +7,17 @@ fonts and sizes by ГОСТ 2.105 and 7.32, English notes a little closer.
 from __future__ import annotations
 
 import io
+import math
 import re
 import zipfile
 from collections.abc import Sequence
+from itertools import takewhile
 from typing import NamedTuple
 from xml.sax.saxutils import escape
 
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.note.document import Break, Document, Paragraph, Table, Text
 from graphic_tmm.note.pandoc import Outline
 
 EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -27,6 +30,16 @@ _HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 FONT = "Times New Roman"
 TWIP = 56.6929
 """Twentieths of a point a millimetre has."""
+
+
+UNRULED = "Unruled"
+"""The style of a table without lines."""
+WIDTH, HEIGHT = 453.0, 690.0
+"""Of the text on the narrower and the lower page, pt."""
+LETTER, LEADING, ROW = 0.5, 1.15, 22.0
+"""How wide a letter is at the most on average, how far lines stand apart, em; a row of who signs, pt."""
+FILLED = 0.98
+"""So much of the title page is filled; the rest is for what fonts of other computers take more."""
 
 
 class Style(NamedTuple):
@@ -58,14 +71,34 @@ def _styles(lines: float) -> tuple[Style, ...]:
         Style("Image Caption", 14, "center", 3, 12, line=1.0),
         Style("Figure", 14, "center", 10, 0, line=1.0, kept=True),
         Style("Captioned Figure", 14, "center", 10, 0, line=1.0, kept=True),
-        Style("title", 18, "center", 60, 12, line=1.15, bold=True),
+        Style("title", 18, "center", 12, 12, line=1.15, bold=True),
         Style("centre", 14, "center", 0, 6, line=1.15),
+        Style("signed", 14, "left", 0, 4, line=1.0),
         Style("space", 14, "center", 60, 0, line=1.0),
         Style("toc 1", 14, "left", 2, 2, line=1.15),
         Style("toc 2", 14, "left", 1, 1, 6, line=1.15),
         Style("TOC Heading", 16, "center", 0, 12, line=1.15, bold=True),
         Style("footer", 12, "center", line=1.0),
     )
+
+
+def empty(document: Document) -> str:
+    """Return an empty line of the title page: so high that its last line stands at the foot of the page."""
+    page = list(takewhile(lambda block: not isinstance(block, Break), document.blocks))
+    known = {one.name: one for one in _styles(1.5)}
+    spaces = sum(isinstance(one, Paragraph) and one.style == "space" for one in page)
+    taken = 0.0
+    for block in page:
+        if isinstance(block, Table):
+            taken += ROW * len(block.rows)
+        elif isinstance(block, Paragraph):
+            style = known.get(block.style, known["Body Text"])
+            words = "".join(run.text for run in block.runs if isinstance(run, Text))
+            lines = math.ceil(max(len(words), 1) * style.size * LETTER / WIDTH)
+            taken += lines * style.size * LEADING * style.line + style.below
+            taken += style.above if block.style != "space" else 0.0
+    above = max(0, round(20 * (FILLED * HEIGHT - taken) / max(spaces, 1)))
+    return f'<w:p><w:pPr><w:pStyle w:val="Space"/><w:spacing w:before="{above}"/></w:pPr></w:p>'
 
 
 def reference(language: str) -> bytes:
@@ -170,6 +203,8 @@ def _style_sheet(language: str, lines: float) -> str:
         f'<w:basedOn w:val="TableNormal"/><w:tblPr><w:tblBorders>{edges}</w:tblBorders>'
         '<w:tblCellMar><w:left w:w="40" w:type="dxa"/><w:right w:w="40" w:type="dxa"/></w:tblCellMar>'
         "</w:tblPr></w:style>"
+        f'<w:style w:type="table" w:styleId="{UNRULED}"><w:name w:val="{UNRULED}"/>'
+        '<w:basedOn w:val="TableNormal"/></w:style>'
     )
     told = "".join(map(_style, _styles(lines)))
     return f'{_HEAD}<w:styles xmlns:w="{_W}">{defaults}{normal}{told}{table}</w:styles>'
@@ -236,6 +271,7 @@ def contents(outline: Outline, language: str) -> str:
 # ---------------------------------------------------------------- afterwards
 
 _TITLE = re.compile(r'<w:p>\s*<w:pPr>\s*<w:pStyle w:val="Title" />\s*</w:pPr>.*?</w:p>', re.DOTALL)
+_SIGNED = re.compile(rf'<w:tblStyle w:val="{UNRULED}" />.*?</w:tbl>', re.DOTALL)
 _DATES = re.compile(r"<dcterms:(created|modified).*?</dcterms:\1>", re.DOTALL)
 
 
@@ -253,6 +289,7 @@ def settled(made: bytes, centred: Sequence[str] = ()) -> bytes:
             r'\1<w:ind w:firstLine="0"/><w:jc w:val="center"/>',
             text,
         )
+    text = _SIGNED.sub(lambda found: found[0].replace('"Compact"', '"Signed"'), text)
     parts["word/document.xml"] = text.encode("utf-8")
     core = "docProps/core.xml"
     if core in parts:

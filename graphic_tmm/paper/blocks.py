@@ -7,12 +7,15 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from graphic_tmm.paper.drawing import Drawing, Within
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds, holds
 from graphic_tmm.paper.ruled import TITLE_GAP, Grid, measured, table
-from graphic_tmm.paper.views import stacked
+from graphic_tmm.paper.views import stacked, wrapped
 
 CROWNED = 1.8
 """Room for the title above a block, beside the gap under it, of the height of its capitals."""
+OVERHANG, SHARES = 1.3, (0.5, 0.6, 0.75)
+"""A title so many times as wide as its table stands in two lines, the first so long at the most."""
 
 
 def breakable(
@@ -43,7 +46,6 @@ def breakable(
         return table(own, told, heads, cells, size=size, title_size=title_size, align=ways)
 
     def apart(within: Within) -> list[Drawing]:
-        grid = measured(name, columns, rows, size=size, head_size=size, align=align)
         crown = TITLE_GAP + CROWNED * title_size
         rooms = [(wide, high - crown) for wide, high in within.sizes]
         _, _, across, down = min(_parts(grid, lead, over, room) for room in rooms)
@@ -52,8 +54,21 @@ def breakable(
         ]
         return piled([block(k, *run) for k, run in enumerate(runs)], within)
 
-    whole = table(name, title, columns, rows, size=size, title_size=title_size, align=align)
+    grid = measured(name, columns, rows, size=size, head_size=size, align=align)
+    head = _folded(title, max(size, title_size), sum(grid.widths))
+    whole = table(name, head, columns, rows, size=size, title_size=title_size, align=align)
     return whole._replace(cell=bounds(whole), apart=apart)
+
+
+def _folded(title: str, size: float, width: float) -> str:
+    """Return a title in two lines if it is much wider than its table, and two are less so."""
+    if letter(title, size=size).width <= OVERHANG * width:
+        return title
+    for share in SHARES:
+        lines = wrapped(title, size, max(width, share * letter(title, size=size).width))
+        if len(lines) == 2:
+            return "\n".join(lines)
+    return title
 
 
 def piled(blocks: Sequence[Drawing], within: Within) -> list[Drawing]:

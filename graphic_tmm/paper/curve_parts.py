@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -19,14 +20,17 @@ _THIRD = 1.0 / 3.0
 def at(controls: Sequence[complex], u: float) -> complex:
     """Return the point of a chain of cubic arcs at ``u``, 0 … the number of arcs."""
     k = min(int(u), len(controls) // 3 - 1)
-    return _blossom(controls[3 * k : 3 * k + 4], (u - k,) * 3)
+    a, b, c, d = controls[3 * k : 3 * k + 4]
+    t = u - k
+    s = 1.0 - t
+    return complex(s * s * (s * a + 3.0 * t * b) + t * t * (3.0 * s * c + t * d))
 
 
 def nearest(controls: Sequence[complex], spot: complex) -> float:
     """Return where on a chain of cubic arcs the point nearest to ``spot`` stands."""
     arcs = len(controls) // 3
-    tried = [k / _SAMPLES for k in range(arcs * _SAMPLES + 1)]
-    best = min(tried, key=lambda u: abs(at(controls, u) - spot))
+    spots = _sampled(tuple(controls))
+    best = int(np.argmin(np.abs(spots - spot))) / _SAMPLES
     low, high = max(0.0, best - 1 / _SAMPLES), min(float(arcs), best + 1 / _SAMPLES)
     for _ in range(_NARROWINGS):
         u, v = low + _THIRD * (high - low), high - _THIRD * (high - low)
@@ -35,6 +39,12 @@ def nearest(controls: Sequence[complex], spot: complex) -> float:
         else:
             low = u
     return (low + high) / 2
+
+
+@lru_cache(maxsize=64)
+def _sampled(controls: Controls) -> np.ndarray:
+    """Return the points of a chain of cubic arcs at which the nearest is looked for first."""
+    return points(controls, len(controls) // 3 * _SAMPLES + 1)
 
 
 def cut(controls: Sequence[complex], start: float, end: float) -> Controls:
@@ -51,7 +61,13 @@ def cut(controls: Sequence[complex], start: float, end: float) -> Controls:
 
 def points(controls: Sequence[complex], count: int) -> np.ndarray:
     """Return ``count`` points along a chain of cubic arcs, evenly by its arcs."""
-    return np.array([at(controls, u) for u in np.linspace(0.0, len(controls) // 3, count)])
+    chain, arcs = np.asarray(controls), len(controls) // 3
+    u = np.linspace(0.0, arcs, count)
+    k = np.minimum(u.astype(int), arcs - 1)
+    a, b, c, d = (chain[3 * k + n] for n in range(4))
+    t = u - k
+    s = 1.0 - t
+    return s * s * (s * a + 3.0 * t * b) + t * t * (3.0 * s * c + t * d)  # type: ignore[no-any-return]
 
 
 def _blossom(arc: Sequence[complex], knots: tuple[float, float, float]) -> complex:

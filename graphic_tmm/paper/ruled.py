@@ -262,11 +262,11 @@ def table(
 ) -> Drawing:
     r"""Return a ruled table, its lower left corner at 0, its title above it.
 
-    ``columns`` (with "\n" for several lines) and the cells of ``rows`` are mark-up, as is
-    ``title``. ``align`` gives each column "left", "centre" or "number" (a common decimal place);
-    left out, a column of numerals is "number" and any other "centre". Lettering is ``size`` mm
-    high, the head ``head_size``, the title ``title_size`` or as high as the cells. Raises SheetError
-    where a row has not one cell for each column.
+    ``columns`` and ``title`` (with "\n" for several lines) and the cells of ``rows`` are mark-up.
+    ``align`` gives each column "left", "centre" or "number" (a common decimal place); left out, a
+    column of numerals is "number" and any other "centre". Lettering is ``size`` mm high, the head
+    ``head_size``, the title ``title_size`` or as high as the cells. Raises SheetError where a row
+    has not one cell for each column.
     """
     head = size if head_size is None else head_size
     grid = measured(name, columns, rows, size=size, head_size=head, align=align)
@@ -283,11 +283,13 @@ def table(
         left = edges[k] + (pad if ways[k] == "left" else (widths[k] - width) / 2)
         for i, (cell, (anchor, x)) in enumerate(zip(body[k], spots, strict=True)):
             labels.append(Label(cell, complex(left + x, top - step * (i + 1) + foot), size, anchor))
-    if title:
-        labels.append(Label(title, complex(0, top + crown + TITLE_GAP), max(size, title_size)))
+    large = max(size, title_size)
+    for i, text in enumerate(reversed(title.split("\n"))):
+        labels.append(Label(text, complex(0, top + crown + TITLE_GAP + PITCH * large * i), large))
     labels = [label for label in labels if label.text]
     ruling = _ruling(edges, step, top, crown)
-    return Drawing(name, title, ruling, tuple(labels), stand=Stand(kind="table"))
+    told = title.replace("\n", " ")
+    return Drawing(name, told, ruling, tuple(labels), stand=Stand(kind="table"))
 
 
 def _row(cells: Sequence[str], size: float) -> tuple[float, float]:

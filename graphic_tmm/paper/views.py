@@ -96,7 +96,19 @@ def _titled(text: str, size: float, width: float) -> list[str]:
     """
     stem = letter(text.rstrip(NUMERALS), size=size).width
     most = max(width, COLUMN * size)
-    return [text] if stem + 2 * size <= most else wrapped(text, size, min(stem, most))
+    return [text] if stem + 2 * size <= most else _even(text, size, min(stem, most))
+
+
+def _even(text: str, size: float, most: float) -> list[str]:
+    """Return mark-up in as few lines as ``most`` mm allow, of which the longest is as short as can be."""
+    lines = wrapped(text, size, most)
+    while len(lines) > 1:
+        longest = max(letter(line, size=size).width for line in lines)
+        other = wrapped(text, size, longest - 0.1)
+        if len(other) > len(lines) or max(letter(o, size=size).width for o in other) >= longest:
+            break
+        lines = other
+    return lines
 
 
 def _broken(lines: Sequence[str], size: float, width: float) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import partial
 
@@ -23,9 +22,9 @@ from graphic_tmm.paper.packing import settled
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.readers.columns import (
     Column,
-    Row,
     known_at,
 )
+from graphic_tmm.readers.told import told
 
 SIZE = 3.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""
@@ -48,17 +47,13 @@ def result_table(
     words = captions(language)
     shown = known_at(columns)
     rows = []
-    for column in columns:
+    for column, figures in zip(columns, told(columns), strict=True):
         letter = words.get(column.letter) or markup(column.ends or symbol(column.letter, language))
-        mm, value = column.told
         if column.drawn:
-            cells = [fixed(mm[k], 1, language) for k in shown]
+            cells = [fixed(figures.mm[k], figures.mm_places, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])
             letter = symbol(column.quantity, language) if column.quantity else letter
-        places = _decimals(value)
-        if column.unit == "%":
-            places = _no_more(value, places)
-        cells = [fixed(value[k], places, language) for k in shown]
+        cells = [fixed(figures.value[k], figures.places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
     name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
@@ -98,15 +93,3 @@ def results(
         title_size=heights.title,
         align=["left", "centre", "left"],
     )
-
-
-def _decimals(row: Row) -> int:
-    """Return how many decimals give the largest figure of a row three significant digits."""
-    largest = max((abs(x) for x in row if x is not None), default=0.0)
-    return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
-
-
-def _no_more(row: Row, places: int) -> int:
-    """Return how many decimals of ``places`` the figures of a row have."""
-    there = [x for x in row if x is not None]
-    return next((k for k in range(places) if all(round(x, k) == x for x in there)), places)

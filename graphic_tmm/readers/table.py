@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from itertools import chain
 from typing import Any
 
@@ -93,7 +94,25 @@ def _scales(made: DrawnScene) -> dict[str, Any]:
     for drawn in made.boards:
         for view, scale in drawn.scales.items():
             found[_scale_key(drawn, view)] = {"value": scale.value, "unit": scale.unit}
+        found |= dict(_bases(drawn))
     return found
+
+
+def _bases(drawn: Drawn) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield the scale factors of bases that were calculated and are no view's own, under the same names."""
+    own = {view.scale for view in drawn.construction.views}
+    for step in drawn.construction.steps:
+        letter = BASES.get(step.it.name)
+        told = letter and step.it.unit.endswith("/mm") and step.it in drawn.reading
+        if told and step.it not in own:
+            view = step.it.view.removesuffix("-calculation").replace(" ", "_").replace("-", "_")
+            value = float(drawn.reading[step.it].ravel()[0])
+            if math.isfinite(value):
+                yield f"mu_{letter}_{view}", {"value": value, "unit": step.it.unit}
+
+
+BASES = {"μ_φ": "phi", "μ_S": "S"}
+"""Scale factors of bases, as machines read them."""
 
 
 def _scale_key(drawn: Drawn, view: str) -> str:

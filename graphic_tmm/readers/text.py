@@ -14,6 +14,7 @@ from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.columns import Column, Positions, known_at
 from graphic_tmm.readers.spread import QUANTILES
+from graphic_tmm.readers.told import told_as
 
 FRAME = 3
 """What the frame and the room about a cell take beside its text, characters; one more for the whole table."""
@@ -85,7 +86,7 @@ def _rows(
     if column.drawn:
         cells = [fixed(mm[k], decimals, language) for k in shown]
         yield [letter, unit("mm", language), *cells]
-    figures = [value[k] for k in shown]
+    figures = [told_as(mm[k], value[k], decimals) for k in shown]
     yield [
         letter,
         unit(column.unit, language),

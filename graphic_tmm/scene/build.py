@@ -59,6 +59,7 @@ def scene(parts: Parts, source: str) -> Scene:
         title_block={k: text for k, text in vars(block).items() if text and isinstance(text, str)},
         print_check=block.print_check,
         task=parts.record("task"),
+        author=parts.record("note"),
     )
 
 

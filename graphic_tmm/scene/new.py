@@ -18,8 +18,8 @@ from graphic_tmm.scene.sections import declared
 
 SCHEMA = "scene.schema.json"
 KEPT = f"# The letters {', '.join(POLES)} are kept for the poles of plans: call a point K, or P1.\n"
-MANNER = ("scales", "hand", "sheet", "title_block")
-"""The sections that say how a mechanism is drawn, not what it is."""
+MANNER = ("scales", "hand", "sheet", "title_block", "note")
+"""The sections that say how a mechanism is drawn and noted, not what it is."""
 WIDTH = 36
 """Where what a key says stands behind it, characters."""
 _HEAD = re.compile(rf"^#:schema .*\n(?:{re.escape(KEPT)})?", re.MULTILINE)

@@ -25,10 +25,10 @@ def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
     """
     there = places()
     ranked = (name for name in known() if there[name][1].rank)
-    return tuple(name for name in ranked if _called(there[name][0], asked, mechanism=mechanism))
+    return tuple(name for name in ranked if called(there[name][0], asked, mechanism=mechanism))
 
 
-def _called(one: Chapter, asked: Set[str], *, mechanism: bool) -> bool:
+def called(one: Chapter, asked: Set[str], *, mechanism: bool) -> bool:
     """Whether a scene calls for what a chapter shows."""
     own = asking(one)
     return mechanism and one.board == MECHANISM if own is None else own.name in asked
@@ -46,7 +46,7 @@ def attended(
     large = [not format.startswith(SMALLEST) for format in formats]
     found = _told(orders, large)
     for name, (one, place) in places().items():
-        if not _called(one, asked, mechanism=True):
+        if not called(one, asked, mechanism=True):
             continue
         there = (k for k, order in enumerate(found) if large[k] and place.attends in order)
         first = next(there, None)

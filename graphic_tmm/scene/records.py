@@ -11,6 +11,7 @@ from typing import Any
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined
 from graphic_tmm.mechanism.records import Mechanism, Row
+from graphic_tmm.scene.author import Author
 from graphic_tmm.scene.drawing import Scales as Scales
 from graphic_tmm.scene.drawing import SheetOrder as SheetOrder
 from graphic_tmm.scene.mechanism import Task
@@ -23,9 +24,9 @@ class Scene:
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
-    drawn in heavy lines. ``tasks``: what chapters are asked, by section (`chapter.Asked`). ``remarks``: what of
-    the file comes to nothing, and defaults that matter, a line each. ``told``: the keys that the file writes in
-    its sections, as section.key, each with its line.
+    drawn in heavy lines. ``author``: what the author of the note says. ``tasks``: what chapters are asked, by
+    section (`chapter.Asked`). ``remarks``: what of the file comes to nothing, and defaults that matter, a line
+    each. ``told``: the keys that the file writes in its sections, as section.key, each with its line.
     """
 
     source: str
@@ -46,6 +47,7 @@ class Scene:
     title_block: Mapping[str, str] = field(default_factory=dict)
     print_check: bool = True
     task: Task | None = None
+    author: Author = field(default_factory=Author)
     remarks: tuple[str, ...] = ()
     told: Mapping[str, int] = field(default_factory=dict)
 

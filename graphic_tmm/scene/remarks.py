@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import places
+from graphic_tmm.chapter import chapters, places
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import shared
 from graphic_tmm.scene.checks import centres_of
-from graphic_tmm.scene.places import of_section
+from graphic_tmm.scene.places import called, of_section
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import sections
 from graphic_tmm.scene.sections import Parts
@@ -23,7 +23,22 @@ def remarks(parts: Parts) -> tuple[str, ...]:
     idle = [line for section, told in there for line in section.idle(told, parts)]
     centres = _centres(parts) if any(section.weighs for section, _ in there) else ()
     defaults = [line for section, told in there for line in section.defaults(told, parts)]
-    return (*idle, *centres, *defaults)
+    return (*idle, *_unsaid(parts), *centres, *defaults)
+
+
+def _unsaid(parts: Parts) -> Iterator[str]:
+    """Tell of words for chapters that the scene does not call for."""
+    note = parts.said["note"]
+    asked = {section.name for section, _ in parts.asked}
+    there = [one for one in chapters() if called(one, asked, mechanism=parts.drive is not None)]
+    names = {one.name for one in there} | {name for one in there for name in one.builds_on}
+    for name in note.remarks if note is not None else ():
+        if name not in names:
+            yield said(
+                "note.remarks.{name}: the scene asks for nothing of this chapter, so the note has no "
+                "section for it",
+                name=name,
+            )
 
 
 def _centres(parts: Parts) -> Iterator[str]:

@@ -15,7 +15,7 @@ from typing import Any
 from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.said import said
-from graphic_tmm.scene import drawing, lengths, letters, mechanism, quantities, registry
+from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quantities, registry
 from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, raw_links, table
 from graphic_tmm.scene.places import of_section, without_mechanism
@@ -35,6 +35,7 @@ LAST = (
     Section("hand", drawing.Hand, always=True),
     Section("sheet", drawing.SheetOrder, "the sheets", several=True),
     Section("title_block", drawing.TitleBlock, always=True),
+    Section("note", author.Author, always=True),
 )
 """Those that stand behind them."""
 LENGTHS = "lengths"

@@ -14,6 +14,7 @@ from support.gallery import SHEETS
 from support.tasks import studied
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, slopes
+from graphic_tmm.accuracy.cost import MINUTES
 from graphic_tmm.accuracy.figure import figures
 from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.report_json import json_report
@@ -21,7 +22,9 @@ from graphic_tmm.accuracy.report_text import text_report
 from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.errors import SceneError
+from graphic_tmm.fitting.choice import choices
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 NAME = "slider-diagrams"
 
@@ -84,6 +87,7 @@ def test_json_is_what_the_study_found() -> None:
     assert len(told["runs"]) == len(found.runs)
     keys = {"quantity", "positions", "hand", "error_percent", "simplicity", "exactitude", "minutes"}
     assert all(keys <= set(run) for run in told["runs"])
+    assert keys & set(told["choice"]) == {"simplicity", "exactitude", "minutes"}
     assert not any("seconds" in run for run in told["runs"])
     assert told["advice"] == [*advice(found), *most(found)]
     shares = told["steps"]["a_diagram"]
@@ -136,3 +140,16 @@ def test_the_figure_has_a_panel_for_each_quantity() -> None:
 def test_a_scene_without_quantities_is_refused() -> None:
     with pytest.raises(SceneError, match="nothing whose error can be told"):
         study(read(SHEETS / "planetary"), clock=False)
+
+
+def test_the_choice_of_scale_factors_is_counted_and_told() -> None:
+    """Each step of it is a calculation or a figure taken: N1 a step, done once for all boards."""
+    found, scene = studied(NAME), read(SHEETS / NAME)
+    logs = [choices(drawn).construction for drawn in make(scene, exact=True).boards]
+    steps = sum(len(log.steps) for log in logs)
+    assert sum(found.choice.elements.values()) >= steps // 2 > 3
+    assert found.choice.minutes == sum(MINUTES[k] * n for k, n in found.choice.elements.items())
+    line = WORDS["ru"]["choice"].split("{")[0]
+    told = printed(found)
+    assert line in told
+    assert found.choice.symbol in told

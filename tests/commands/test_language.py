@@ -103,7 +103,7 @@ def test_what_is_printed_is_in_the_language_asked_for(
 
 
 def test_steps_tell_the_scale_factors_of_the_sheets_in_that_language(tmp_path: Path) -> None:
-    """Words are wider in one language than in another, so the sheets of each have scale factors of their own."""
+    """Words are wider in one language than in another, so each has scale factors of its own."""
     for language, mark in (
         ("ru", r"μ_v = ([\d,]+) \(м/с\)/мм"),
         ("en", r"μ_v = ([\d.]+) \(m/s\)/mm"),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +24,7 @@ from graphic_tmm.board.scales import PREFERRED, Scale, nearest, standard
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
+from graphic_tmm.language.numbers import number
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
@@ -124,16 +127,9 @@ def test_a_length_that_the_scene_gives_makes_its_scale() -> None:
     assert told["μ_v"].uses[1].name == "pa"
 
 
-WISHED = (
-    ('mu_t  = "0.0025 s/mm"', 'base = "80 mm"\nstandard = true'),
-    ('H_a   = "15 mm"', 'H_a = "20 mm"'),
-)
-"""What a worked example begins with: a turn on 80 mm, a pole 20 mm off."""
-
-
-def test_lengths_that_are_wished_for_give_way_to_standard_scales(tmp_path: Path) -> None:
+def test_lengths_that_are_wished_for_give_way_to_standard_scales() -> None:
     """The worked example: 0.003 s/mm is 0.0025, so the base 96 mm; 1.5 is 2, so the pole stands 15 mm off."""
-    (drawn,) = make(read(edited(tmp_path, *WISHED, name="slider-diagrams"))).boards
+    drawn = boards("slider-diagrams")[0]
     found = choices(drawn)
     told = {step.it.name: value(found, step.it) for step in found.construction.steps}
     due = {"μ_t′": 0.003, "μ_t": 0.0025, "L": 96.0, "μ_a′": 1.5, "μ_a": 2.0, "H_a": 15.0}
@@ -142,9 +138,9 @@ def test_lengths_that_are_wished_for_give_way_to_standard_scales(tmp_path: Path)
 
 
 def test_a_pole_that_is_wished_for_needs_the_scale_before_it(tmp_path: Path) -> None:
-    edits = (*WISHED, ('mu_V  = "0.075 (m/s)/mm"\n', ""))
+    edit = ('mu_V  = "0.075 (m/s)/mm"\n', "")
     with pytest.raises(StructureError, match="write mu_V"):
-        make(read(edited(tmp_path, *edits, name="slider-diagrams")))
+        make(read(edited(tmp_path, edit, name="slider-diagrams")))
 
 
 @given(st.floats(1e-9, 1e9))
@@ -160,3 +156,55 @@ def test_a_scale_is_the_least_standard_one(largest: float, room: float) -> None:
     mu = standard(largest, room)
     assert Scale("μ", mu, "").to_board(largest) <= room * (1 + 1e-9)
     assert standard(largest, largest / mu * (1 + 1e-9)) == mu
+
+
+# what sheets tell
+
+
+TOLD = re.compile(r"(μ_(?:\{[^}]*\}|\w)) = ([\d.]+(?:·10\^?\{?[⁻⁰¹²³⁴⁵⁶⁷⁸⁹−\d]+\}?)?) ")
+"""A scale factor as a sheet tells it in English: its letter, its number."""
+
+
+def told_on_sheets(drawn: Drawn) -> set[tuple[str, str]]:
+    """The scale factors below all that a scene can show of a board: letters and numbers."""
+    found: set[tuple[str, str]] = set()
+    for chapter in drawn.project.chapters:
+        for place in chapter.places:
+            labels = [label.text for view in place.draw(drawn, True) for label in view.labels]
+            found |= {match for text in labels for match in TOLD.findall(text)}
+    return found
+
+
+def steps_of_scales(drawn: Drawn) -> set[tuple[str, str]]:
+    """The scale factors that a step came to: in the choice, or on the board; as they are written."""
+    chosen = choices(drawn)
+    reading = execute(chosen.construction, chosen.given)
+    rows = [(step.it.name, reading[step.it]) for step in chosen.construction.steps]
+    rows += [
+        (step.it.name, drawn.reading[step.it])
+        for step in drawn.construction.steps
+        if step.it.unit.endswith("/mm") and step.it in drawn.reading
+    ]
+    return {(name, number(float(np.ravel(value)[0]), "en")) for name, value in rows}
+
+
+@pytest.mark.slow
+@each("name", ALL)
+def test_every_scale_factor_on_a_sheet_is_what_a_step_came_to(name: str) -> None:
+    """Whatever is written below a view, by whichever reader: no μ comes out of a view itself."""
+    for drawn in boards(name):
+        english = replace(drawn.project, scene=replace(drawn.scene, language="en"))
+        told = told_on_sheets(replace(drawn, project=english))
+        assert told <= steps_of_scales(drawn), told - steps_of_scales(drawn)
+        assert told or not drawn.scales
+
+
+def test_the_diagram_of_a_load_is_drawn_to_what_was_chosen_for_it() -> None:
+    """Travel and largest force of the press, on 60 and 40 mm or less; a larger one would not fit."""
+    (drawn, *_) = boards("crank-press")
+    found = choices(drawn)
+    along, up = (found.scale("load F_{3}", letter) for letter in ("μ_S", "μ_F"))
+    assert (along.value, along.unit) == (0.002, "m/mm")
+    assert (up.value, up.unit) == (750.0, "N/mm")
+    assert 24000.0 / up.value <= 40.0 < 24000.0 / up.value * 1.34
+    assert told_on_sheets(drawn) >= {("μ_S", "0.002"), ("μ_F", "750")}

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from support import asked
 from support.mechanisms import sample
-from support.scenes import written
+from support.scenes import edited, written
 
 from graphic_tmm.chapters.kinematics.scales import ruling
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.compose import composed
 from graphic_tmm.fitting.fit import fitted
+from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.search import Search
 from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.mechanism.records import Row
@@ -49,6 +50,15 @@ def test_nothing_can_be_lifted_alone_on_the_same_sheets(scene: Scene) -> None:
     search.rooms = search.written
     for name in search.own:
         assert search.lifted(sizes, [name], most) == [sizes]
+
+
+def test_what_nothing_is_drawn_in_does_not_grow(tmp_path: Path) -> None:
+    """Where the rod does not reach its guide there is no work of the cycle, and no curve of it."""
+    scene = read(edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"')))
+    sizes = Search(scene, [Mechanism(scene)]).sizes()
+    begun = usual(scene)
+    assert all(size <= 10 * begun[name] for name, size in sizes.items())
+    assert sizes["graphs"] == begun["graphs"]
 
 
 @pytest.mark.slow

@@ -36,6 +36,7 @@ RUSSIAN_BY_NATURE = {
     "scene/values.py": "input: Russian synonyms of choices",
     "scene/letters.py": "input: letters of points may be Cyrillic; which of them look alike",
     "scene/syntax.py": "a message quotes a Cyrillic key as an example",
+    "scene/author.py": "input: Russian synonyms of choices; examples of an author's words",
     "scene/drawing.py": "input: Russian synonyms of choices; the example of a title",
     "scene/mechanism.py": "input: Russian synonyms of choices",
     "chapters/diagrams/task.py": "input: Russian synonyms of choices",

@@ -7,19 +7,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.boards import in_usual_size
 from support.scenes import edited
 
 from graphic_tmm.board.operations.energetics import rod_inertia
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 OWN = 'J      = "0.323 kg*m^2"'
 ROD = 'rod    = "393.6 mm"'
 
 
 def test_the_inertia_of_a_rod_is_a_step_of_its_own(tmp_path: Path) -> None:
-    (drawn,) = make(read(edited(tmp_path, (OWN, ROD), name="windrower"))).boards
+    (drawn,) = in_usual_size(read(edited(tmp_path, (OWN, ROD), name="windrower"))).boards
     steps = [step for step in drawn.construction.steps if step.op is rod_inertia]
     assert steps
     assert all(step.it.name == "J_3" and step.reason for step in steps)
@@ -33,7 +33,9 @@ def test_a_rod_and_its_moment_of_inertia_give_the_same_forces(tmp_path: Path) ->
     for k, own in enumerate((ROD, told)):
         folder = tmp_path / str(k)
         folder.mkdir()
-        (drawn,) = make(read(edited(folder, (OWN, own), name="windrower")), exact=True).boards
+        (drawn,) = in_usual_size(
+            read(edited(folder, (OWN, own), name="windrower")), exact=True
+        ).boards
         couples = {s.it.name: drawn.numbers.drawn[s.it] for s in drawn.construction.steps}
         found.append(couples["M_{i3}"])
     assert np.allclose(found[0], found[1], rtol=1e-12, equal_nan=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import sys
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from click.testing import CliRunner
 from support.gallery import SHEETS
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.commands.shared import progress
 
 SCENE = str(SHEETS / "slider-diagrams")
 
@@ -67,3 +69,27 @@ def test_what_a_scene_is_called_is_data(tmp_path: Path) -> None:
     found = pypdfium2.PdfDocument(next(tmp_path.glob("*.pdf")))
     assert found.get_metadata_dict()["Title"] == hostile
     found.close()
+
+
+class Terminal(io.StringIO):
+    """A stream that takes itself for a terminal."""
+
+    def isatty(self) -> bool:
+        """Return that it is one."""
+        return True
+
+
+@pytest.mark.parametrize("options", [[], ["--quiet"]])
+def test_who_waits_for_a_note_is_told_what_is_done(
+    options: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    shown = Terminal()
+    monkeypatch.setattr(sys, "stderr", shown)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setenv("TERM", "xterm")
+    words = ["note", SCENE, "-f", "md", "-l", "en", "-o", str(tmp_path), *options]
+    with pytest.raises(SystemExit, match="0"):
+        main.main(args=words)
+    told = shown.getvalue()
+    assert ("writing the note" in told) is not bool(options), told
+    assert (tmp_path / "slider-diagrams-note.md").exists()

@@ -55,9 +55,10 @@ def test_all_tables_have_one_height_of_title_and_one_of_head(name: str) -> None:
         due = heights_on([sheet.format])
         for view in sheet.drawings:
             if view.stand.kind == "table":
-                sizes = [label.size for label in view.labels if label.text == view.title]
-                assert sizes == [due.title], view.name
-                assert {k.size for k in view.labels if k.text != view.title} == {due.number}
+                high = [label for label in view.labels if label.size == due.title]
+                told = sorted(high, key=lambda label: -label.at.imag)  # a long one is in two lines
+                assert " ".join(label.text for label in told) == view.title, view.name
+                assert {k.size for k in view.labels if k not in high} == {due.number}
 
 
 @pytest.mark.parametrize("format", ["A1", "A4"])

@@ -10,9 +10,11 @@ from hypothesis import strategies as st
 from support.examples import most
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Drawing, Label, Stroke
+from graphic_tmm.paper.blocks import breakable
+from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.ruled import Box, Slot, fit, set_text, table
+from graphic_tmm.paper.views import captioned
 
 DRAWABLE = [chr(k) for k in range(32, 0x2300) if not letters.missing(chr(k))]
 
@@ -209,3 +211,28 @@ def test_a_ragged_table_and_an_unknown_alignment_are_refused() -> None:
         table("t", "", [], [])
     with pytest.raises(SheetError, match="right"):
         table("t", "", ["a"], [["1"]], align=("right",))
+
+
+def test_a_title_much_wider_than_its_table_stands_in_two_lines() -> None:
+    heads, rows = ["a", "b"], [["1", "2"], ["3", "4"]]
+    wide = breakable("t", "Given data: the pair of wheels", heads, rows, again="more")
+    plain = breakable("t", "Given", heads, rows, again="more")
+    high = [label for label in wide.labels if label.size == 5.0]
+    lines = sorted(high, key=lambda label: -label.at.imag)
+    assert [label.text for label in lines] == ["Given data: the", "pair of wheels"]
+    assert lines[0].at.real == lines[1].at.real == 0.0
+    assert lines[0].at.imag - lines[1].at.imag == pytest.approx(1.7 * 5.0)
+    assert wide.title == "Given data: the pair of wheels"
+    assert [label.text for label in plain.labels if label.size == 5.0] == ["Given"]
+    # the lower line stands where the only one does
+    assert lines[1].at == next(label.at for label in plain.labels if label.text == "Given")
+
+
+def test_a_long_title_is_broken_into_lines_as_even_as_can_be() -> None:
+    view = Drawing("v", "", (line("thin", 0j, 60 + 40j),))
+    told = captioned(view, "Rolling of the tooth of wheel 2")
+    lines = [label.text for label in told.labels]
+    assert " ".join(lines) == "Rolling of the tooth of wheel 2"
+    widths = [letters.letter(text, size=5.0).width for text in lines]
+    assert len(lines) == 2
+    assert min(widths) > 0.5 * max(widths)

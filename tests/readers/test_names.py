@@ -13,6 +13,7 @@ from typing import NamedTuple
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from support.boards import in_usual_size
 from support.each import each
 from support.examples import most
 from support.gallery import SHEETS, made
@@ -36,7 +37,7 @@ from graphic_tmm.readers.protocol import steps_of
 from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make, sheets
+from graphic_tmm.studio import sheets
 
 PACKAGED = sorted(
     p.name for p in SHEETS.iterdir() if (p / "scene.toml").exists() and p.name != "lettering"
@@ -244,7 +245,7 @@ SCENES = {
 
 @pytest.mark.parametrize("what", SCENES)
 def test_other_machines_are_told_in_names_of_the_field(what: str, tmp_path: Path) -> None:
-    made = make(read(calling(tmp_path, *SCENES[what])))
+    made = in_usual_size(read(calling(tmp_path, *SCENES[what])))
     for log, _ in logs(made):
         assert not {n: list(russian_faults(n)) for n in names(log, "ru") if any(russian_faults(n))}
         assert not {n for n in names(log, "en") if any(faults(n))}
@@ -323,7 +324,7 @@ positions = [1]
 
 def test_loads_of_one_link_are_told_apart_and_directions_by_their_value(tmp_path: Path) -> None:
     path = written(tmp_path, TWO_LOADS)
-    made = make(read(path))
+    made = in_usual_size(read(path))
     assert made.mechanism is not None
     lines = "\n".join(told(made.mechanism, PLANS, "1", "ru"))
     assert "Из B провести луч (F_3(2)) под углом −33,5° к оси x." in lines

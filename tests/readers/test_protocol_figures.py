@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.boards import in_usual_size
 from support.gallery import ALL, exact, made
 from support.scenes import edited
 from support.sheets_of_random import scenes
@@ -141,7 +142,7 @@ def test_a_step_that_does_not_exist_is_left_out_and_told_once(
 
 def test_of_a_position_that_cannot_be_drawn_only_what_exists_is_told(tmp_path: Path) -> None:
     """Beyond sin φ = 0.25/0.3 the connecting rod does not reach its guide: positions 3 to 5."""
-    drawn = make(read(edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"')))).mechanism
+    drawn = in_usual_size(read(edited(tmp_path, ('l  = "0.64 m"', 'l  = "0.25 m"')))).mechanism
     assert drawn is not None
     lines = told(drawn, "3")
     assert any(line.startswith(_LEFT["en"]) for line in lines)

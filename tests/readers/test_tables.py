@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from rich.console import Console
 from support import gallery
+from support.boards import in_usual_size
 from support.columns import along
 from support.command import column, invoke, tabled
 from support.gallery import NAMES, drawn
@@ -28,6 +29,7 @@ from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import rich_tables
 from graphic_tmm.readers.writing import as_csv, as_json
+from graphic_tmm.scene.read import read
 
 OWN_BOARDS = {name for name, (one, _) in places().items() if one.board not in ("", MECHANISM)}
 ALONE = [name for name in NAMES if not gallery.scene(name).called & OWN_BOARDS]
@@ -81,7 +83,8 @@ def test_the_document_has_its_shape(name: str) -> None:
     assert made["results"]["W"] == 1
     for plan, scale in made["scales"].items():
         known = plan in MU.values() or plan in OTHER_MU
-        assert known or plan.startswith(("mu_F_", "mu_l_")) or plan.endswith("_engine")
+        parts = ("mu_F_", "mu_l_", "mu_phi_", "mu_S_")
+        assert known or plan.startswith(parts) or plan.endswith("_engine")
         assert set(scale) == {"value", "unit"}
         assert scale["value"] > 0
     count = len(made["positions"])
@@ -324,7 +327,8 @@ def test_an_angle_is_the_direction_of_the_crank_whatever_its_zero(tmp_path: Path
         ('"counterclockwise"', '"clockwise"'),
         ('zero          = "0 deg"', 'zero = "180 deg"'),
     ]
-    document = tabled(str(edited(tmp_path, *clockwise)))
+    made = in_usual_size(read(edited(tmp_path, *clockwise)))
+    document = json.loads(table(made, "json"))
     assert [p["angle_deg"] for p in document["positions"]][:5] == [180.0, 150.0, 120.0, 90.0, 60.0]
     assert column(document, "velocities", "omega1")["value"][0] == -50
 

@@ -8,10 +8,12 @@ from typing import Any
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.chapters.kinematics.plan import PLANS
 from graphic_tmm.drawn import Drawn, DrawnScene, doubted
+from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.fitting.scales import executed, reach_of, usual
 from graphic_tmm.mechanism.records import Mechanism, Row
-from graphic_tmm.project import Project, record
+from graphic_tmm.project import Project, own_boards, record
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import draws_mechanism
 
 
 def drawn_of(scene: Scene, *, exact: bool = False) -> Drawn:
@@ -19,6 +21,17 @@ def drawn_of(scene: Scene, *, exact: bool = False) -> Drawn:
     project = record(scene)
     doubts = doubted(project)
     return executed(project, usual(scene), reach_of(project, doubts), doubts, exact=exact)
+
+
+def in_usual_size(scene: Scene, *, exact: bool = False) -> DrawnScene:
+    """Draw all that a scene calls for in its usual size: what tests read that ask nothing of a sheet."""
+    mechanism = draws_mechanism(scene, own_boards(scene))
+    return DrawnScene(scene, drawn_as(scene, {}, exact=exact, wanted=None, mechanism=mechanism))
+
+
+def usual_part(board: str, scene: Scene) -> Drawn:
+    """Draw a part of a scene with the exact hand in its usual size."""
+    return next(one for one in in_usual_size(scene, exact=True).boards if one.board == board)
 
 
 def recorded(

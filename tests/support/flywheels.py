@@ -72,11 +72,15 @@ class Graphs(NamedTuple):
 
 
 def graphs(
-    moment: np.ndarray, t_links: np.ndarray, mean: str = "areas", parts: int = 400
+    moment: np.ndarray,
+    t_links: np.ndarray,
+    mean: str = "areas",
+    parts: int = 400,
+    turns: int = 1,
 ) -> Graphs:
-    """The graphs through the ordinates of a row."""
+    """The graphs through the ordinates of a row over so many turns."""
     n, m = moment.size, taut(moment)
-    step = 2 * np.pi / n
+    step = 2 * np.pi * turns / n
     after = np.roll(moment, -1)
     means = {
         "chords": (moment + after) / 2,
@@ -85,7 +89,7 @@ def graphs(
     }[mean]
     works = np.concatenate([[0.0], np.cumsum(means) * step])
     surplus = (works - works[-1] * np.arange(n + 1) / n)[:n]
-    steep = (moment - works[-1] / (2 * np.pi)) * step
+    steep = (moment - works[-1] / (2 * np.pi * turns)) * step
     ahead, links = along(surplus, steep, parts), along(t_links, smooth(t_links), parts)
     return Graphs(surplus, ahead, links, ahead - links)
 

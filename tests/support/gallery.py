@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, sheets
+from support.boards import in_usual_size
 from support.once import read_once
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ CASES = ROOT / "tests" / "cases"
 FOLDERS = sorted(path.parent for path in SHEETS.glob("*/scene.toml"))
 ALL = [folder.name for folder in FOLDERS]
 EVERYDAY = (
+    "arc-cam",
     "cam",
     "crank-press",
     "crank-rocker",
@@ -83,6 +85,19 @@ def exact(name: str) -> DrawnScene:
 def drawn(name: str, *, exact: bool = False) -> Drawn:
     """Return the mechanism of a scene of the package, drawn."""
     found = made(name, exact=exact).mechanism
+    assert found is not None
+    return found
+
+
+@cache
+def usual(name: str) -> DrawnScene:
+    """Return all that a scene calls for by the exact hand in its usual size: no sheet is tried."""
+    return in_usual_size(scene(name), exact=True)
+
+
+def in_usual(name: str) -> Drawn:
+    """Return the mechanism of a scene of the package in its usual size, by the exact hand."""
+    found = usual(name).mechanism
     assert found is not None
     return found
 

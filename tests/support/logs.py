@@ -16,7 +16,7 @@ Log = tuple[Construction, Mapping[Mark, object]]
 
 @cache
 def logs(name: str) -> tuple[Log, ...]:
-    return tuple((one.construction, one.given) for one in gallery.exact(name).boards)
+    return tuple((one.construction, one.given) for one in gallery.usual(name).boards)
 
 
 def sizes(log: Construction, given: Mapping[Mark, object]) -> Iterator[tuple[Mark, int]]:

@@ -22,6 +22,7 @@ from graphic_tmm.note.note import note, wanted
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
+from graphic_tmm.scene.author import Author
 from graphic_tmm.studio import make
 from support.gallery import scene
 
@@ -142,8 +143,32 @@ def _of_given(drawn: Drawn, source: Source) -> float:
     return float(found[0])
 
 
-def stands_for(text: str, value: float) -> bool:
-    """Whether a number as it is written can be the value: off by half of its last digit at most."""
+def words_of(author: Author) -> list[str]:
+    """All that the author of a note says, text by text."""
+    told: list[str] = []
+    for value in vars(author).values():
+        several = value.values() if isinstance(value, Mapping) else [value]
+        for one in several:
+            told += [one] if isinstance(one, str) else [*(one if isinstance(one, tuple) else ())]
+    return [one for one in told if one]
+
+
+def worth_of_a_last_digit(made: DrawnScene, one: Number) -> float:
+    """What half a hundredth of a mm stands for in a column of quantities; 0 for any other number.
+
+    Such a quantity is told as its mm give it, which have two decimals;
+    a quarter thousandth for the digits of μ.
+    """
+    if one.source.kind != "column" or one.source.factor == 0:
+        return 0.0
+    drawn = next(board for board in made.boards if board.board == one.source.board)
+    mm = _of_column(drawn, one.source._replace(factor=0))
+    value = _of_column(drawn, one.source)
+    return abs(value) * (0.005 / abs(mm) + 2.5e-4) if np.isfinite(mm) and mm else 0.0
+
+
+def stands_for(text: str, value: float, more: float = 0.0) -> bool:
+    """Whether a number as it is written can be the value: off by half of its last digit, and ``more``."""
     plain = text.replace("−", "-").replace(",", ".")
     found = re.fullmatch(r"(-?\d+(?:\.(\d+))?)(?:·10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+))?", plain)
     if found is None:
@@ -154,7 +179,7 @@ def stands_for(text: str, value: float) -> bool:
     half = 0.5 * 10.0 ** (power - decimals)
     if not decimals and digits > 4:  # figures of five digits and more are written whole
         half = max(half, 0.5 * 10.0 ** (digits - 4))
-    return abs(float(found[1]) * 10.0**power - value) <= half * (1 + 1e-6)
+    return abs(float(found[1]) * 10.0**power - value) <= (half + more) * (1 + 1e-6)
 
 
 def parts(docx: bytes) -> dict[str, bytes]:
@@ -168,4 +193,14 @@ def document_of(docx: bytes) -> ElementTree.Element:
     return ElementTree.fromstring(parts(docx)["word/document.xml"])
 
 
-__all__ = ["document_of", "file_of", "looked_up", "noted", "parts", "spoken", "stands_for"]
+__all__ = [
+    "document_of",
+    "file_of",
+    "looked_up",
+    "noted",
+    "parts",
+    "spoken",
+    "stands_for",
+    "words_of",
+    "worth_of_a_last_digit",
+]

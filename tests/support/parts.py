@@ -6,8 +6,7 @@ from pathlib import Path
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
-from support.boards import parts
+from support.boards import in_usual_size, parts
 from support.scenes import written
 
 HEAD = 'title = "T"\nlanguage = "ru"\n[[sheet]]\nplace = ["{kind}"]\n[{kind}]\n'
@@ -53,5 +52,5 @@ def part_of(folder: Path, what: str) -> Drawn:
     kind, text = PARTS[what]
     path = written(folder, HEAD.format(kind=kind) + text)
     if what not in KEPT:
-        (KEPT[what],) = parts(make(read(path)))
+        (KEPT[what],) = parts(in_usual_size(read(path)))
     return KEPT[what]

@@ -25,7 +25,7 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
 from graphic_tmm.checking.mistakes.alterations import Figures
 from graphic_tmm.checking.mistakes.catalogue import CATALOGUE, EVERYWHERE, READING
-from graphic_tmm.checking.mistakes.likely import likely
+from graphic_tmm.checking.mistakes.likely import Alternatives, likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.studio import drawings
@@ -112,6 +112,7 @@ def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mappin
     hand = HANDS["student"]._replace(trials=trials, seed=seed)
     slipped = [cells_and_points(drawn) for drawn in drawings(exact(name), hand)]
     found: dict[str, Planted] = defaultdict(Planted)
+    others = Alternatives(exact(name))
     for label, called, figures in plants(name):
         if only and called != only:
             continue
@@ -122,7 +123,7 @@ def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mappin
             judged = judge(exact(name), rows, by)
             if not any(one.verdict == WRONG for one in judged):
                 continue
-            told = likely(exact(name), judged, by.spread, "en")
+            told = likely(others, judged, by.spread, "en")
             named = bool(told) and called in (told[0].name, *told[0].like)
             found[label] += Planted(1, named, bool(told))
     return found

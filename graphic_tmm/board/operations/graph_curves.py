@@ -16,7 +16,7 @@ import numpy as np
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.curve import TAUT, bounded, natural, neighbours, periodic
 from graphic_tmm.board.operations.graphs import alike, rise_of
-from graphic_tmm.board.values import Complexes, Curve, Length, Line, Point
+from graphic_tmm.board.values import Complexes, Curve, Length, Line, Point, Reals
 from graphic_tmm.language.said import said
 
 SMOOTH = 1.0
@@ -116,11 +116,11 @@ def graph_of_stretch(through: Point, *, first: int, last: int) -> Curve:
 
 def _open(knots: Complexes) -> Curve:
     tangents = np.full_like(knots, np.nan)
-    for trial, row_of_knots in enumerate(knots):
-        if np.isfinite(row_of_knots).all() and row_of_knots.size > 1:
-            tangents[trial] = _kept(row_of_knots, free_ends(row_of_knots), SMOOTH)
-        else:
-            _in_runs(row_of_knots, tangents[trial], SMOOTH)
+    whole = np.isfinite(knots).all(axis=1) & (knots.shape[1] > 1)
+    for trial in np.flatnonzero(~whole):
+        _in_runs(knots[trial], tangents[trial], SMOOTH)
+    if whole.any():
+        tangents[whole] = _kept(knots[whole], free_ends(knots[whole]), SMOOTH)
     return Curve(knots, tangents, False)
 
 
@@ -135,31 +135,38 @@ def _kept(knots: Complexes, tangents: Complexes, bend: float) -> Complexes:
 
 
 def free_ends(points: Complexes) -> Complexes:
-    """Return the tangents of the C² curve whose first two arcs, and last two, are one cubic each.
+    """Return the tangents of the C² curves whose first two arcs, and last two, are one cubic each.
 
-    Of three points those of their parabola, of two those of their chord.
+    ``points``: (..., knot). Of three points those of their parabola, of two those of their chord.
     """
-    n = points.size
+    n = points.shape[-1]
+    # x and y by themselves: (..., knot, 2)
+    z = np.ascontiguousarray(points)[..., None].view(np.float64)
     if n == 2:
-        return np.full_like(points, points[1] - points[0])
+        return _complex(np.repeat(np.diff(z, axis=-2), 2, axis=-2))
+    first, second, last = z[..., 0, :], z[..., 1, :], z[..., -1, :]
     if n == 3:
-        rise, bend = (points[2] - points[0]) / 2.0, points[0] - 2.0 * points[1] + points[2]
-        return np.array([rise - bend, rise, rise + bend])
+        rise, bend = (last - first) / 2.0, first - 2.0 * second + last
+        return _complex(np.stack([rise - bend, rise, rise + bend], axis=-2))
     low, main, high = np.ones(n), np.full(n, 4.0), np.ones(n)
-    right = np.empty_like(points)
-    right[1:-1] = 3.0 * (points[2:] - points[:-2])
+    right = np.empty_like(z)
+    right[..., 1:-1, :] = 3.0 * (z[..., 2:, :] - z[..., :-2, :])
     main[0], high[0], low[-1], main[-1] = 1.0, 2.0, 2.0, 1.0
-    right[0] = (-5.0 * points[0] + 4.0 * points[1] + points[2]) / 2.0
-    right[-1] = (5.0 * points[-1] - 4.0 * points[-2] - points[-3]) / 2.0
+    right[..., 0, :] = (-5.0 * first + 4.0 * second + z[..., 2, :]) / 2.0
+    right[..., -1, :] = (5.0 * last - 4.0 * z[..., -2, :] - z[..., -3, :]) / 2.0
     for k in range(1, n):
         share = low[k] / main[k - 1]
         main[k] -= share * high[k - 1]
-        right[k] -= share * right[k - 1]
-    found = np.empty_like(points)
-    found[-1] = right[-1] / main[-1]
+        right[..., k, :] -= share * right[..., k - 1, :]
+    found = right * (1.0 / main)[:, None]
     for k in range(n - 2, -1, -1):
-        found[k] = (right[k] - high[k] * found[k + 1]) / main[k]
-    return found
+        found[..., k, :] = (right[..., k, :] - high[k] * found[..., k + 1, :]) * (1.0 / main[k])
+    return _complex(found)
+
+
+def _complex(z: Reals) -> Complexes:
+    """Return points of their x and y, (..., 2)."""
+    return np.ascontiguousarray(z).view(np.complex128)[..., 0]
 
 
 @operation(

@@ -24,7 +24,8 @@ roller's centre draws the theoretical profile; the working profile is its equidi
 radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature.
 
 Draws: place ``cam``: diagrams, region of centres, profiles, pressure angle and curvature over the turn,
-results; on a board of its own whose positions are angles of the cam. Builds on no chapter.
+results; place ``cam scheme``: the mechanism in one position with its pressure angle; on a board of its own
+whose positions are angles of the cam. Builds on no chapter.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (синтез кулачковых механизмов); Попов С. А.,
 Тимофеев Г. А., Курсовое проектирование (проектирование кулачковых механизмов); the course project of the
@@ -39,18 +40,19 @@ from graphic_tmm.chapters.cam.beside import record_beside
 from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.cam.choice import choose
 from graphic_tmm.chapters.cam.findings import cam_findings, changes
-from graphic_tmm.chapters.cam.given import given
-from graphic_tmm.chapters.cam.note import concludes
+from graphic_tmm.chapters.cam.given import given, stated
+from graphic_tmm.chapters.cam.note import note
+from graphic_tmm.chapters.cam.note_conclusions import concludes
 from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
 from graphic_tmm.chapters.cam.table import cam_columns, results
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
 from graphic_tmm.chapters.cam.verdict import verdict
-from graphic_tmm.chapters.cam.views import cam_views
+from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.drawn import Drawn, view_scales
 from graphic_tmm.readers.given import given_place
 from graphic_tmm.scene.records import Scene
 
-FIGURES = ("cam profile", "cam centre", "profile", "centre")
+FIGURES = ("cam profile", "cam scheme", "cam centre", "profile", "centre")
 """What is drawn of a cam besides graphs."""
 
 
@@ -84,10 +86,15 @@ CHAPTER = Chapter(
     number=8,
     captions=CAPTIONS,
     board=CAM.chapter,
-    places=(Place("cam", 100, cam_views, sizes=_sizes), given_place("cam")),
+    places=(
+        Place("cam", 100, cam_views, sizes=_sizes),
+        Place("cam scheme", 0, scheme_views, sizes=_sizes),
+        given_place("cam"),
+    ),
     sizes=(_told("cam.mu_l"), _told("cam.base")),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
+    stated=stated,
     sections=SECTIONS,
     record=record,
     aside=record_beside,
@@ -100,6 +107,7 @@ CHAPTER = Chapter(
     results=results,
     accuracy=ACCURACY,
     concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    note=note,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

@@ -20,11 +20,13 @@ VIEW = "cam-calculation"
 class Beside(NamedTuple):
     """Marks (Number).
 
-    ``dwells``: of those that there are, rad, by the number of the phase. ``left``: what is left up to each
-    limit (Angle, or Number, m), by the name of a result. ``velocity`` and ``acceleration`` of the follower at
-    all positions (m/s, m/s²; of a lever 1/s, 1/s²); None of a cam without a speed.
+    ``along``: what a mm of the diagrams' base stands for, °/mm. ``dwells``: of those that there are, rad, by
+    the number of the phase. ``left``: what is left up to each limit (Angle, or Number, m), by the name of a
+    result. ``velocity`` and ``acceleration`` of the follower at all positions (m/s, m/s²; of a lever 1/s,
+    1/s²); None of a cam without a speed.
     """
 
+    along: Mark
     dwells: dict[int, Mark]
     left: dict[str, Mark]
     velocity: Mark | None
@@ -38,8 +40,9 @@ def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of a cam does not need."""
     cam, draft = CAM.on(bench), bench.draft
     draft.open(VIEW)
+    along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
     dwells = _dwells(draft, cam.order)
-    return Beside(dwells, _left(draft, cam, cam.order), *_motion(draft, cam, cam.order))
+    return Beside(along, dwells, _left(draft, cam, cam.order), *_motion(draft, cam, cam.order))
 
 
 def _dwells(draft: Draft, order: CamTask) -> dict[int, Mark]:

@@ -32,6 +32,7 @@ CAPTIONS: dict[str, str] = {
     "cam return displacement": said("Displacement of the follower in the return"),
     "cam centre": said("Region of centres of the cam"),
     "cam profile": said("Profile of the cam"),
+    "cam scheme": said("Scheme of the cam mechanism"),
     "cam-calculation": said("Calculation of the cam"),
     "symbol cam S": said("S"),
     "symbol cam dS": said("S′"),

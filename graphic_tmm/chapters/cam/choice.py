@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.operations.choice import accepted
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam.plan import CAM
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
 from graphic_tmm.language.said import said
 
+_AS_DIAGRAMS = said(
+    "The least radius is measured on the diagram whose lengths are those of the stroke: it is carried over "
+    "as it is."
+)
 _HANDY = said("A millimetre for a degree: the angle is read off the ruler as it is.")
 
 
@@ -22,6 +28,8 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         ledger.of(cam.diagrams.V.chart.view)
         ledger.told(cam.diagrams.V.chart.mu, order.mu_V)
     mu = cam.profile.mu
+    if mu not in drawn.given:
+        _as_diagrams(drawn, ledger, mu, cam.profile.view)
     if mu not in drawn.given or order is None:
         return
     ledger.of(cam.profile.view)
@@ -31,3 +39,12 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     radius, stroke = (ledger.value_of(drawn, mark) for mark in (cam.r0, cam.diagrams.stroke))
     most = ledger.quantity("r_{max}", radius + stroke, "m")
     ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
+
+
+def _as_diagrams(drawn: Drawn, ledger: Ledger, mu: Mark, view: str) -> None:
+    """Record that the profile is drawn to the scale factor of the strokes."""
+    steps = {step.it: step for step in drawn.construction.steps}
+    ledger.of(mu.view)
+    same = ledger.copied(drawn, steps, mu)
+    ledger.of(view)
+    ledger.draft.draw(accepted, "μ_l", same, unit=mu.unit, why=_AS_DIAGRAMS)

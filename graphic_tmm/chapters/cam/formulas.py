@@ -37,6 +37,13 @@ def follower_acceleration(omega: Number, length: Length, mu: Number) -> Number:
     """{omega}²·{length}·{mu}"""
 
 
+@formula(
+    why=said("The base stands for the whole turn of 360°: so many degrees are a millimetre of it.")
+)
+def degrees_per_mm(base: Length) -> Number:
+    """360°/{base}"""
+
+
 @formula(why=said("The base stands for the whole turn of 360°: an angle takes its share of it."))
 def along_turn(angle: Angle, base: Length) -> Length:
     """{angle}·{base}/360°"""

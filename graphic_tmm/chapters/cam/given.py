@@ -13,6 +13,8 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
 
@@ -42,6 +44,25 @@ def given(scene: Scene) -> Iterator[Given]:
         yield Given("[α]", order.pressure, "°")
         if order.pressure_return is not None and order.pressure_return != order.pressure:
             yield Given("[α_f]", order.pressure_return, "°")
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell the kind of follower."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    follower = order.follower
+    if isinstance(follower, RollerFollower):
+        kind = _OFFSET if follower.offset else _CENTRAL
+    else:
+        kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
+    yield speaking(language)(kind)
+
+
+_CENTRAL = said("The follower is central, with a roller.")
+_OFFSET = said("The follower is offset, with a roller.")
+_ROCKER = said("The follower is a lever with a roller.")
+_FLAT = said("The follower has a flat face.")
 
 
 def _laws(order: CamTask) -> Iterator[Given]:

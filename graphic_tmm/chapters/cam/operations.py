@@ -111,12 +111,12 @@ def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
     """
     knots = np.asarray(through[:, first : last + 1])
     tangents = np.full_like(knots, np.nan)
-    for trial, row in enumerate(knots):
-        if np.isfinite(row).all():
-            tangents[trial] = free_ends(row)
-            continue
-        for run in neighbours(np.isfinite(row), closed=False):
-            tangents[trial, run] = natural(row[run])
+    whole = np.isfinite(knots).all(axis=1)
+    for trial in np.flatnonzero(~whole):
+        for run in neighbours(np.isfinite(knots[trial]), closed=False):
+            tangents[trial, run] = natural(knots[trial, run])
+    if whole.any():
+        tangents[whole] = free_ends(knots[whole])
     return Curve(knots, tangents, False)
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
+from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.diagrams import LETTERS, VIEWS
 from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
@@ -15,6 +16,7 @@ from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_graphs import RULES
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
+from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
 from graphic_tmm.chapters.cam.plan import CAM, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
@@ -49,6 +51,20 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         result_table(PLAN, rows, names, language, upright=True, heights=heights(drawn.scene, PLAN)),
         _results(drawn),
     ]
+
+
+def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the mechanism's scheme in one position."""
+    made, language = CAM.on(drawn), drawn.scene.language
+    pressure, high = "", heights(drawn.scene, PLAN)
+    if made.pressure is not None and not isinstance(made.centre, Convexity):
+        angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
+        pressure = f"α = {fixed(abs(float(angle)), 1, language)}°"
+    told = SchemeNames(pressure, f"r_{{0}} = {_mm(drawn, made.r0)}")
+    title = captions(language)["cam scheme"]
+    on = (drawn.construction, drawn.reading, made)
+    view = finished(draw_scheme_ink(*on, told, title, high), lettered)
+    return [captioned(view, title, _lengths(drawn, made), heights=high)]
 
 
 def _one(drawn: Drawn, mark: Mark) -> float:
@@ -124,8 +140,8 @@ def _title(view: str, language: str) -> str:
 def _scale(drawn: Drawn, made: Cam, view: str) -> str:
     """Return the scale of a diagram and that of its base, along which the turn is told in degrees."""
     language, scale = drawn.scene.language, drawn.scales.get(view)
-    along = math.degrees(_one(drawn, made.diagrams.base.mu))
-    base = f"μ_φ = {number(along, language)} {unit('°/mm', language)}"
+    along = BESIDE.on(drawn).along
+    base = mu_text(Scale(along.name, _one(drawn, along), along.unit), language)
     if scale is None:
         return base
     if view == VIEWS["V"]:

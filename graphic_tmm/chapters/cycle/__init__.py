@@ -19,6 +19,8 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
+from graphic_tmm.chapters.cycle.accuracy import ACCURACY
+from graphic_tmm.chapters.cycle.note import concludes, note
 from graphic_tmm.chapters.cycle.plan import CYCLE, record, record_beside
 from graphic_tmm.chapters.cycle.task import ASKED, SECTIONS
 from graphic_tmm.chapters.cycle.views import cycle_columns, cycle_results, cycle_views, given
@@ -40,7 +42,8 @@ SCALE_KEYS = {
 
 def _title(holder: Holder, view: str, language: str) -> str:
     order = CYCLE.on(holder).order.flywheel
-    return graph_title(view, order.constant, speaking(language)) if view == VIEWS["moment"] else ""
+    found = graph_title(view, order.constant, speaking(language), given=True)
+    return found if view == VIEWS["moment"] else ""
 
 
 CHAPTER = Chapter(
@@ -81,4 +84,8 @@ CHAPTER = Chapter(
     columns=cycle_columns,
     results=cycle_results,
     titles=_title,
+    accuracy=ACCURACY,
+    note=note,
+    concludes=concludes,
+    sources=("artobolevsky",),
 )

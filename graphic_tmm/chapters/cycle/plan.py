@@ -13,10 +13,9 @@ import numpy as np
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.formula import formula
 from graphic_tmm.board.graphs import Axes, Base, Boundaries
 from graphic_tmm.board.operations.energetics import added
-from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
+from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made, aside
@@ -26,6 +25,7 @@ from graphic_tmm.chapters.flywheel.plan import (
     VIEWS,
     Flywheel,
     Works,
+    angle_per_mm,
     draw_aim,
     draw_segment,
     draw_works,
@@ -35,13 +35,6 @@ from graphic_tmm.chapters.flywheel.rim import draw_rim
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-
-
-@formula(
-    why=said("The base of the graph stands for the whole cycle of {turns} turns, 2π rad each.")
-)
-def cycle_per_mm(turns: Number, base: Length) -> Number:
-    """2π·{turns}/{base}"""
 
 
 class Cycle(NamedTuple):
@@ -123,11 +116,7 @@ def _moment(
     """Lay off the sum of the moments over the cycle."""
     draft.open(VIEWS["moment"])
     length = draft.take(Length, "L", order.flywheel.base, "mm", roles.BASE)
-    if order.turns == 1:
-        mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
-    else:
-        turns = draft.take(Number, "n_t", float(order.turns))
-        mu_phi = draft.draw(cycle_per_mm, "μ_φ", turns, length, unit="rad/mm")
+    mu_phi = angle_per_mm(draft, length, order.turns)
     count = order.positions
     base = graphs.lay_base(draft, length, mu_phi, count, np.arange(float(count))[None, :])
     moment, *others = (

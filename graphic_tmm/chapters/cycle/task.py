@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
 EXAMPLE = [[0, "0 N*m"], [90, "400 N*m"], [360, "0 N*m"]]
-NEEDLESS = ("tangents",)
-"""Keys of a flywheel that ask for the energies of links."""
+NEEDLESS = ("tangents", "turns")
+"""Keys of a flywheel that ask for the energies of links, or are its own here."""
 
 
 def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
@@ -67,7 +67,7 @@ class Moment:
 
 
 def _order(told: Said) -> FlywheelTask:
-    found: FlywheelTask = build(FlywheelTask, told, indicator=None, tangents=None)
+    found: FlywheelTask = build(FlywheelTask, told, indicator=None, tangents=None, turns=None)
     return found
 
 

@@ -43,7 +43,8 @@ from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
 from graphic_tmm.chapters.diagrams.beside import CALCULATED, record_beside
 from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS, called
 from graphic_tmm.chapters.diagrams.choice import choose
-from graphic_tmm.chapters.diagrams.note import concludes
+from graphic_tmm.chapters.diagrams.note import note
+from graphic_tmm.chapters.diagrams.note_conclusions import concludes
 from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
@@ -106,6 +107,7 @@ CHAPTER = Chapter(
     titles=_title,
     accuracy=ACCURACY,
     concludes=concludes,
+    note=note,
     sources=("artobolevsky",),
     symbols=SYMBOLS,
 )

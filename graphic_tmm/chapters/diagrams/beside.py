@@ -1,4 +1,4 @@
-"""What is calculated beside kinematic diagrams: the time of a turn, where extra positions stand."""
+"""What is calculated beside kinematic diagrams: a turn, an interval, middles, where extra positions stand."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import operation
-from graphic_tmm.board.operations.instruments import measure
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.chapter import Made, aside
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.diagrams import reasons as why
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, Kinematic
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS, KinematicPlans
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
@@ -60,10 +62,23 @@ class Place(NamedTuple):
     distance: Mark
 
 
+class Middle(NamedTuple):
+    """What chords tell of the middles of the intervals: the ordinate read there (Length), the quantity (SI)."""
+
+    ordinate: Mark
+    value: Mark
+
+
 class Beside(NamedTuple):
-    """``time``: of a turn (s); ``places``: of the extra positions that stand between two of the row."""
+    """``time``: of a turn (s), ``interval``: its share of the base (Length).
+
+    ``middles``: by the symbol of a diagram found by chords; ``places``: of the extra positions that stand
+    between two of the row.
+    """
 
     time: Mark
+    interval: Mark
+    middles: dict[str, Middle]
     places: tuple[Place, ...]
 
 
@@ -77,12 +92,24 @@ def record_beside(bench: Bench) -> Beside:
     assert plans.velocities.speed is not None
     draft.open(CALCULATED)
     time = draft.draw(time_of_turn, "t", plans.velocities.speed, unit="s")
-    between = list(_between(np.ravel(plans.numbers), plans.count))
-    if not between:
-        return Beside(time, ())
     intervals = draft.take(Number, "N", float(plans.count))
     interval = draft.draw(interval_of, "L_1", made.base.length, intervals)
-    pin, known = plans.crank[1], dict[int, Mark]()
+    middles = {symbol: _middle(bench, made, symbol) for symbol in made.middles}
+    return Beside(time, interval, middles, tuple(_places(bench, plans, interval)))
+
+
+def _middle(bench: Bench, made: Kinematic, symbol: str) -> Middle:
+    """Read what the chords gave over the middles of the intervals."""
+    draft, chart, (axes, middles) = bench.draft, made.charts[symbol], made.middles[symbol]
+    ordinate = draft.draw(
+        measure_along, f"{symbol}_m", axes.middles, middles.points, axes.up, why=why.MEAN_READ
+    )
+    return Middle(ordinate, draft.draw(in_si, f"[{symbol}_m]", ordinate, chart.mu, unit=chart.unit))
+
+
+def _places(bench: Bench, plans: KinematicPlans, interval: Mark) -> Iterator[Place]:
+    """Yield where extra positions stand, measured on the circle of the crank pin."""
+    draft, pin, known = bench.draft, plans.crank[1], dict[int, Mark]()
 
     def at(place: int) -> Mark:
         """Return the crank pin in a position; marked once."""
@@ -91,15 +118,12 @@ def record_beside(bench: Bench) -> Beside:
             known[place] = draft.draw(standing, letter, pin, place=place)
         return known[place]
 
-    found = []
-    for extra, before in between:
+    for extra, before in _between(np.ravel(plans.numbers), plans.count):
         first, name = at(before), f"{bench.names[before]}÷{bench.names[extra]}"
         part = draft.draw(measure, f"[{name}]′", first, at(extra))
         whole = draft.draw(measure, f"[{name}]″", first, at((before + 1) % plans.count))
-        found.append(
-            Place(extra, before, draft.draw(place_between, f"[{name}]", part, interval, whole))
-        )
-    return Beside(time, tuple(found))
+        distance = draft.draw(place_between, f"[{name}]", part, interval, whole)
+        yield Place(extra, before, distance)
 
 
 def _between(numbers: np.ndarray, count: int) -> Iterator[tuple[int, int]]:

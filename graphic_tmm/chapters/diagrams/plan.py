@@ -7,13 +7,14 @@ base; the others follow by differentiation or integration against a pole.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, Scaled, ScaleOrder, derived_scale, integrated_scale
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.graphs import Axes, Base, Boundaries
+from graphic_tmm.board.graphs import Axes, Base, Boundaries, Middles
 from graphic_tmm.board.operations.formulas import (
     mm_of_time,
     mm_of_turn,
@@ -52,12 +53,45 @@ class Kinematic:
     """The diagrams as drawn: their base, charts by quantity, and what the plans read of the same quantities.
 
     ``planned``: for V and a, the reading of the plan along the guide with its sign (Length), by quantity.
+    ``laid``: the length laid off in the diagram that is taken from the plans (Length); ``poles``: the distance
+    of the pole by which each other one was found (Length). ``middles``: of each diagram found by chords, its
+    axes and the points over the middles of the intervals.
     """
 
     order: KinematicTask
     base: Base
     charts: dict[str, Chart]
     planned: dict[str, Mark]
+    laid: Mark
+    poles: dict[str, Mark]
+    middles: dict[str, tuple[Axes, Middles]]
+
+    @property
+    def first(self) -> str:
+        """The symbol of the diagram that is laid off from the plans."""
+        return "V" if self.order.start == "velocity" else "S"
+
+
+class _Derived(NamedTuple):
+    """A diagram found from another: as users see it, the distance of its pole; axes, points, curve.
+
+    ``middles``: the points over the middles of the intervals, of one found by chords.
+    """
+
+    chart: Chart
+    distance: Mark
+    axes: Axes
+    at: Boundaries
+    curve: Mark
+    middles: Middles | None = None
+
+
+class _Found(NamedTuple):
+    """The diagrams by quantity, the length laid off in the first, those found from others."""
+
+    charts: dict[str, Chart]
+    laid: Mark
+    derived: tuple[_Derived, ...]
 
 
 DIAGRAMS: Made[Kinematic] = Made("diagrams")
@@ -85,14 +119,22 @@ def record(bench: Bench) -> Kinematic | None:
     if accelerations is not None and leg.link in accelerations.readings:
         planned["a"] = accelerations.readings[leg.link]
     if order.start == "displacement":
-        charts = _from_displacement(draft, positions, leg, base, order)
+        found = _from_displacement(draft, positions, leg, base, order)
     else:
-        charts = _from_velocity(draft, velocities, leg, base, order)
+        found = _from_velocity(draft, velocities, leg, base, order)
     # a derivative by the angle is no velocity: there is nothing to compare it with
     alike = {
-        symbol: mark for symbol, mark in planned.items() if charts[symbol].unit == UNITS[symbol]
+        symbol: mark
+        for symbol, mark in planned.items()
+        if found.charts[symbol].unit == UNITS[symbol]
     }
-    return Kinematic(order, base, charts, alike)
+    poles = {one.chart.symbol: one.distance for one in found.derived}
+    middles = {
+        one.chart.symbol: (one.axes, one.middles)
+        for one in found.derived
+        if one.middles is not None
+    }
+    return Kinematic(order, base, found.charts, alike, found.laid, poles, middles)
 
 
 def sliding_leg(
@@ -169,7 +211,7 @@ def _base(
 
 def _from_displacement(
     draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicTask
-) -> dict[str, Chart]:
+) -> _Found:
     point = positions.point(order.point)
     draft.open(POSITIONS)
     start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
@@ -181,15 +223,15 @@ def _from_displacement(
     at = graphs.lay_ordinates(draft, axes, length, "s")
     charts = {"S": _chart(draft, "S", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
-    speeds, at_v, curve_v = _derivative(draft, "V", axes, at, curve, order)
-    charts["V"] = speeds
-    charts["a"], _, _ = _derivative(draft, "a", at_v[0], at_v[1], curve_v, order)
-    return charts
+    speeds = _derivative(draft, "V", axes, at, curve, order)
+    rates = _derivative(draft, "a", speeds.axes, speeds.at, speeds.curve, order)
+    charts |= {"V": speeds.chart, "a": rates.chart}
+    return _Found(charts, length, (speeds, rates))
 
 
 def _from_velocity(
     draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicTask
-) -> dict[str, Chart]:
+) -> _Found:
     draft.open(VIEWS["V"])
     mu = draft.scale("μ_V", "(m/s)/mm")
     length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
@@ -197,16 +239,18 @@ def _from_velocity(
     at = graphs.lay_ordinates(draft, axes, length, "v")
     charts = {"V": _chart(draft, "V", axes, at, True, order)}
     curve = graphs.through(draft, axes, at)
-    charts["a"], _, _ = _derivative(draft, "a", axes, at, curve, order)
-    if order.integral == "drawn":
-        charts = {"S": _integral(draft, axes, curve, order), **charts}
-    return charts
+    rates = _derivative(draft, "a", axes, at, curve, order)
+    charts["a"] = rates.chart
+    if order.integral != "drawn":
+        return _Found(charts, length, (rates,))
+    ways = _integral(draft, axes, curve, order)
+    return _Found({"S": ways.chart, **charts}, length, (ways, rates))
 
 
 def _derivative(
     draft: Draft, symbol: str, source: Axes, at: Boundaries, curve: Mark, order: KinematicTask
-) -> tuple[Chart, tuple[Axes, Boundaries], Mark]:
-    """Differentiate once; return the chart, its axes with its points, its curve."""
+) -> _Derived:
+    """Differentiate once."""
     draft.open(VIEWS[symbol])
     drawn: ScaleOrder = getattr(order, symbol)
     scaled = derived_scale(
@@ -214,7 +258,7 @@ def _derivative(
     )
     axes = graphs.draw_axes(draft, VIEWS[symbol], source.base, scaled.mu)
     pole = graphs.set_pole(draft, axes, scaled.distance)
-    letter = symbol.lower()
+    letter, middles = symbol.lower(), None
     if order.method == "tangents":
         points = graphs.by_tangents(draft, source, curve, axes, pole, letter)
         found = graphs.through(draft, axes, points)
@@ -222,10 +266,11 @@ def _derivative(
         middles = graphs.by_chords(draft, source, at, axes, pole, f"{letter}′")
         found = graphs.through(draft, axes, middles)
         points = graphs.on_curve(draft, axes, found, letter)
-    return _chart(draft, symbol, axes, points, scaled.chosen, order), (axes, points), found
+    chart = _chart(draft, symbol, axes, points, scaled.chosen, order)
+    return _Derived(chart, scaled.distance, axes, points, found, middles)
 
 
-def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> Chart:
+def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> _Derived:
     """Integrate the velocities once; the pole stands left of their origin."""
     draft.open(VIEWS["S"])
     scaled: Scaled = integrated_scale(
@@ -238,7 +283,7 @@ def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> 
     at = graphs.on_curve(draft, axes, found, "s")
     chart = _chart(draft, "S", axes, at, scaled.chosen, order)
     end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up, why=why.END_OF_INTEGRAL)
-    return chart._replace(end=end)
+    return _Derived(chart._replace(end=end), scaled.distance, axes, at, found)
 
 
 def _chart(

@@ -29,17 +29,24 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
-from graphic_tmm.chapters.engine.beside import CALCULATED, record_beside
+from graphic_tmm.chapters.engine.beside import CALCULATED, MASSES, WORKS_VIEW, record_beside
 from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.engine.choice import choose
+from graphic_tmm.chapters.engine.conclusions import concludes
 from graphic_tmm.chapters.engine.given import given
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
-from graphic_tmm.chapters.engine.note import concludes
+from graphic_tmm.chapters.engine.note import note
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
-from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views
+from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
+from graphic_tmm.chapters.engine.views import (
+    TRANSFER_PLACE,
+    engine_diagram_views,
+    engine_views,
+    transfer_views,
+)
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
@@ -70,7 +77,9 @@ def _views(project: Project) -> dict[str, list[str]]:
     charts = [chart.view for chart in ENGINE.on(project).charts]
     cylinder = INDICATOR.on(project)
     own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE.chapter else []
-    return {ENGINE.chapter: [*own, VIEW, HARMONICS, *charts, CALCULATED]}
+    return {
+        ENGINE.chapter: [*own, VIEW, TRANSFER, HARMONICS, *charts, CALCULATED, MASSES, WORKS_VIEW]
+    }
 
 
 CHAPTER = Chapter(
@@ -81,6 +90,13 @@ CHAPTER = Chapter(
     places=(
         Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes),
         Place(
+            TRANSFER_PLACE,
+            0,
+            transfer_views,
+            follows=(POSITIONS,),
+            sizes=lambda scene, view: (TRANSFER, POSITIONS),
+        ),
+        Place(
             "engine diagrams",
             71,
             engine_diagram_views,
@@ -88,7 +104,11 @@ CHAPTER = Chapter(
             sizes=lambda scene, view: (GRAPHS,),
         ),
     ),
-    sizes=(GRAPH, Size("engine", least=0.5, small=0.7, cap=0.4)),
+    sizes=(
+        GRAPH,
+        Size("engine", least=0.5, small=0.7, cap=0.4),
+        Size(TRANSFER, least=0.5, small=0.7),
+    ),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
@@ -107,6 +127,8 @@ CHAPTER = Chapter(
     results=engine_results,
     views=_views,
     accuracy=ACCURACY,
+    note=note,
+    noted=(TRANSFER_PLACE,),
     concludes=concludes,
     sources=("artobolevsky",),
     symbols=SYMBOLS,

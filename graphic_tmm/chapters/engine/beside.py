@@ -22,16 +22,28 @@ from graphic_tmm.board.operations.instruments import measure, measure_along, squ
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapter import Made, aside
-from graphic_tmm.chapters.engine.formulas import KGF, in_kgf
+from graphic_tmm.chapters.engine.formulas import (
+    KGF,
+    in_kgf,
+    mass_by_weight,
+    moment_of_rod,
+    tipping_couple,
+)
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
+from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Side
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Link
 from graphic_tmm.project import Bench
 
 _SQUARE = "the rod stands square to the guide"
 CALCULATED = "engine-calculation"
 """The view of what is calculated beside."""
+MASSES = "engine-masses"
+"""The view of the sum of the masses that go to and fro."""
+WORKS_VIEW = "engine-works"
+"""The view of the works over a turn."""
 WORKS = ("work_T", "work_P", "work_apart")
 """What the results of the works are called."""
 
@@ -109,16 +121,6 @@ def radial_force(force: Number, part: Length, crank: Length, rod: Length, along:
     """{force}·{part}/{crank}·{rod}/{along}"""
 
 
-@formula(
-    why=said(
-        "Q on the crank pin and −Q on the bearing are a couple with the arm R·sin(φ + β), here {arm}: its "
-        "moment is that of the tangential force."
-    )
-)
-def moment_of_rod(force: Number, arm: Length, mu_l: Number) -> Number:
-    """{force}·{arm}·{mu_l}"""
-
-
 @formula(why=said("The mean moment times the angle of a turn, 2π, is the work of the turn."))
 def work_of_turn(moment: Number) -> Number:
     """2π·{moment}"""
@@ -158,12 +160,16 @@ class Beside(NamedTuple):
     """Marks (Number; angles in degrees).
 
     ``beta``: of the rod with the guide; ``checks``: N, Q, T, K and M by the formulas, by what they check;
-    ``works``: of T and of P over a turn (J, or kgf·m) and by how much they differ, %.
+    ``works``: of T and of P over a turn (J, or kgf·m) and by how much they differ, %. ``transfer``: the figure
+    of all forces. ``parts``: what the masses of crosshead and rod come to where the whole is given (unit of the
+    task), None where it is calculated of them anyway.
     """
 
     beta: Mark
     checks: Mapping[str, Mark]
     works: tuple[Mark, Mark, Mark]
+    transfer: Transfer
+    parts: Mark | None
 
 
 BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
@@ -172,11 +178,17 @@ BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of an engine's forces does not need."""
     made, draft, machine = ENGINE.on(bench), bench.draft, machine_of(bench)
+    transfer = draw_transfer(draft, made, machine)
     draft.open(CALCULATED)
     plan = _measure(draft, made, machine)
     checks = _checks(draft, made, plan)
+    beta = draft.draw(slope_of_rod, "β", plan.height, plan.along)
+    draft.open(MASSES)
+    slider = machine.mechanism.by_number[INDICATOR.on(bench).leg.link]
+    parts = _sum_of_masses(draft, made, slider)
+    draft.open(WORKS_VIEW)
     works = _works(draft, made, INDICATOR.on(bench), machine.count)
-    return Beside(draft.draw(slope_of_rod, "β", plan.height, plan.along), checks, works)
+    return Beside(beta, checks, works, transfer, parts)
 
 
 def _measure(draft: Draft, made: Engine, machine: Machine) -> _Plan:
@@ -205,7 +217,21 @@ def _checks(draft: Draft, made: Engine, plan: _Plan) -> dict[str, Mark]:
         "T": draft.draw(tangential_force, "T′", force, arm, crank, rod, along, unit=of),
         "K": draft.draw(radial_force, "K′", force, part, crank, rod, along, unit=of),
         "M": draft.draw(moment_of_rod, "M_Q", made.values["Q"], arm, draft.mu_l, unit=f"{of}·m"),
+        "M′": draft.draw(tipping_couple, "M′", force, arm, rod, along, draft.mu_l, unit=f"{of}·m"),
     }
+
+
+def _sum_of_masses(draft: Draft, made: Engine, slider: Link) -> Mark | None:
+    """Add up the masses that go to and fro where their sum is given."""
+    lumped = made.lumped
+    if made.order.mass is None or slider.mass is None or lumped.at_slider is None:
+        return None
+    own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")
+    whole = draft.draw(added, "m_Σ", own, lumped.at_slider, unit="kg")
+    if made.order.unit != "kgf":
+        return whole
+    unit = draft.take(Number, "", KGF, "N/kgf")
+    return draft.draw(mass_by_weight, "m_Σ", whole, unit, unit="kgf·s²/m")
 
 
 def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[Mark, Mark, Mark]:
@@ -218,7 +244,8 @@ def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[
     mean = draft.draw(mean_of_row, "M_m", part, unit=of, row=count)
     turning = draft.draw(work_of_turn, "A_T", mean, unit=of)
     stroke = draft.draw(in_si, "S", cylinder.indicator.stroke, draft.mu_l, unit="m")
-    gas, *others = [_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides]
+    found = (_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides)
+    gas, *others = (work for work in found if work is not None)
     for one in others:
         gas = draft.draw(added, "A_P" if made.order.unit == "N" else "A_P′", gas, one, unit="J")
     if made.order.unit == "kgf":
@@ -226,8 +253,10 @@ def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[
     return turning, gas, draft.draw(works_apart, "Δ_A", turning, gas, unit="%")
 
 
-def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark:
-    """Calculate the work that the gas of one side does in a turn, by its mean pressure."""
+def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark | None:
+    """Calculate the work that the gas of one side does in a turn, by its mean pressure; None if none."""
+    if side.mean is None:
+        return None
     letter = side.force.letter[-1]
     sign = draft.take(Number, f"σ_{letter}", _sense(draft, cylinder, side))
     uses = (sign, side.mean, draft.uses(side.force)[1], stroke)

@@ -6,8 +6,11 @@ from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
     "engine": said("Forces of the crank mechanism"),
+    "engine-148": said("Transfer of forces in the crank mechanism"),
     "harmonics": said("Rotating vectors of the inertia force"),
-    "engine-calculation": said("Checks of the triangles, works over a turn"),
+    "engine-calculation": said("Checks of the triangles by the formulas"),
+    "engine-masses": said("Sum of the masses that go to and fro"),
+    "engine-works": said("Works of T and P over a turn"),
     "engine beta": "β",
     "work_T": said("A_{T}, work of T over a turn"),
     "work_P": said("A_{P}, work of P over a turn"),

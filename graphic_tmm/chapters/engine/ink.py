@@ -95,11 +95,11 @@ def _vector_names(
         others = tuple(line for other, line in there.items() if other != mark)
         letter = f"\\bar{{{force.letter[0]}}}{force.letter[1:]}"
         middle, of = sum(own) / 2, (force.step.it.slot,)
-        out = _outwards(own, others)
+        out = outwards(own, others)
         yield Wanted(letter, middle, size, 0.8, out, of, index, own, others)
 
 
-def _outwards(own: tuple[complex, complex], others: Sequence[tuple[complex, complex]]) -> complex:
+def outwards(own: tuple[complex, complex], others: Sequence[tuple[complex, complex]]) -> complex:
     """Return the way square to a vector off the others that share an end with it; else to its left."""
     left = 1j * (own[1] - own[0])
     joined = [z for line in others if _meet(own, line) for z in line]

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
-from graphic_tmm.chapters.engine.beside import WORKS
+from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
+from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
-from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+from graphic_tmm.chapters.engine.table import PRESSURES, engine_columns, engine_results
+from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
@@ -32,6 +35,10 @@ SUMS = ", ".join(
     for whole, one, other in (("P′", "Q", "N"), ("Q", "K", "T"))
 )
 """What the force triangles say: P′ of the rod's Q and the pressure N on the guide, Q of K and T."""
+TRANSFER_PLACE = "engine forces"
+"""The place of the figure of all forces."""
+COUPLES = "M = T·R = Q·h, M′ = N·OB"
+"""What the couples of that figure are."""
 
 
 def engine_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -46,12 +53,37 @@ def engine_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     ]
 
 
+def transfer_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the figure of all forces of the crank mechanism, in the position that is worked."""
+    made, language = ENGINE.of(drawn), drawn.scene.language
+    if made is None:
+        return []
+    plans, place = KINEMATICS.on(drawn), _worked(drawn)
+    scale, high = drawn.scales[TRANSFER], heights(drawn.scene, TRANSFER_PLACE)
+    title = f"{captions(language)[TRANSFER]}, {captions(language)['position']} {drawn.names[place]}"
+    shown = Shown(TRANSFER, title, place, scale.value, made.order.unit, plans.sense)
+    log, found = drawn.construction, BESIDE.on(drawn).transfer
+    view = finished(draw_all_forces(log, drawn.reading, found, shown, high), lettered)
+    scales = f"{mu_text(drawn.scales[POSITIONS], language)}, {mu_text(scale, language)}"
+    inertia = bar(symbol("P_{in}", language))
+    told = (f"{scales}; {bar('P′')} = {bar('P')} + {inertia}", f"{SUMS}; {COUPLES}")
+    return [captioned(view, escape(title), *told, heights=high)]
+
+
+def _worked(drawn: Drawn) -> int:
+    """Return the position (index) that is drawn alone: the first that has a plan of accelerations."""
+    there = _shown(drawn)
+    first = [k for k in KINEMATICS.on(drawn).accelerated if k in there]
+    return first[0] if first else there[min(1, len(there) - 1)]
+
+
 def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the diagrams of an engine's forces over the turn, and their tables."""
     made, project, language = ENGINE.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
-    _, rows = speaking(language), engine_columns(drawn)
+    _ = speaking(language)
+    rows = [one for one in engine_columns(drawn) if one.segment not in PRESSURES]
     high = heights(drawn.scene, "engine diagrams")
     forces = result_table("engine", rows, project.names, language, heights=high)
     carried = _(
@@ -103,10 +135,7 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
 def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
     project, language = drawn.project, drawn.scene.language
     _, words, scale = speaking(language), captions(language), drawn.scales["harmonics"]
-    there = _shown(drawn)
-    place = next(
-        (k for k in KINEMATICS.on(drawn).accelerated if k in there), there[min(1, len(there) - 1)]
-    )
+    place = _worked(drawn)
     at = f"{words['position']} {escape(project.names[place])}"
     title = f"{_('Inertia forces of first and second order')}, {at}"
     high = heights(drawn.scene, ENGINE.chapter)

@@ -41,9 +41,10 @@ from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
 from graphic_tmm.chapters.flywheel.beside import CALCULATED, record_beside
 from graphic_tmm.chapters.flywheel.captions import CAPTIONS, SYMBOLS, graph_title
+from graphic_tmm.chapters.flywheel.conclusions import concludes
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.given import given
-from graphic_tmm.chapters.flywheel.note import concludes
+from graphic_tmm.chapters.flywheel.note import note
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
 from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
@@ -53,7 +54,7 @@ from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
 from graphic_tmm.chapters.kinematics.assumed import assumed
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, TURNS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.language.catalogue import speaking
@@ -74,7 +75,8 @@ def _needs(scene: Scene) -> dict[str, object]:
     gas = order.indicator if order is not None else None
     if gas is None:
         return {VELOCITIES: True, FORCES.chapter: True}
-    return {VELOCITIES: True, INDICATOR.chapter: Wish(3, FLYWHEEL.chapter, gas)}
+    wish = Wish(3, FLYWHEEL.chapter, gas)
+    return {VELOCITIES: True, INDICATOR.chapter: wish, TURNS: gas.turns}
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
@@ -132,6 +134,7 @@ CHAPTER = Chapter(
     },
     titles=_title,
     accuracy=ACCURACY,
+    note=note,
     concludes=concludes,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

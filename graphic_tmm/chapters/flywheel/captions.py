@@ -20,6 +20,9 @@ CAPTIONS: dict[str, str] = {
     "J_apart": said("difference of J_{F}"),
     "M_mean": said("M_{mean}"),
     "power": said("N, mean power"),
+    "A_excess": said("largest excess work"),
+    "J_made": said("J of the rim as it is made"),
+    "delta_made": said("δ of the rim as it is made"),
     "D_mean": said("D_{mean}"),
     "rim_mass": said("m_{F}"),
     "p_mean_cover": said("p_{mean}, cover"),
@@ -31,10 +34,20 @@ CAPTIONS: dict[str, str] = {
 }
 
 _RESISTING = said("Reduced moment of the resisting forces")
+_GIVEN = {
+    "resisting": said("Driving moment over the cycle"),
+    "driving": said("Resisting moment over the cycle"),
+}
+"""What the moment is called that varies where it is given, by which is constant."""
 
 
-def graph_title(view: str, constant: str, speech: Speech) -> str:
-    """Return what a graph is called; that of the moment by which of the two moments varies."""
+def graph_title(view: str, constant: str, speech: Speech, *, given: bool = False) -> str:
+    """Return what a graph is called; that of the moment by which of the two moments varies.
+
+    ``given``: it is given as it is, no force was reduced.
+    """
+    if view == "moment" and given:
+        return speech(_GIVEN[constant])
     if view == "moment" and constant == "driving":
         return speech(_RESISTING)
     return speech(CAPTIONS[view])

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.formula import formula
 from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
 from graphic_tmm.board.operations.energetics import (
     added,
@@ -111,7 +112,7 @@ def draw_flywheel(
     velocities = machine.velocities
     draft.open(VIEWS["moment"])
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
-    mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    mu_phi = angle_per_mm(draft, length, machine.turns)
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
     if cylinder is not None:
         moment = _by_gas(draft, machine, cylinder, order.constant)
@@ -160,6 +161,21 @@ def draw_flywheel(
         second,
         rim,
     )
+
+
+@formula(
+    why=said("The base of the graph stands for the whole cycle of {turns} turns, 2π rad each.")
+)
+def cycle_per_mm(turns: Number, base: Length) -> Number:
+    """2π·{turns}/{base}"""
+
+
+def angle_per_mm(draft: Draft, length: Mark, turns: int) -> Mark:
+    """Calculate the scale of a base that stands for a cycle of so many turns."""
+    if turns == 1:
+        return draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    told = draft.take(Number, "n_t", float(turns))
+    return draft.draw(cycle_per_mm, "μ_φ", told, length, unit="rad/mm")
 
 
 def refuse(order: FlywheelTask, section: str = "flywheel") -> None:

@@ -63,6 +63,7 @@ class FlywheelTask:
     It keeps the coefficient of irregularity ``delta``, or has the moment of inertia ``J`` (kg·m²), and what δ
     it keeps is found. ``indicator``: the gas forces of which diagram; None: by the loads of the links.
 
+    ``turns``: of the crank in a cycle; None: as many as the strokes of the indicator diagram take.
     ``constant``: which moment is constant over the cycle, "resisting" or "driving". ``A``: the scale of the
     works, or the pole distance that gives it.
     ``integration``: mean ordinates, of the "areas" below the curve, its ordinates at the "middles" of the
@@ -92,8 +93,14 @@ class FlywheelTask:
             fixes="size",
         ),
     )  # fmt: skip
+    turns: int | None = key(
+        v.number(Bound(1, 2, whole=True)),
+        "turns of the cycle: 2 of an engine with four strokes; left out: as the indicator diagram has it",
+        2,
+        None,
+    )
     base: float = key(
-        v.DRAWN, "length of the base for a turn", "120 mm", 120.0,
+        v.DRAWN, "length of the base for the whole cycle", "120 mm", 120.0,
         fixes="size",
     )  # fmt: skip
     mu_M: float | None = key(v.mu("scale of moments"), "(N·m)/mm", "8 N*m/mm", None, fixes="size")
@@ -132,9 +139,31 @@ def check(flywheel: Said, parts: Parts) -> Iterator[Found]:
     """What a flywheel needs besides its own section."""
     yield from parts.intervals("flywheel")
     yield from aims(flywheel)
+    yield from _cycle(flywheel, parts)
     if "indicator" not in parts.doc and "forces" not in parts.doc:
         says = said("nothing drives or resists; write a section [indicator], or loads and [forces]")
         yield Found(("flywheel",), says)
+
+
+def _cycle(flywheel: Said, parts: Parts) -> Iterator[Found]:
+    """A cycle of other turns than the working cycle of the cylinder has."""
+    gas = parts.said.get("indicator")
+    if flywheel.turns is None or ("indicator" in parts.doc and gas is None):
+        return
+    if gas is None and flywheel.turns > 1:
+        says = said(
+            "loads come back after a turn; write a section [indicator] with strokes = 4, or leave turns out"
+        )
+        yield Found(("flywheel", "turns"), says)
+    elif gas is not None and flywheel.turns != gas.strokes // 2:
+        says = said(
+            "the indicator diagram has {strokes} strokes, {turns} in a cycle; write strokes = {due} in "
+            "[indicator], or leave turns out",
+            strokes=gas.strokes,
+            turns=said("one turn") if gas.strokes == 2 else said("two turns"),
+            due=2 * flywheel.turns,
+        )
+        yield Found(("flywheel", "turns"), says)
 
 
 def aims(flywheel: Said, section: str = "flywheel") -> Iterator[Found]:

@@ -83,7 +83,7 @@ def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> l
     views = []
     for key, symbol, of in (("moment", "M", "N·m"), ("work", "A", "J"), ("energy", "T", "J")):
         view = VIEWS[key]
-        title = graph_title(key, made.order.constant, _)
+        title = graph_title(key, made.order.constant, _, given=made.energies is None)
         letters = Names(
             names,
             on_axis(symbol, unit(of, language)),

@@ -42,7 +42,7 @@ from graphic_tmm.chapters.forces.accuracy import ACCURACY
 from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS, called
 from graphic_tmm.chapters.forces.choice import choose
 from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
-from graphic_tmm.chapters.forces.given import given
+from graphic_tmm.chapters.forces.given import given, stated
 from graphic_tmm.chapters.forces.note import concludes, note
 from graphic_tmm.chapters.forces.plan import FORCES, record
 from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
@@ -57,6 +57,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
     KINEMATICS,
     POSITIONS,
+    TURNS,
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
@@ -72,6 +73,7 @@ def _needs(scene: Scene) -> dict[str, object]:
         found[ACCELERATIONS] = True
     if order is not None and order.gas is not None:
         found[INDICATOR.chapter] = Wish(1, FORCES.chapter, order.gas)
+        found[TURNS] = order.gas.turns
     return found
 
 
@@ -115,6 +117,7 @@ CHAPTER = Chapter(
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
+    stated=stated,
     sections=SECTIONS,
     record=record,
     reach=reach,

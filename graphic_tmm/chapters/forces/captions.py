@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
@@ -26,6 +27,8 @@ def called(view: str, speech: Speech) -> str:
     So is the friction of a pass, "friction 1"; "" for other views.
     """
     kind, _, name = view.partition(" ")
+    if kind == "load" and name:
+        return speech(LOAD, letter=plain(name))
     if kind == "friction" and name.isdigit():
         return speech(_FRICTION, number=name, before=int(name) - 1)
     if kind not in _TITLES or not name:
@@ -42,6 +45,8 @@ _TITLES = {
     "equations": (said("Equations of group {name}"), said("Equations of link {name}")),
 }
 """The figure, the polygon and the equations of a group, and those of a link."""
+LOAD = said("Diagram of the load {letter}")
+"""What the diagram of a load that varies is called."""
 _PASS = said(", pass {number}")
 _FRICTION = said("Pass {number}: friction by the reactions of pass {before}")
 

@@ -6,6 +6,7 @@ import math
 
 from graphic_tmm.board.operations.choice import next_ratio, times_larger
 from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.forces.pictured import ACROSS, UP, pictured
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.scales import Reaches, polygon_scales
 from graphic_tmm.chapters.kinematics.plan import VELOCITIES
@@ -35,6 +36,15 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         most = ledger.quantity("F_{max}", known.polygons[mu.view], "N")
         ledger.fitting(mu, most, ledger.value_of(drawn, mu))
     _lever(drawn, ledger, known.lever)
+    for one in pictured(drawn):
+        ledger.of(one.view)
+        along, up = one.scales
+        if along:
+            base = ledger.quantity(f"{along[2:]}_{{max}}", one.reach, one.base.removesuffix("/mm"))
+            ledger.pictured(along, one.base, base, ACROSS)
+        of = one.unit.removesuffix("/mm")
+        largest = ledger.quantity(f"{one.letter[:-1]}max}}", one.largest, of)
+        ledger.pictured(up, one.unit, largest, UP)
 
 
 def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:

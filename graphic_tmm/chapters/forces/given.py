@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 
 from graphic_tmm.chapter import Given
 from graphic_tmm.chapters.forces.task import ASKED, Load
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
 
 
@@ -26,6 +28,28 @@ def given(scene: Scene) -> Iterator[Given]:
         yield from _by_pair("f", order.friction.f, "")
         radii = {name: 1000.0 * radius for name, radius in order.friction.radius.items() if radius}
         yield from _by_pair("r", radii, "mm")
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell what acts on the links besides loads, and in which positions forces are wanted."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    _ = speaking(language)
+    if order.gravity and order.inertia:
+        yield _(_BOTH)
+    elif order.gravity or order.inertia:
+        yield _(_WEIGHT if order.gravity else _INERTIA)
+    if order.positions != ("all",):
+        yield _(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
+
+
+_BOTH = said("Weights and inertia forces of the links are taken into account.")
+_WEIGHT = said("Weights of the links are taken into account, inertia forces are not.")
+_INERTIA = said("Inertia forces of the links are taken into account, weights are not.")
+_POSITIONS = said(
+    "Forces are wanted in position {listed}.", "Forces are wanted in positions {listed}."
+)
 
 
 def _by_pair(letter: str, values: Mapping[str, float], unit: str) -> Iterator[Given]:

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 
 from graphic_tmm.board.naming import (
@@ -92,7 +93,7 @@ class Arrows:
         self.strokes: list[Stroke] = []
         self._named: list[Wanted] = []
         self.taken: list[tuple[complex, complex, float]] = []
-        self.links: shapely.Geometry = shapely.MultiLineString()
+        self.links = np.array([], dtype=object)
 
     @property
     def wanted(self) -> list[Wanted]:
@@ -116,7 +117,7 @@ class Arrows:
 
     def stands_on(self, links: Iterable[Ink]) -> None:
         """Tell the links that arrows stand on (see `beside`)."""
-        self.links = shapely.union_all([shape(stroke) for stroke in links])
+        self.links = np.array([shape(stroke) for stroke in links], dtype=object)
 
     def beside(self, at: complex, way: complex, length: float) -> complex:
         """Return where an arrow of a point begins that shall not lie on the line of a link, mm.
@@ -131,7 +132,9 @@ class Arrows:
     def _on_link(self, start: complex, end: complex) -> bool:
         """Whether most of a line lies on the lines of links."""
         drawn = shapely.LineString([(z.real, z.imag) for z in (start, end)])
-        return drawn.intersection(shapely.buffer(self.links, ON_LINK)).length > abs(end - start) / 2
+        near = self.links[shapely.dwithin(self.links, drawn, ON_LINK)]
+        there = shapely.buffer(shapely.union_all(near), ON_LINK)
+        return bool(drawn.intersection(there).length > abs(end - start) / 2)
 
     def put(
         self, at: complex, way: complex, length: float, called: str, told: Told, pen: str = "over"

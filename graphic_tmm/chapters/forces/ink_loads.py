@@ -14,8 +14,6 @@ from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
-ACROSS, UP = 70.0, 40.0
-"""Room for the base and for the largest size, mm."""
 OVER = 8.0
 """How far an axis goes on behind the diagram, mm."""
 TICK = 1.2

@@ -119,7 +119,7 @@ class Ground(NamedTuple):
     """What loads are drawn on: the board, the mechanism, its plans, how the velocity plan is turned.
 
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
-    ``numbers``: where each position stands in the row of so many ``intervals``.
+    ``numbers``: where each position stands in a turn of so many ``intervals``; the row has so many ``turns``.
     """
 
     draft: Draft
@@ -131,6 +131,7 @@ class Ground(NamedTuple):
     pin_speed: Mark
     numbers: np.ndarray
     intervals: int
+    turns: int = 1
 
 
 def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads:
@@ -358,5 +359,6 @@ def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
                 ),
                 "by_position",
             )
-        value = np.array([*load.size, *[np.nan] * (ground.numbers.size - intervals)])[None, :]
+        row = [*load.size] * ground.turns
+        value = np.array([*row, *[np.nan] * (ground.numbers.size - len(row))])[None, :]
     return draft.take(Number, letter, value, unit)

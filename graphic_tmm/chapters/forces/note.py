@@ -21,12 +21,10 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import (
     asked,
-    at_position,
+    beside,
     columns,
     filled,
     heading,
-    plan,
-    referred,
     worked,
 )
 from graphic_tmm.note.document import (
@@ -41,16 +39,18 @@ from graphic_tmm.note.document import (
     Source,
     Symbol,
     Text,
+    paragraph,
     text,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.protocol import protocol_blocks
+from graphic_tmm.note.figures import WALL, in_hand, is_figure, picture
+from graphic_tmm.note.plans import listed, section, shown_and_listed
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.readers.writing import decimals_of
 
 MOMENTS = said("Equilibrium of moments:")
 CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")
 IDLE = said("All forces are zero: there is no polygon.")
+WORKED = said("The calculation is worked in full for position {position}.")
 FRICTION = "friction"
 AGREE = said(
     "In position {position} the lever differs from the force plans by {apart} % (limit {limit} %): within it."
@@ -66,7 +66,8 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
     if made is None:
         return
     page = _Page(drawn, made, language)
-    yield from plan(drawn, LOADS, page.at, language)
+    yield paragraph(speaking(language)(WORKED, position=drawn.names[page.at]))
+    yield from listed(drawn, LOADS, page.at, language)
     plans = KINEMATICS.on(drawn)
     crank = plans.structure.driver
     pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
@@ -75,7 +76,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from page.detached(solved.closing.group.name, solved.polygon, rows)
     rows = driver_rows(page.writer, made, pivot, crank)
     yield from page.detached(str(crank), made.driven.polygon, rows)
-    yield from plan(drawn, FRICTION, page.at, language)
+    yield from listed(drawn, FRICTION, page.at, language)
     yield from page.lever()
     yield from columns(drawn, force_columns(drawn), language)
 
@@ -92,7 +93,7 @@ class _Page:
         ruler = drawn.hand.ruler
         decimals = EXACTLY if ruler is None else decimals_of(ruler)
         self.writer = Kept(seen, self.at, language, decimals)
-        held = in_hand(drawn)
+        held = in_hand(drawn, WALL)
         views = [*force_views(held, True), *lever_views(held, True)]
         self.views = {view.name: view for view in views if is_figure(view)}
 
@@ -105,46 +106,40 @@ class _Page:
     def detached(self, name: str, polygon: Polygon, rows: Iterator[object]) -> Iterator[Block]:
         """Yield what is told of a group or of the driving link: its figure, its moments, its polygon."""
         _, language = speaking(self.language), self.language
-        yield heading(called(f"group {name}", _))
-        shown = self.figures(f"group-{name}")
-        if shown:
-            yield referred(shown, language)
-        yield from shown
+        title = called(f"group {name}", _)
+        yield heading(title)
+        shown = beside(self.figures(f"group-{name}", f"forces-{name}"))
+        found = section(self.drawn, polygon.view, self.at, language)
+        scaled = polygon.view in self.drawn.scales and found is not None
+        told = (found,) if scaled and found is not None else ()
+        blocks = list(shown_and_listed(told, polygon.view, title, language, shown))
+        yield from blocks[:1]
         yield from self.moments(rows)
-        plain = self.figures(f"forces-{name}")
-        if polygon.view not in self.drawn.scales:
-            yield Paragraph(text(_(IDLE)))
-            return
-        yield Paragraph(text(_(CLOSED)))
-        yield Display((Formula((Symbol(vectors_of(polygon, language)),)),))
-        told = at_position(self.drawn, polygon.view, self.at, language)
-        if told is not None:
-            yield from protocol_blocks(told)
-        if plain:
-            yield referred(plain, language)
-        yield from plain
+        yield Paragraph(text(_(CLOSED if scaled else IDLE)))
+        if scaled:
+            yield Display((Formula((Symbol(vectors_of(polygon, language)),)),))
+        yield from blocks[1:]
 
-    def moments(self, rows: Iterator[object]) -> Iterator[Block]:
-        """Yield the equations of moments among rows that are written."""
+    def moments(self, rows: Iterator[object], *, letters: bool = False) -> Iterator[Block]:
+        """Yield the equations of moments among rows that are written; ``letters``: without their figures."""
         for _ in rows:
             pass
-        found = tuple(sums(self.writer, self.drawn.board))
+        found = tuple(sums(self.writer, self.drawn.board, letters=letters))
         if found:
             yield Paragraph(text(speaking(self.language)(MOMENTS)))
             yield Display(found)
 
     def lever(self) -> Iterator[Block]:
-        """Yield what is told of the lever: its figure, its protocol, its moments, what it comes to."""
+        """Yield what is told of the lever: its figure, its moments, its protocol, what it comes to."""
         language = self.language
-        yield heading(captions(language)[LEVER])
-        shown = self.figures(LEVER)
-        if shown:
-            yield referred(shown, language)
-        told = at_position(self.drawn, LEVER, self.at, language)
-        if told is not None:
-            yield from protocol_blocks(told)
-        yield from shown
-        yield from self.moments(iter(lever_rows(self.writer, self.made)))
+        title = captions(language)[LEVER]
+        yield heading(title)
+        found = section(self.drawn, LEVER, self.at, language)
+        told = () if found is None else (found,)
+        blocks = list(shown_and_listed(told, LEVER, title, language, self.figures(LEVER)))
+        yield from blocks[:1]
+        yield from self.moments(iter(lever_rows(self.writer, self.made)), letters=True)
+        yield from blocks[1:]
 
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:

@@ -42,10 +42,10 @@ class Kept(Writer):
         return super().summed(heading, of, mu)
 
 
-def sums(writer: Kept, board: str) -> Iterator[Formula]:
-    """Yield the sums that were written since the last time, as formulas."""
+def sums(writer: Kept, board: str, *, letters: bool = False) -> Iterator[Formula]:
+    """Yield the sums that were written since the last time, as formulas; ``letters``: no figures."""
     for one in writer.sums:
-        yield from _Told(writer, board, one).formulas()
+        yield from _Told(writer, board, one).formulas(letters=letters)
     writer.sums.clear()
 
 
@@ -56,18 +56,20 @@ class _Told:
         self.writer, self.board, self.one = writer, board, one
         self.put: dict[str, Leaf] = {}
 
-    def formulas(self) -> Iterator[Formula]:
-        """Yield ΣM by letters, then what it gives with figures."""
+    def formulas(self, *, letters: bool) -> Iterator[Formula]:
+        """Yield ΣM by letters, then what it gives with figures, unless it is told by ``letters`` alone."""
         one, writer = self.one, self.writer
         heading = Symbol(writer.letter(one.heading))
         if one.sought is None:
             total = self._figure(one.of.total, "N·m", signed=True)
-            letters, figures = self._sum(figures=False), self._sum(figures=True)
-            yield from broken(Formula((heading, self._tree(letters), self._tree(figures), total)))
+            whole = self._tree(self._sum(figures=False)), self._tree(self._sum(figures=True))
+            yield from broken(Formula((heading, *whole, total)))
             return
         sense = one.sought.sense * writer.sense(one.sought.value)
         left = [*self._parts(figures=False), (sense, self._last(one.sought))]
         yield from broken(Formula((heading, self._tree(_signed(left)), Symbol("0"))))
+        if letters:
+            return
         name = Symbol(writer.letter(one.sought.letter))
         value = self._figure(one.sought.value, one.sought.unit)
         yield from broken(Formula((name, self._tree(self._quotient(one.sought, sense)), value)))

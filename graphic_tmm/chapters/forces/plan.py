@@ -101,7 +101,7 @@ def record(bench: Bench) -> Forces | None:
 def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Ground:
     drive, velocities, draft = machine.mechanism.drive, machine.velocities, bench.draft
     image = velocities.images.by_letter[drive.link][machine.pin]
-    sense = 1 if drive.speed > 0 else -1
+    sense, in_turn = 1 if drive.speed > 0 else -1, machine.count // machine.turns
     return Ground(
         draft,
         machine.mechanism,
@@ -110,8 +110,9 @@ def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Gro
         accelerations,
         sense if bench.scene.turned else 0,
         draft.uses(image)[1],
-        machine.numbers,
-        machine.count,
+        machine.numbers % in_turn,
+        in_turn,
+        machine.turns,
     )
 
 

@@ -7,13 +7,16 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard
-from graphic_tmm.chapters.forces.given import braced, letters, sizes_of, varies
-from graphic_tmm.chapters.forces.ink_loads import ACROSS, UP, At, Diagram, Part, draw_load
+from graphic_tmm.board.scales import standard
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.forces.captions import LOAD
+from graphic_tmm.chapters.forces.given import sizes_of
+from graphic_tmm.chapters.forces.ink_loads import At, Diagram, Part, draw_load
+from graphic_tmm.chapters.forces.pictured import ACROSS, Pictured, mu_l, pictured, travelled
 from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.task import Load
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -28,68 +31,46 @@ PLACE = "load diagram"
 
 def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the diagram of each load that is given by the travel of a slider, the turn or the position."""
-    made = FORCES.of(drawn)
-    if made is None:
+    if FORCES.of(drawn) is None:
         return []
-    _, high, views = speaking(drawn.scene.language), heights(drawn.scene, PLACE), list[Drawing]()
-    loads = made.order.loads
-    for k, (letter, load, size) in enumerate(
-        zip(letters(loads), loads, made.loads.given, strict=True)
-    ):
-        if not varies(load) or not any(sizes_of(load)):
-            continue
-        called = symbol(braced(letter), drawn.scene.language)
-        title = _("Diagram of the load {letter}", letter=called)
-        shown = _diagram(drawn, load, size, called)
-        along = Scale("μ_S" if load.travel else "μ_φ", standard(shown.reach, ACROSS), _base(load))
-        up = Scale(f"μ_{called[0]}", standard(shown.largest, UP), f"{_unit(load)}/mm")
-        view = draw_load(
-            shown,
-            f"load-{k + 1}",
-            title,
-            (along.value, up.value),
-            drawn.scene.language,
-            high,
+    language, high = drawn.scene.language, heights(drawn.scene, PLACE)
+    views = list[Drawing]()
+    for one in pictured(drawn):
+        called = symbol(one.letter, language)
+        title = speaking(language)(LOAD, letter=called)
+        along, up = (
+            choices(drawn).scale(one.view, letter) if letter else None for letter in one.scales
         )
-        both = (along, up) if along.unit else (up,)
-        scales = ", ".join(mu_text(scale, drawn.scene.language) for scale in both)
+        assert up is not None
+        by = along.value if along is not None else standard(one.reach, ACROSS)
+        shown = _diagram(drawn, one, called)
+        view = draw_load(shown, f"load-{one.place + 1}", title, (by, up.value), language, high)
+        told = ", ".join(mu_text(scale, language) for scale in (along, up) if scale is not None)
         view = finished(view._replace(stand=Stand(kind="table")), lettered)
-        views.append(captioned(view, title, scales, heights=high))
+        views.append(captioned(view, title, told, heights=high))
     return views
 
 
-def _unit(load: Load) -> str:
-    return "N·m" if load.point is None else "N"
-
-
-def _base(load: Load) -> str:
-    """Return the unit of μ of the base; "" where positions stand on it."""
-    if load.travel is not None:
-        return "m/mm"
-    return "°/mm" if load.by_angle else ""
-
-
-def _diagram(drawn: Drawn, load: Load, size: Mark, letter: str) -> Diagram:
-    language, largest = drawn.scene.language, max(map(abs, sizes_of(load)))
-    up = f"{letter}, {unit(_unit(load), language)}"
+def _diagram(drawn: Drawn, one: Pictured, called: str) -> Diagram:
+    language, load = drawn.scene.language, one.load
+    up = f"{called}, {unit(one.unit.removesuffix('/mm'), language)}"
     there = [k for k in range(drawn.scene.row.count) if k not in drawn.undrawn]
     if load.travel is not None:
-        *_, way, stroke = next(s.uses for s in drawn.construction.steps if s.it == size)
-        mu = float(drawn.reading[KINEMATICS.on(drawn).mu_l][0, 0])
-        reach = float(drawn.reading[stroke][0, 0]) * mu
-        parts = tuple(_strokes(load, reach))
-        positions = tuple(_positions(drawn, size, way, mu, there))
-        return Diagram(parts, positions, (f"S, {unit('m', language)}", up), reach, largest)
+        parts = tuple(_strokes(load, one.reach))
+        way = travelled(drawn, one.size)[0]
+        positions = tuple(_positions(drawn, one.size, way, mu_l(drawn), there))
+        axes = f"S, {unit('m', language)}", up
+        return Diagram(parts, positions, axes, one.reach, one.largest)
     if load.by_angle:
         line = Part("main", load.by_angle)
-        return Diagram((line,), (), ("φ, °", up), 360.0, largest)
+        return Diagram((line,), (), ("φ, °", up), one.reach, one.largest)
     sizes = sizes_of(load)
     line = Part("main", tuple((float(k), size) for k, size in enumerate(sizes)))
     at = tuple(
-        At(drawn.names[k], float(k), sizes[k], k, size.slot) for k in there if k < len(sizes)
+        At(drawn.names[k], float(k), sizes[k], k, one.size.slot) for k in there if k < len(sizes)
     )
-    _ = speaking(language)
-    return Diagram((line,), at, (_("position"), up), float(len(sizes) - 1 or 1), largest)
+    axes = captions(language)["position"], up
+    return Diagram((line,), at, axes, one.reach, one.largest)
 
 
 def _strokes(load: Load, reach: float) -> Iterator[Part]:

@@ -36,7 +36,7 @@ from graphic_tmm.chapters.gears.beside import record_beside
 from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.gears.choice import choose
 from graphic_tmm.chapters.gears.columns import gear_columns
-from graphic_tmm.chapters.gears.given import given
+from graphic_tmm.chapters.gears.given import given, stated
 from graphic_tmm.chapters.gears.note import concludes, note
 from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
 from graphic_tmm.chapters.gears.results import gear_results
@@ -64,6 +64,7 @@ CHAPTER = Chapter(
     sizes=(Size(GEARS.chapter, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
+    stated=stated,
     sections=SECTIONS,
     record=record,
     aside=record_beside,

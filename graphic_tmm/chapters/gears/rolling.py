@@ -9,6 +9,7 @@ import numpy as np
 from graphic_tmm.board.geometry import TANGENT, cis, degrees, wedge
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.graph_curves import open_graph
+from graphic_tmm.board.operations.graphs import alike
 from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Point, Reals
 from graphic_tmm.language.said import said
 
@@ -118,10 +119,10 @@ class _Arcs(NamedTuple):
         return np.asarray(2 * (self.p - self.q) + self.m + self.n)
 
 
-def _arcs(curve: Curve, trial: int) -> _Arcs:
-    k = min(trial, curve.knots.shape[0] - 1)
-    p, m = curve.knots[k], curve.tangents[k]
-    return _Arcs(p[:-1], p[1:], m[:-1], m[1:])
+def _arcs(curve: Curve, trial: Any = slice(None)) -> _Arcs:
+    """Return the arcs of a trial's curve, (arc,), or those of all trials, (trial, arc)."""
+    p, m = curve.knots[trial], curve.tangents[trial]
+    return _Arcs(p[..., :-1], p[..., 1:], m[..., :-1], m[..., 1:])
 
 
 @operation(
@@ -130,36 +131,37 @@ def _arcs(curve: Curve, trial: int) -> _Arcs:
 )
 def curve_meets_arc(curve: Curve, arc: Arc) -> Point:
     """Where the curve {curve} first meets the arc {arc}, mark {it}."""
-    trials = max(curve.knots.shape[0], arc.radius.shape[0], arc.centre.shape[0])
     centres, radii = np.broadcast_arrays(arc.centre, arc.radius)
-    return Point(
-        np.array(
-            [
-                _reach(_arcs(curve, k), *(a[min(k, a.shape[0] - 1)] for a in (centres, radii)))
-                for k in range(trials)
-            ]
-        )
-    )
+    knots, tangents, centres, radii = alike(curve.knots, curve.tangents, centres, radii)
+    return Point(_reach(_arcs(Curve(knots, tangents, curve.closed)), centres, radii))
 
 
-def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
-    """Return where arcs of a curve first reach circles: a knot, or by halving the arc that crosses."""
-    knots = np.append(arcs.p, arcs.q[-1:])[:, None]
-    gap = np.abs(knots - centre) - radius
-    outside, slack = gap >= 0.0, TANGENT * (np.abs(knots) + np.abs(knots - centre) + radius)
-    there = np.isfinite(knots[1:]) & np.isfinite(knots[:-1]) & np.isfinite(radius)
-    changes = (outside[1:] != outside[:-1]) & there
-    at = np.argmax(changes, axis=0)
-    own, begins = arcs.pick(at), np.take_along_axis(outside, at[None, :], axis=0)[0]
+def _reach(arcs: _Arcs, centres: Complexes, radii: Reals) -> Complexes:
+    """Return where arcs of curves first reach circles: a knot, or by halving the arc that crosses.
+
+    ``arcs``: (trial, arc), each trial's of one curve; ``centres``, ``radii``: (trial, circle).
+    """
+    knots = np.concatenate([arcs.p, arcs.q[:, -1:]], axis=1)[:, :, None]
+    centre, radius = centres[:, None, :], radii[:, None, :]
+    away = np.abs(knots - centre)
+    gap = away - radius
+    outside, slack = gap >= 0.0, TANGENT * (np.abs(knots) + away + radius)
+    there = np.isfinite(knots[:, 1:]) & np.isfinite(knots[:, :-1]) & np.isfinite(radius)
+    changes = (outside[:, 1:] != outside[:, :-1]) & there
+    at = np.argmax(changes, axis=1)
+    own = _Arcs(*(np.take_along_axis(values, at, axis=1) for values in arcs))
+    begins = np.take_along_axis(outside, at[:, None, :], axis=1)[:, 0]
     low, high = np.zeros(at.shape), np.ones(at.shape)
     for _ in range(_HALVINGS):
         u = (low + high) / 2.0
-        still = (np.abs(own.on(u) - centre) >= radius) == begins
+        still = (np.abs(own.on(u) - centres) >= radii) == begins
         low, high = np.where(still, u, low), np.where(still, high, u)
-    crossed = np.where(changes.any(axis=0), own.on((low + high) / 2.0), np.nan)
+    crosses = changes.any(axis=1)
+    crossed = np.where(crosses, own.on((low + high) / 2.0), np.nan)
     stands = np.abs(gap) <= slack
-    knot, last = np.argmax(stands, axis=0), np.where(changes.any(axis=0), at + 1, gap.shape[0])
-    return np.where(stands.any(axis=0) & (knot <= last), knots[knot, 0], crossed)
+    knot, last = np.argmax(stands, axis=1), np.where(crosses, at + 1, gap.shape[1])
+    spot = np.take_along_axis(knots[:, :, 0], knot, axis=1)
+    return np.where(stands.any(axis=1) & (knot <= last), spot, crossed)
 
 
 @operation(
@@ -169,7 +171,8 @@ def _reach(arcs: _Arcs, centre: Complexes, radius: Reals) -> Complexes:
 def curves_cross(first: Curve, second: Curve) -> Point:
     """Where the curves {first} and {second} cross, mark {it}: the first such place along {first}."""
     trials = max(first.knots.shape[0], second.knots.shape[0])
-    spots = [_crossing(_arcs(first, k), _arcs(second, k)) for k in range(trials)]
+    each = [[_arcs(one, k % len(one.knots)) for one in (first, second)] for k in range(trials)]
+    spots = [_crossing(*two) for two in each]
     return Point(np.array(spots, dtype=np.complex128)[:, None])
 
 

@@ -42,7 +42,7 @@ def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -
     rows.append(row("cd", one.real, other.real))
     rows += [row(symbol, mark) for symbol, _, mark in pair_sizes(drawn)]
     _ = speaking(language)
-    laid = [_("{wheel}, drawn, mm", wheel=k) for k in (1, 2)]
+    laid = [_("{wheel}, drawn,\nmm", wheel=k) for k in (1, 2)]
     heads = [words["value"], "1", "2", words["unit"], *laid]
     align = ["left", "centre", "centre", "left", "centre", "centre"]
     return breakable(

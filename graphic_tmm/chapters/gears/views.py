@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.captions import captions
-from graphic_tmm.chapters.gears.checks import verdicts
+from graphic_tmm.chapters.gears.checks import Verdict, verdicts
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
@@ -72,20 +72,23 @@ def _ratios(drawn: Drawn) -> list[str]:
 
 
 def _checks(drawn: Drawn, made: Gear, heights: Heights) -> Drawing:
+    """Return the table of checks: the wheels side by side, as their dimensions, then the pair."""
     language = drawn.scene.language
-    _, words, rows = speaking(language), captions(language), []
-    for found in verdicts(made.checks, drawn.reading):
-        in_mm = found.unit == "m"
-        factor, places = (1000.0, 2) if in_mm else (1.0, 3)
-        cells = [fixed(factor * x, places, language) for x in (found.value, found.least)]
-        wheel = str(found.wheel) if found.wheel else ""
-        sign = "≥" if found.holds else "<"
-        of = unit("mm", language) if in_mm else ""
-        verdict = _("holds") if found.holds else _("fails")
-        rows.append(
-            [CHECKS[language][found.name], wheel, f"{cells[0]} {sign} {cells[1]}", of, verdict]
-        )
-    heads = [_("Check"), _("Wheel"), words["value"], words["unit"], _("Verdict")]
+    _, words, found = (
+        speaking(language),
+        captions(language),
+        list(verdicts(made.checks, drawn.reading)),
+    )
+    rows = []
+    for name in dict.fromkeys(one.name for one in found):
+        same = [one for one in found if one.name == name]
+        cells = [_compared(one, language) for one in same]
+        failed = ", ".join(str(one.wheel) for one in same if not one.holds and one.wheel)
+        verdict = _("holds") if all(one.holds for one in same) else _("fails")
+        told = f"{verdict}: {failed}" if failed else verdict
+        of = unit("mm", language) if same[0].unit == "m" else ""
+        rows.append([CHECKS[language][name], *cells, *[""] * (2 - len(cells)), of, told])
+    heads = [_("Check"), "1", "2", words["unit"], _("Verdict")]
     align = ["left", "centre", "centre", "left", "left"]
     return breakable(
         "table-gear-checks",
@@ -97,3 +100,10 @@ def _checks(drawn: Drawn, made: Gear, heights: Heights) -> Drawing:
         title_size=heights.title,
         align=align,
     )
+
+
+def _compared(found: Verdict, language: str) -> str:
+    """Return the value of a check beside its limit: 3,56 ≥ 1,60."""
+    factor, places = (1000.0, 2) if found.unit == "m" else (1.0, 3)
+    value, least = (fixed(factor * x, places, language) for x in (found.value, found.least))
+    return f"{value} {'≥' if found.holds else '<'} {least}"

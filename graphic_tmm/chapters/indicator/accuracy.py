@@ -9,11 +9,12 @@ from graphic_tmm.chapters.kinematics.accuracy import resampled
 
 
 def at_count(order: IndicatorTask, count: int) -> IndicatorTask:
-    """Return the same diagram for a row of so many positions."""
+    """Return the same diagram for so many positions in a turn."""
 
     def gas(side: Gas) -> Gas:
         pressures = side.pressures
-        return replace(side, pressures=resampled(pressures, count)) if pressures else side
+        size = count * order.turns
+        return replace(side, pressures=resampled(pressures, size)) if pressures else side
 
     shaft = gas(order.shaft) if order.shaft is not None else None
     return replace(order, cover=gas(order.cover), shaft=shaft)

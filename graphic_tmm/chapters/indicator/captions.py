@@ -6,5 +6,6 @@ from graphic_tmm.language.said import said
 
 CAPTIONS: dict[str, str] = {
     "indicator": said("Indicator diagram"),
+    "strokes of the cycle": said("Strokes of the cycle"),
     "indicator-calculation": said("Scale of the stroke"),
 }

@@ -14,6 +14,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.indicator.plan import Indicator, draw_indicator
+from graphic_tmm.chapters.indicator.stretches import Row
 from graphic_tmm.chapters.indicator.task import IndicatorTask, Wish
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
@@ -31,7 +32,10 @@ STANDS = 1e-6
 
 @dataclass(frozen=True)
 class Machine:
-    """What a flywheel is drawn for: the mechanism and its plans, where positions stand in the row."""
+    """What a flywheel is drawn for: the mechanism and its plans, where positions stand in the row.
+
+    ``count`` of them make the row, over so many ``turns`` of the crank.
+    """
 
     mechanism: Mechanism
     positions: Positions
@@ -41,6 +45,7 @@ class Machine:
     arm: Mark
     numbers: np.ndarray
     count: int
+    turns: int = 1
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,9 @@ def machine_of(bench: Bench) -> Machine:
     pivot, pin = plans.structure.pivot, plans.structure.pin
     arm = crank_length(bench, plans)
     drawn = (plans.positions, plans.velocities)
-    return Machine(plans.mechanism, *drawn, pivot, pin, arm, plans.numbers, plans.count)
+    return Machine(
+        plans.mechanism, *drawn, pivot, pin, arm, plans.numbers, plans.count, plans.turns
+    )
 
 
 def record(bench: Bench) -> Cylinder | None:
@@ -95,7 +102,8 @@ def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, section:
     start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
     travel = draft.draw(measure, f"s_{order.point}", start, point)
     extras = machine.numbers.size - machine.count
-    indicator = draw_indicator(draft, travel, machine.count, extras, order)
+    row = Row(machine.count, extras, machine.turns)
+    indicator = draw_indicator(draft, travel, row, order)
     return Cylinder(indicator, leg, outward)
 
 

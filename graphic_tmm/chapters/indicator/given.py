@@ -1,4 +1,4 @@
-"""What a scene gives of a cylinder: its diameter, the rod's, the clearance."""
+"""What a scene gives of a cylinder: its diameter, the rod's, the highest pressure, clearance, strokes."""
 
 from __future__ import annotations
 
@@ -14,5 +14,8 @@ def given_of(order: IndicatorTask) -> Iterator[Given]:
     sides = [side for side in (order.cover, order.shaft) if side is not None]
     if rod := max(side.rod for side in sides):
         yield Given("d", rod * 1000.0, "mm")
+    yield Given("p_{max}", order.highest, "Pa")
     if clearance := max(side.clearance for side in sides):
         yield Given("c", clearance)
+    if order.strokes != 2:
+        yield Given("strokes of the cycle", order.strokes)

@@ -26,7 +26,7 @@ from graphic_tmm.board.operations.supports import farthest, planimeter
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.chapters.indicator import reasons as why
-from graphic_tmm.chapters.indicator.stretches import by_stretches
+from graphic_tmm.chapters.indicator.stretches import Row, by_stretches
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -43,6 +43,7 @@ class Side:
     """One side of the piston on the diagram.
 
     Its points, curve, ordinates read (Length), the pressures they stand for, mean pressure, gas force.
+    ``mean``: None on a shaft side whose pressure is the same all the time: it does no work in a cycle.
     """
 
     name: str
@@ -50,7 +51,7 @@ class Side:
     curve: Mark
     ordinate: Mark
     pressure: Mark
-    mean: Mark
+    mean: Mark | None
     force: Mark
 
 
@@ -73,12 +74,10 @@ class Indicator:
     force: Mark
 
 
-def draw_indicator(
-    draft: Draft, travel: Mark, count: int, extras: int, order: IndicatorTask
-) -> Indicator:
+def draw_indicator(draft: Draft, travel: Mark, row: Row, order: IndicatorTask) -> Indicator:
     """Draw the diagram; ``travel``: the piston's way from the zero position, as read (Length).
 
-    ``extras``: how many positions stand behind the row; no pressure is known there.
+    No pressure is known at positions that stand behind the row.
 
     Raises
     ------
@@ -93,13 +92,13 @@ def draw_indicator(
     up = draft.draw(square, "(Oy)", origin, base, sense=1)
     length = draft.take(Length, "L", order.base, "mm")
     end = draft.draw(lay_off, "E", base, length)
-    feet, divisions, stroke = _divide(draft, origin, base, end, travel, count)
+    feet, divisions, stroke = _divide(draft, origin, base, end, travel, row.size)
     lines = draft.draw(square, "(i)", feet, base, sense=1)
     ground = _Ground(length, lines, feet, up, travel, stroke)
-    sides = [_side(draft, "cover", order.cover, (count, extras), ground)]
+    sides = [_side(draft, "cover", order.cover, row, ground)]
     force = sides[0].force
     if order.shaft is not None:
-        sides.append(_side(draft, "shaft", order.shaft, (count, extras), ground))
+        sides.append(_side(draft, "shaft", order.shaft, row, ground))
         force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
     chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
@@ -133,9 +132,9 @@ def _divide(
     return draft.draw(meet, "i", base, lines, why=why.ALIKE), marks, stroke
 
 
-def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) -> Side:
+def _side(draft: Draft, name: str, gas: Gas, row: Row, on: _Ground) -> Side:
     """Lay off the pressures of one side, read them, go round them with the planimeter."""
-    sign, (count, extras) = NAMES[name], row
+    sign, (count, extras, _) = NAMES[name], row
     if gas.stretches:
         pressure = by_stretches(
             draft, sign, gas, row, on.travel, on.stroke, at_shaft=name == "shaft"
@@ -158,11 +157,16 @@ def _side(draft: Draft, name: str, gas: Gas, row: tuple[int, int], on: _Ground) 
     curve = draft.draw(taut_curve, f"({sign}–{sign})", points, row=count)
     ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up, why=why.PRESSURE_READ)
     read = draft.draw(in_si, f"p_{sign}", ordinate, unit="Pa")
-    area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
-    height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, on.length)
-    mean = draft.draw(in_si, f"p_{{{sign}m}}", height, unit="Pa")
+    mean = None if gas.even and name == "shaft" else _mean(draft, sign, curve, on.length)
     outer = draft.take(Number, f"D_{sign}", gas.bore, "m")
     inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
     face = draft.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
     force = draft.draw(gas_force, f"P_{sign}", read, face, unit="N")
     return Side(name, points, curve, ordinate, read, mean, force)
+
+
+def _mean(draft: Draft, sign: str, curve: Mark, length: Mark) -> Mark:
+    """Go round the diagram of a side with the planimeter; return the mean pressure."""
+    area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
+    height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, length)
+    return draft.draw(in_si, f"p_{{{sign}m}}", height, unit="Pa")

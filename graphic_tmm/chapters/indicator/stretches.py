@@ -6,6 +6,8 @@ the piston's exact travel. The pressure itself is a step, by the travel as measu
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
@@ -21,11 +23,19 @@ SLACK = 1e-9
 """A share of the stroke that is over by less than this is on the stretch still."""
 
 
+class Row(NamedTuple):
+    """The positions: ``size`` of the row, so many ``extras`` behind it; over how many ``turns`` it goes."""
+
+    size: int
+    extras: int = 0
+    turns: int = 1
+
+
 def by_stretches(
     draft: Draft,
     sign: str,
     gas: Gas,
-    row: tuple[int, int],
+    row: Row,
     travel: Mark,
     stroke: Mark,
     *,
@@ -33,17 +43,17 @@ def by_stretches(
 ) -> Mark:
     """Calculate the pressure of every position of the row by the stretch that it stands on.
 
-    ``row``: how many positions make it, and how many stand behind it; these have no pressure. ``at_shaft``:
-    the volume is that on the side of the shaft, which is least at the far end of the stroke.
+    Positions behind the row have no pressure. ``at_shaft``: the volume is that on the side of the shaft, which
+    is least at the far end of the stroke.
 
     Raises
     ------
     StructureError
         If a position stands on no stretch.
     """
-    count, extras = row
+    count, extras, turns = row
     shares = _shares(draft, travel, stroke)[:count]
-    found = [_at(gas, k, shares) for k in range(count)]
+    found = [_at(gas, k, shares, turns) for k in range(count)]
 
     def values(name: str) -> Reals:
         told = [float(getattr(stretch, name) or 0.0) for stretch in found]
@@ -71,12 +81,15 @@ def _shares(draft: Draft, travel: Mark, stroke: Mark) -> Reals:
     return np.asarray(reading[travel][0] / reading[stroke][0, 0])
 
 
-def _at(gas: Gas, place: int, shares: Reals) -> Stretch:
+def _at(gas: Gas, place: int, shares: Reals, turns: int) -> Stretch:
     """Return the stretch on which a position of the row stands: out until the far end, back after it."""
-    share, way = float(shares[place]), "out" if place <= int(np.argmax(shares)) else "back"
+    turn, at = divmod(place, len(shares) // turns)
+    far = int(np.argmax(shares[: len(shares) // turns]))
+    share, way = float(shares[place]), "out" if at <= far else "back"
     for stretch in gas.stretches:
         low, high = sorted((stretch.start, stretch.end))
-        if stretch.stroke == way and low - SLACK <= share <= high + SLACK:
+        there = stretch.stroke == way and stretch.turn == turn
+        if there and low - SLACK <= share <= high + SLACK:
             return stretch
     raise StructureError(
         said(

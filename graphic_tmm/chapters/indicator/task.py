@@ -60,6 +60,19 @@ class Traced:
     back: tuple[tuple[float, float], ...] = key(
         _TRACED, "points of the stroke back", [[1, "30 kPa"], [0, "150 kPa"]]
     )
+    out_2: tuple[tuple[float, float], ...] | None = key(
+        _TRACED, "of four strokes the third", [[0, "3 MPa"], [1, "300 kPa"]], None
+    )
+    back_2: tuple[tuple[float, float], ...] | None = key(
+        _TRACED, "of four strokes the fourth", [[1, "120 kPa"], [0, "120 kPa"]], None
+    )
+
+    def strokes(self) -> Iterator[tuple[str, str, tuple[tuple[float, float], ...]]]:
+        """Yield those that are given, in order: their keys, which way they go, their points."""
+        for name in ("out", "back", "out_2", "back_2"):
+            points = getattr(self, name)
+            if points is not None:
+                yield name, name.removesuffix("_2"), points
 
 
 @dataclass(frozen=True)
@@ -79,7 +92,7 @@ class Stretch:
     """A part of an indicator diagram: on the stroke "out" (from the cover) or "back", between two shares of it.
 
     Shares are counted from the cover, 0 … 1. From ``pressure`` (Pa) at ``start`` it follows p·V^``exponent`` =
-    const, or a straight line to ``last`` (Pa) at ``end``.
+    const, or a straight line to ``last`` (Pa) at ``end``. ``turn``: of the crank, from 0, on which it stands.
     """
 
     stroke: str
@@ -88,6 +101,7 @@ class Stretch:
     pressure: float
     exponent: float | None = None
     last: float = 0.0
+    turn: int = 0
 
 
 @dataclass(frozen=True)
@@ -105,6 +119,15 @@ class Gas:
     stretches: tuple[Stretch, ...] = ()
     clearance: float = 0.0
 
+    @property
+    def even(self) -> bool:
+        """Whether the pressure is the same all the time, as that of the air."""
+        parts = self.stretches
+        bent = any(part.exponent for part in parts if part.exponent is not None)
+        ends = [p for part in parts if part.exponent is None for p in (part.pressure, part.last)]
+        steady = [part.pressure for part in parts if part.exponent is not None]
+        return not bent and len({*self.pressures, *ends, *steady}) == 1
+
 
 def _gas(side: str) -> Callable[[Said], Gas | None]:
     """Return what makes the gas of one side of the piston; None if nothing is said of it."""
@@ -114,7 +137,7 @@ def _gas(side: str) -> Callable[[Said], Gas | None]:
         rod = (said.rod or 0.0) if side == "shaft" else 0.0
         if pressures is not None:
             return Gas(pressures, said.bore, rod)
-        found = _polytropic(getattr(said, f"{side}_strokes"))
+        found = _polytropic(getattr(said, f"{side}_strokes"), said.strokes // 2)
         found = _straight(traced) if traced is not None else found
         return Gas((), said.bore, rod, found, said.clearance) if found else None
 
@@ -123,18 +146,30 @@ def _gas(side: str) -> Callable[[Said], Gas | None]:
 
 def _straight(traced: Traced) -> tuple[Stretch, ...]:
     return tuple(
-        Stretch(way, a, b, p, None, q)
-        for way, points in (("out", traced.out), ("back", traced.back))
+        Stretch(way, a, b, p, None, q, turn=int(name != way))
+        for name, way, points in traced.strokes()
         for (a, p), (b, q) in pairwise(points)
     )
 
 
-def _polytropic(strokes: tuple[Stroke, ...]) -> tuple[Stretch, ...]:
-    reached = {"out": 0.0, "back": 1.0}
+def _by_turns(parts: tuple[Stroke, ...], turns: int) -> list[list[Stroke]]:
+    """Return parts turn by turn: of four strokes the second turn begins with the second stroke out."""
+    found: list[list[Stroke]] = [[]]
+    for part in parts:
+        before = found[-1][-1].stroke if found[-1] else ""
+        if turns > 1 and (before, part.stroke) == ("back", "out"):
+            found.append([])
+        found[-1].append(part)
+    return found
+
+
+def _polytropic(strokes: tuple[Stroke, ...], turns: int) -> tuple[Stretch, ...]:
     found = []
-    for part in strokes:
-        found.append(Stretch(part.stroke, reached[part.stroke], part.to, part.p, part.n))
-        reached[part.stroke] = part.to
+    for turn, parts in enumerate(_by_turns(strokes, turns)):
+        reached = {"out": 0.0, "back": 1.0}
+        for part in parts:
+            start, reached[part.stroke] = reached[part.stroke], part.to
+            found.append(Stretch(part.stroke, start, part.to, part.p, part.n, turn=turn))
     return tuple(found)
 
 
@@ -147,8 +182,9 @@ class IndicatorTask:
     """The indicator diagram of a cylinder: pressures in the positions of the row.
 
     The piston's ``point`` slides on the frame. ``cover``: the side away from the crank; ``shaft``: the side
-    towards it, None for a single-acting piston. ``base`` is the drawn length of the stroke; ``height`` that of
-    the highest pressure, mm, unless ``mu`` (Pa/mm) says.
+    towards it, None for a single-acting piston. ``strokes``: of the working cycle, 2 a turn of the crank.
+    ``base`` is the drawn length of the stroke; ``height`` that of the highest pressure, mm, unless ``mu``
+    (Pa/mm) says.
     """
 
     point: str = key(v.TEXT, "the letter of the piston's point", "B")
@@ -170,11 +206,30 @@ class IndicatorTask:
         clearance=key(v.WITHIN, "clearance as a share of the stroke", 0.08, 0.0),
         rod=key(v.POSITIVE_LENGTH, "diameter of the rod on that side", "30 mm", None),
     )
+    strokes: int = key(
+        v.number(Bound(2, 4, whole=True)),
+        "strokes of the working cycle: 4 of an engine that fires every second turn",
+        4,
+        2,
+    )
     base: float = key(v.DRAWN, "drawn length of the stroke", "100 mm", 100.0, fixes="size")
     height: float = key(v.DRAWN, "room for the highest pressure", "100 mm", 100.0, fixes="size")
     mu: float | None = key(
         v.mu("scale of pressures"), "Pa/mm", "1500 Pa/mm", None, written="mu_p", fixes="size"
     )
+
+    @property
+    def turns(self) -> int:
+        """How many turns of the crank the working cycle takes."""
+        return self.strokes // 2
+
+    @property
+    def highest(self) -> float:
+        """The highest pressure that is given, Pa."""
+        sides = [side for side in (self.cover, self.shaft) if side is not None]
+        told = [p for side in sides for p in side.pressures]
+        parts = [part for side in sides for part in side.stretches]
+        return max(told + [max(part.pressure, part.last) for part in parts])
 
 
 class Wish(NamedTuple):
@@ -188,7 +243,9 @@ class Wish(NamedTuple):
 def check(asked: Said, parts: Parts) -> Iterator[Found]:
     """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
     yield from parts.moves(("indicator", "point"), asked.point)
-    count = parts.drive.positions if parts.drive is not None else None
+    turns = asked.strokes // 2
+    count = parts.drive.positions * turns if parts.drive is not None else None
+    yield from _cycle(asked, parts)
     for side in ("cover", "shaft"):
         told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(asked, k)]
         for other in told[1:]:
@@ -220,11 +277,41 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
         yield Found(("indicator", "rod"), says)
 
 
+ONE_TURN = ("diagrams", "engine")
+"""Sections whose graphs go over one turn of the crank."""
+
+
+def _cycle(asked: Said, parts: Parts) -> Iterator[Found]:
+    """A number of strokes that no cycle has, or that other sections cannot be drawn over."""
+    if asked.strokes % 2:
+        says = said("a working cycle has 2 strokes or 4; write one of these")
+        yield Found(("indicator", "strokes"), says)
+    for other in ONE_TURN:
+        if asked.strokes == 4 and other in parts.doc:
+            says = said(
+                "four strokes take two turns, and the graphs of [{other}] go over one; give it a scene of "
+                "its own",
+                other=other,
+            )
+            yield Found(("indicator", "strokes"), says)
+
+
 def _turns(asked: Said, side: str) -> Iterator[Found]:
     """Points that do not go from the cover to the far end and back."""
     traced = getattr(asked, f"{side}_points")
-    for way, ends in (("out", (0.0, 1.0)), ("back", (1.0, 0.0))) if traced is not None else ():
-        shares = [share for share, _ in getattr(traced, way)]
+    if traced is None:
+        return
+    for name in ("out_2", "back_2"):
+        if (getattr(traced, name) is not None) != (asked.strokes == 4):
+            says = (
+                said("four strokes have it, too; write its points")
+                if asked.strokes == 4
+                else said("only a cycle of four strokes has it; write strokes = 4, or leave it out")
+            )
+            yield Found(("indicator", f"{side}_points", name), says)
+    for name, way, points in traced.strokes():
+        ends = (0.0, 1.0) if way == "out" else (1.0, 0.0)
+        shares = [share for share, _ in points]
         turned = any((b - a) * (ends[1] - ends[0]) <= 0 for a, b in pairwise(shares))
         if (shares[0], shares[-1]) != ends or turned:
             says = said(
@@ -234,14 +321,33 @@ def _turns(asked: Said, side: str) -> Iterator[Found]:
                 first=ends[0],
                 last=ends[1],
             )
-            yield Found(("indicator", f"{side}_points", way), says)
+            yield Found(("indicator", f"{side}_points", name), says)
 
 
 def _strokes(asked: Said, side: str) -> Iterator[Found]:
     """Polytropic parts that do not go from the cover to the far end and back."""
-    reached = {"out": 0.0, "back": 1.0}
     strokes = getattr(asked, f"{side}_strokes")
-    for i, part in enumerate(strokes):
+    turns, before = _by_turns(strokes, asked.strokes // 2), 0
+    for parts in turns:
+        yield from _of_turn(parts, side, before)
+        before += len(parts)
+    if strokes and asked.strokes == 4 and len(turns) != 2:
+        says = said(
+            "four strokes are wanted, one after the other: out, back, out and back again; there are {n}",
+            n=2 * len(turns),
+        )
+        yield Found(("indicator", f"{side}_strokes"), says)
+    if any(part.n > 0 for part in strokes) and not asked.clearance > 0:
+        says = said(
+            "gas that is expanded or compressed needs the clearance; write clearance = 0.08"
+        )
+        yield Found(("indicator", "clearance"), says)
+
+
+def _of_turn(parts: list[Stroke], side: str, before: int) -> Iterator[Found]:
+    """The same of the parts of one turn; so many stand ``before`` them."""
+    reached = {"out": 0.0, "back": 1.0}
+    for i, part in enumerate(parts, before):
         if (part.to - reached[part.stroke]) * (1 if part.stroke == "out" else -1) <= 0:
             says = said(
                 "the stroke {way} has come to {share:g} already; go on from there",
@@ -250,16 +356,11 @@ def _strokes(asked: Said, side: str) -> Iterator[Found]:
             )
             yield Found(("indicator", f"{side}_strokes", i, "to"), says)
         reached[part.stroke] = part.to
-    if strokes and reached != {"out": 1.0, "back": 0.0}:
+    if parts and reached != {"out": 1.0, "back": 0.0}:
         says = said(
             "the parts of the stroke out have to end at 1, those of the stroke back at 0; add the last part"
         )
         yield Found(("indicator", f"{side}_strokes"), says)
-    if any(part.n > 0 for part in strokes) and not asked.clearance > 0:
-        says = said(
-            "gas that is expanded or compressed needs the clearance; write clearance = 0.08"
-        )
-        yield Found(("indicator", "clearance"), says)
 
 
 def _idle(asked: Said, parts: Parts) -> Iterator[str]:

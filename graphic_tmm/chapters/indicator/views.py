@@ -29,8 +29,8 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
     title = captions(language)[VIEW]
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     axes = (on_axis("p", unit("Pa", language)), on_axis("S", unit("m", language)))
-    means = {side.mean: symbol(side.mean.name, language) for side in cylinder.indicator.sides}
     sides = cylinder.indicator.sides
+    means = {m: symbol(m.name, language) for m in (side.mean for side in sides) if m is not None}
     several = sides if len(sides) > 1 else ()
     curves = {side.curve: symbol(side.pressure.name, language) for side in several}
     high = heights(drawn.scene, by)

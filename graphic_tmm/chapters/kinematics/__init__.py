@@ -49,7 +49,7 @@ from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
 from graphic_tmm.chapters.kinematics.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.kinematics.choice import choose
 from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
-from graphic_tmm.chapters.kinematics.given import given
+from graphic_tmm.chapters.kinematics.given import given, stated
 from graphic_tmm.chapters.kinematics.note import note
 from graphic_tmm.chapters.kinematics.plan import (
     ACCELERATIONS,
@@ -160,6 +160,7 @@ CHAPTER = Chapter(
     asked=lambda scene: scene.mechanism is not None,
     always=True,
     given=given,
+    stated=stated,
     record=record,
     reach=extents,
     plan_scales=plan_scales,

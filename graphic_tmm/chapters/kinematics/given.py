@@ -7,10 +7,13 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.draft import ROUNDING
 from graphic_tmm.chapter import Given
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
-from graphic_tmm.mechanism.records import Guide, Link, Mechanism
+from graphic_tmm.mechanism.records import Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.given import given_speed
+from graphic_tmm.readers.narration import remark
 from graphic_tmm.scene.records import Scene
 
 MM = 1000.0
@@ -98,6 +101,22 @@ def _sides(spots: Sequence[complex]) -> tuple[float, float]:
 
 def _direction(guide: Guide, base: float) -> Given:
     return Given(f"α_{{{guide.name}}}", math.remainder(guide.angle - base, 180.0), "°")
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell from where positions are counted, and in which of them accelerations are wanted."""
+    _, zero, wanted = speaking(language), scene.row.zero, scene.row.accelerations
+    if isinstance(zero, Extreme):
+        yield _(_ZERO, extreme=remark(f"{zero.point}: {zero.at}", language))
+    if wanted and len(wanted) < scene.row.count:
+        yield _(_ACCELERATIONS, n=len(wanted), listed=", ".join(wanted))
+
+
+_ZERO = said("Positions are counted from the {extreme}.")
+_ACCELERATIONS = said(
+    "The plan of accelerations is wanted in position {listed}.",
+    "Plans of accelerations are wanted in positions {listed}.",
+)
 
 
 def _drive(mechanism: Mechanism) -> Iterator[Given]:

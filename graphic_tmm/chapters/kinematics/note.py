@@ -10,9 +10,10 @@ from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.note.bricks import columns, plan, worked
+from graphic_tmm.note.bricks import columns, worked
 from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture, readable
+from graphic_tmm.note.plans import listed, plan
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
@@ -24,8 +25,9 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of kinematics: each plan is drawn in one position, the tables hold all."""
     at = worked(drawn)
     known: Known = set()
-    yield from plan(drawn, EXTREMES, at, language, known=known)
-    yield from plan(drawn, POSITIONS, at, language, _positions(drawn, language), known=known)
+    yield from listed(drawn, EXTREMES, at, language, known=known)
+    shown = _positions(drawn, language)
+    yield from listed(drawn, POSITIONS, at, language, shown, known=known)
     for view in (VELOCITIES, ACCELERATIONS):
         yield from plan(drawn, view, at, language, _plan(drawn, view, at, language), known=known)
     yield from columns(drawn, kinematic_columns(drawn), language)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,7 +28,7 @@ from graphic_tmm.chapters.kinematics.survey import Survey, survey
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Drive, Mechanism, Side
+from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 
@@ -37,6 +37,8 @@ LAST = 12
 POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
 """The plans: places of sheets, views of the board, and what other chapters need."""
 PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+TURNS = "turns"
+"""What else may be needed of the plans: that their row goes over so many turns of the crank."""
 ALL = ("all",)
 """What is written for the positions of a row where none is left out."""
 
@@ -48,7 +50,7 @@ class KinematicPlans:
     ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the
     positions (indices) that get an acceleration plan, ``extremes``: those that are extreme positions;
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
-    closed row.
+    closed row, over so many ``turns``.
     """
 
     mechanism: Mechanism
@@ -64,6 +66,17 @@ class KinematicPlans:
     guides: tuple[Figure, ...]
     numbers: np.ndarray
     count: int
+    turns: int = 1
+
+    @property
+    def in_turn(self) -> int:
+        """How many positions a turn of the crank has."""
+        return self.count // self.turns
+
+    @property
+    def repeated(self) -> tuple[int, ...]:
+        """The positions (indices) of later turns: the mechanism stands there as it did in the first one."""
+        return tuple(range(self.in_turn, self.count))
 
     @property
     def crank(self) -> tuple[Mark, Mark]:
@@ -98,10 +111,21 @@ def record(bench: Bench) -> KinematicPlans:
         If the mechanism cannot be drawn, or a position or point is named that does not exist.
     """
     scene, draft = bench.scene, bench.draft
-    mechanism, row = scene.mechanism, scene.row
+    turns: int = bench.needed.get(TURNS, 1)
+    mechanism, row = scene.mechanism, _over(scene.row, turns)
     assert mechanism is not None
     structure = dissect(mechanism)
     tried = survey(mechanism, structure)
+    if turns > 1 and tried.returning_late:
+        raise StructureError(
+            said(
+                "its links come back only after two turns (group {group} flips an odd number of times in one): "
+                "a cycle of several turns is drawn of mechanisms that come back after each",
+                group=tried.returning_late[0],
+            ),
+            "indicator.strokes",
+            head="positions",
+        )
     assembly = check_assembly(tried)
     frame = draw_frame(draft, mechanism, structure)
     numbered = draw_row(draft, tried, frame, row)
@@ -118,7 +142,7 @@ def record(bench: Bench) -> KinematicPlans:
             "plans.trajectories",
             head="trajectories",
         )
-    _draw_trajectories(draft, positions, scene.trajectories, row.count)
+    _draw_trajectories(draft, positions, scene.trajectories, row.count // turns)
     velocities = accelerations = None
     called = bench.wanted | bench.needed.keys()
     if VELOCITIES in called or ACCELERATIONS in called:
@@ -145,9 +169,15 @@ def record(bench: Bench) -> KinematicPlans:
         accelerated,
         extreme_places(row),
         guides(draft.board.construction()),
-        _numbers(angles, row.count, mechanism.drive),
+        _numbers(angles, row, mechanism.drive),
         row.count,
+        turns,
     )
+
+
+def _over(row: Row, turns: int) -> Row:
+    """Return a row over several turns of the crank, as many positions in each."""
+    return replace(row, count=row.count * turns, turns=turns)
 
 
 def crank_length(bench: Bench, made: KinematicPlans) -> Mark:
@@ -179,11 +209,11 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
 
-def _numbers(angles: np.ndarray, count: int, drive: Drive) -> np.ndarray:
+def _numbers(angles: np.ndarray, row: Row, drive: Drive) -> np.ndarray:
     """Return where each position stands in the row, in intervals of it; extras stand between."""
     travelled = (angles[0] - angles[0, 0]) * (1.0 if drive.speed > 0 else -1.0)
-    numbers = (np.round(travelled, LAST) % 360.0) * count / 360.0
-    numbers[:count] = np.arange(count)
+    numbers = (np.round(travelled, LAST) % 360.0) * row.count / (360.0 * row.turns)
+    numbers[: row.count] = np.arange(row.count)
     return np.asarray(numbers)
 
 

@@ -47,7 +47,7 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     extras = [_extra(draft, survey, frame, row, extra) for extra in row.extra]
     size = row.count + len(extras)
     turned = np.zeros((1, size))
-    turned[0, : row.count] = sense * 360.0 * np.arange(row.count) / row.count
+    turned[0, : row.count] = sense * 360.0 * row.turns * np.arange(row.count) / row.count
     draft.open(VIEW)
     by = draft.take(Angle, "Δφ", turned, "°", roles.CRANK_ANGLE)
     phi = draft.draw(advance, "φ_{n}", zero, by, unit="°")
@@ -124,6 +124,7 @@ def _degrees(row: Row, angle: float) -> str:
 def _name(row: Row, extra: float | str, travelled: float) -> str:
     if not isinstance(extra, str):
         return f"{_degrees(row, extra)}°"
-    interval = (travelled % 360.0) * row.count / 360.0
-    passed = math.floor(interval + 1e-9) % row.count
+    in_turn = row.count // row.turns
+    interval = (travelled % 360.0) * in_turn / 360.0
+    passed = math.floor(interval + 1e-9) % in_turn
     return f"{row.first + passed}*"

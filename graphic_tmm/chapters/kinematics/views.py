@@ -16,6 +16,7 @@ from graphic_tmm.chapters.kinematics.plan import (
     KINEMATICS,
     POSITIONS,
     VELOCITIES,
+    KinematicPlans,
 )
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
@@ -53,8 +54,8 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         main=main_position(drawn),
         driver=made.structure.driver,
         extremes=made.extremes,
-        names=drawn.names,
-        skipped=drawn.undrawn,
+        names=_together(drawn, made),
+        skipped=(*drawn.undrawn, *made.repeated),
         crank=made.crank,
         sense=made.sense,
         title=words["positions"],
@@ -66,10 +67,20 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return [captioned(leading, words["positions"], mu, heights=size)]
 
 
+def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:
+    """Return what positions are called on the plan: those of later turns with that of the first."""
+    size, names = made.in_turn, drawn.names
+    whole = range(made.count)
+    return [
+        ", ".join(names[i] for i in whole if i % size == k) if k < size else name
+        for k, name in enumerate(names)
+    ]
+
+
 def main_position(drawn: Drawn) -> int:
     """Return the position (index) drawn heavy: the scene's, else one that shows the mechanism at its best."""
     made, names = KINEMATICS.on(drawn), drawn.names
-    there = [k for k in range(len(names)) if k not in drawn.undrawn]
+    there = [k for k in range(len(names)) if k not in {*drawn.undrawn, *made.repeated}]
     told = next((k for k in there if names[k] == drawn.scene.main), None)
     if told is not None:
         return told
@@ -102,7 +113,8 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
         return []
     scale, size = drawn.scales[plan], heights(drawn.scene, plan)
     places = enumerate(drawn.row(plan))
-    shown = [(k, drawn.names[p]) for k, p in places if p not in drawn.undrawn]
+    left_out = {*drawn.undrawn, *KINEMATICS.on(drawn).repeated}
+    shown = [(k, drawn.names[p]) for k, p in places if p not in left_out]
     if plan == VELOCITIES and drawn.scene.common_pole and len(shown) > 1:
         orders = [(plan, f"{caption}, {_('all positions')}", [Place(*one) for one in shown])]
     else:
@@ -178,7 +190,7 @@ def both_tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _table(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
     """Return the table of a plan, lettered as on the sheets of its ``place`` or of both."""
-    rows = plan_columns(drawn, plan)
+    rows = [one.without(KINEMATICS.on(drawn).repeated) for one in plan_columns(drawn, plan)]
     if KINEMATICS.on(drawn).motion(plan) is None or drawn.of(plan) is None:
         return []
     high = heights(drawn.scene, place, "results")

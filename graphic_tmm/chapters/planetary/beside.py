@@ -5,6 +5,7 @@ Of a pair behind the train, how fast its last wheel turns.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
@@ -24,7 +25,7 @@ class Beside(NamedTuple):
 
     ``stopped``: the ratio of each mesh while the carrier stands; ``ring``, ``satellite``: the teeth of a train
     of one row that its ratio asks for, not yet whole; ``most``: the largest number of satellites whose teeth do
-    not touch; ``speed``: of the last wheel behind the train, 1/s, without sign. None where there is no such
+    not touch; ``speed``: of the last wheel behind the train, rpm, without sign. None where there is no such
     thing.
     """
 
@@ -90,6 +91,7 @@ def _speed(bench: Bench, made: Planetary) -> Mark | None:
     if made.pair is None:
         return None
     bench.draft.open(BEHIND)
-    driving = bench.draft.take(Number, f"ω_{made.order.driving}", abs(made.order.speed), "1/s")
+    turns = abs(made.order.speed) * 30.0 / math.pi
+    driving = bench.draft.take(Number, f"n_{made.order.driving}", turns, "rpm")
     last = len(made.train.scheme.wheels) + 2
-    return bench.draft.draw(t.speed_behind, f"ω_{last}", driving, made.pair.ratio, unit="1/s")
+    return bench.draft.draw(t.speed_behind, f"n_{last}", driving, made.pair.ratio, unit="rpm")

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
+
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
@@ -24,6 +26,8 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.paper.views import wrapped
+from graphic_tmm.readers.columns import listed
+from graphic_tmm.readers.told import told
 
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
@@ -87,11 +91,14 @@ def rate_table(
     """Return the table of segments and angular velocities, with the ratio measured and by the formula."""
     words, log, rates = WORDS[language], _Log(construction, reading, language), made.rates
     block = ", ".join(made.train.scheme.wheels[1:-1])
+    lengths = [np.array([log.value(segment)]) for segment in rates.segments.values()]
+    omegas = [np.array([log.value(rates.values[body])]) for body in rates.segments]
+    (figures,) = told([listed("", "", "ω", "1/s", omegas, tuple(rates.segments), lengths)])
     rows = []
-    for body, segment in rates.segments.items():
-        mm, omega = log.value(segment), log.value(rates.values[body])
-        name = block if body == "2" else body
-        rows.append([name, segment.name, fixed(mm, 1, language), fixed(omega, 1, language)])
+    for k, (body, segment) in enumerate(rates.segments.items()):
+        mm = fixed(figures.mm[k], figures.mm_places, language)
+        omega = fixed(figures.value[k], figures.places, language)
+        rows.append([block if body == "2" else body, segment.name, mm, omega])
     heads = [
         words["body"],
         words["segment"],

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.beside import BESIDE
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
@@ -55,9 +53,9 @@ def _overall(drawn: Drawn) -> list[str]:
     ratio = float(drawn.reading[made.pair.ratio].ravel()[0])
     first, last = made.order.behind
     last_speed = BESIDE.on(drawn).speed
-    assert last_speed is not None
-    behind = float(drawn.reading[last_speed].ravel()[0])
-    turns = [abs(speed) * 30.0 / math.pi for speed in (made.order.speed, behind)]
+    step = drawn.construction.step(last_speed) if last_speed is not None else None
+    assert step is not None
+    turns = [float(drawn.reading[mark].ravel()[0]) for mark in (step.uses[0], step.it)]
     speeds = [number(turns[0], language), number(ratio, language), number(turns[1], language)]
     ratios = single(results_of(drawn, made.results))
     own = ratios["planetary_ratio"][0]

@@ -14,7 +14,8 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.note.bricks import filled
+from graphic_tmm.note.bricks import beside, filled, folded, referred
+from graphic_tmm.note.calculations import without_letters
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -26,7 +27,7 @@ from graphic_tmm.note.document import (
     Text,
     text,
 )
-from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.figures import WALL, in_hand, picture
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.paper.lettering.letters import escape
 
@@ -35,11 +36,11 @@ MOVING = said(
     "Its mobility by Chebyshev's formula:"
 )
 ONE_DRIVE = said(
-    "One link has to be driven: link {link}. Taken off with the frame it leaves groups that add no freedom; in "
-    "the order of their attachment:"
+    "One link has to be driven: link {link}. Taken off with the frame it leaves groups that add no freedom."
 )
 GROUP = said("group {name}: class II, order 2, kind {kind}")
 DRIVEN = said("driving link {name}: class I")
+PARTS = said("In the order of their attachment the parts are shown in {}; the mobility of each:")
 LINKS, PAIRS = said("Links of the mechanism"), said("Kinematic pairs of the mechanism")
 
 
@@ -68,16 +69,20 @@ def _mobility(
     yield Paragraph(filled(_(MOVING), put))
     yield Display((_calculated(told, found.whole),))
     yield Paragraph(filled(_(ONE_DRIVE), {"link": Text(str(structure.driver))}))
-    held = in_hand(drawn)
+    held = in_hand(drawn, WALL)
     shown = {
         f"part-{name}": view for name, view in zip(found.parts, part_views(held, True), strict=True)
     }
     kinds = {group.name: group.kind for group in structure.groups}
+    pictures, formulas = [], []
     for name, mark in found.parts.items():
         title = _(GROUP, name=name, kind=kinds[name]) if name in kinds else _(DRIVEN, name=name)
-        yield Paragraph(text(f"{title}:"))
-        yield Display((_calculated(told, mark),))
-        yield picture(shown[f"part-{name}"], language)
+        pictures.append(picture(shown[f"part-{name}"], language)._replace(caption=text(title)))
+        formulas.append(_calculated(told, mark))
+    parts = beside(pictures)
+    yield referred(parts, language, PARTS)
+    yield Display((formulas[0], *map(without_letters, formulas[1:])))
+    yield from parts
 
 
 def _step(told: Told, mark: Mark) -> Step:
@@ -104,7 +109,7 @@ def _links(mechanism: Mechanism, structure: Structure, language: str) -> Table:
         for link in links
     )
     heads = text(words["number"]), text(words["link"]), text(words["mobility"])
-    return Table("table-links", text(speaking(language)(LINKS)), heads, rows, "cll")
+    return folded(Table("table-links", text(speaking(language)(LINKS)), heads, rows, "cll"), 2)
 
 
 def _pairs(mechanism: Mechanism, structure: Structure, language: str) -> Table:

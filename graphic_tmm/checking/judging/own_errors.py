@@ -97,6 +97,8 @@ def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
 
 def apart(found: Any, due: Any) -> Any:
     """Return by how much a figure exceeds its due; a segment without a sign is a magnitude."""
+    if isinstance(found, float) and isinstance(due, float):
+        return found - due if found < 0.0 else found - abs(due)
     return np.where(np.asarray(found) < 0.0, found - due, found - np.abs(due))
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
-
-import numpy as np
 
 from graphic_tmm.checking.cells import Cell, Key
 from graphic_tmm.checking.judging.own_errors import apart
@@ -24,7 +23,7 @@ LESS = 0.9
 """Of readings that a mistake explains one at least lies nearer to what it leads to than to what is due,
 by more than rounding. Could be at least 0.6 to 1."""
 
-NOWHERE = complex(np.nan, np.nan)
+NOWHERE = complex(math.nan, math.nan)
 
 UNKNOWN = 0.03
 """A figure of which no drawing of the hand is known is taken to be wrong beyond this share of it: about
@@ -82,17 +81,18 @@ def compared(
         cell = figures.get(one.taken.key)
         moved, due = (None, NOWHERE) if cell is None else _moved(one, cell)
         limit = spread[one.taken.at]
-        unit = unit_of(limit, one)
-        if one.verdict == WRONG:
+        wrong = one.verdict == WRONG
+        unit = unit_of(limit, one) if wrong else 1.0
+        if wrong:
             group.whole += (one.deviation / unit) ** 2
         if moved is None:
-            group.left += (one.deviation / unit) ** 2 if one.verdict == WRONG else 0.0
+            group.left += (one.deviation / unit) ** 2 if wrong else 0.0
             continue
         growth = max(1.0, abs(due) / abs(one.due)) if one.due else 1.0
         room = _room(limit, abs(due), growth)
         if reach == READING:
             room = min(room, DIGITS * abs(due))
-        if one.verdict == WRONG:
+        if wrong:
             group.left += (moved / unit) ** 2
             group.nearer |= moved < LESS * abs(one.deviation)
             if moved <= room:
@@ -132,7 +132,7 @@ def _disproves(one: Judged) -> bool:
 
 def unit_of(limit: Scatter, one: Judged) -> float:
     """Return by what deviations in mm and in all units are made comparable: by where the hand's ends."""
-    if np.isfinite(limit.wrong) and limit.wrong > 0.0:
+    if math.isfinite(limit.wrong) and limit.wrong > 0.0:
         return limit.wrong
     return UNKNOWN * abs(one.due) or 1.0
 
@@ -157,7 +157,7 @@ def _moved(one: Judged, cell: Cell) -> tuple[float | None, complex]:
 
 def _room(limit: Scatter, due: float, growth: float) -> float:
     """Return how far a reading may be from what a mistake leads to: as the hand is, scaled with the figure."""
-    if not np.isfinite(limit.wrong):
+    if not math.isfinite(limit.wrong):
         return UNKNOWN * abs(due)
     return ROOM * limit.wrong * growth
 

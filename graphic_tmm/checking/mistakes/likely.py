@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from graphic_tmm.checking.cells import Cell, Key, cells
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.scatter import Scatter
-from graphic_tmm.checking.mistakes.catalogue import CATALOGUE
+from graphic_tmm.checking.mistakes.alterations import Figures
+from graphic_tmm.checking.mistakes.catalogue import CATALOGUE, Mistake
 from graphic_tmm.checking.mistakes.comparing import (
     NOWHERE,
     Explained,
@@ -58,9 +59,29 @@ MOST_LEFT = 0.25
 """A mistake that leaves more than this share of the deviations (of their squares) is not named: half of
 each deviation. Could be at least 0.1 to 0.35; with 0.5 what is named changes in two."""
 
+KEPT = 10_000
+"""Of a scene of so many steps times positions at most, what mistakes lead to is kept: some 20 MB."""
+
+
+class Alternatives:
+    """What the mistakes of the catalogue make of a scene's figures: of many drawings it is found once."""
+
+    def __init__(self, made: DrawnScene) -> None:
+        self.made = made
+        size = sum(len(one.construction.steps) * one.reading.positions for one in made.boards)
+        self._kept: dict[str, tuple[Figures, ...]] | None = {} if size <= KEPT else None
+
+    def of(self, mistake: Mistake) -> Iterable[Figures]:
+        """Return the figures that a mistake leads to, variant by variant."""
+        if self._kept is None:
+            return mistake.figures(self.made)
+        if mistake.name not in self._kept:
+            self._kept[mistake.name] = tuple(mistake.figures(self.made))
+        return self._kept[mistake.name]
+
 
 def likely(
-    made: DrawnScene,
+    others: Alternatives,
     judged: Sequence[Judged],
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
@@ -74,7 +95,9 @@ def likely(
     if not wrong:
         return ()
     tried = [
-        one for one in _tried(made, judged, spread, language) if one.lines and one.rest <= MOST_LEFT
+        one
+        for one in _tried(others, judged, spread, language)
+        if one.lines and one.rest <= MOST_LEFT
     ]
     tried.sort(key=lambda one: (-one.score, one.rest, one.name))
     found: list[Likely] = []
@@ -102,7 +125,7 @@ def _same(one: Tried, other: Tried) -> bool:
 
 
 def _tried(
-    made: DrawnScene,
+    others: Alternatives,
     judged: Sequence[Judged],
     spread: Mapping[tuple[Key, bool], Scatter],
     language: str,
@@ -110,14 +133,14 @@ def _tried(
     for mistake in CATALOGUE:
         says = speaking(language)(mistake.says)
         best: Tried | None = None
-        for figures in mistake.figures(made):
+        for figures in others.of(mistake):
             one = compared(mistake.name, says, figures, judged, spread, mistake.reach)
             if best is None or (one.score, -one.rest) > (best.score, -best.rest):
                 best = one
         if best is not None:
             yield best
     yield from _factor(judged, spread, language)
-    yield _other_segments(made, judged, spread, language)
+    yield _other_segments(others.made, judged, spread, language)
 
 
 def _factor(

@@ -8,26 +8,23 @@ from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Chapter
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
-from graphic_tmm.note.bricks import (
-    ALSO,
-    columns,
-    figures_of,
-    heading,
-    plan,
-    referred,
-    results,
-    worked,
-)
-from graphic_tmm.note.document import Block
+from graphic_tmm.note.bricks import columns, figures_of, heading, paired, results, worked
+from graphic_tmm.note.document import Block, paragraph
+from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.protocol import Known
 
 
-def chapter_section(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
-    """Yield the section of a chapter; nothing where there is nothing to tell."""
+def chapter_section(drawn: Drawn, chapter: Chapter, language: str, known: Known) -> Iterator[Block]:
+    """Yield the section of a chapter; nothing where there is nothing to tell.
+
+    ``known``: what chapters before it have told.
+    """
     own = chapter.note(drawn, language)
-    blocks = list(own if own is not None else from_log(drawn, chapter, language))
+    told = own if own is not None else from_log(drawn, chapter, language, known=known)
+    blocks = list(paired(told))
     if blocks:
         yield heading(title(chapter, language), 1)
+        yield from map(paragraph, drawn.scene.author.remarks.get(chapter.name, ()))
         yield from blocks
 
 
@@ -43,11 +40,15 @@ def from_log(
     language: str,
     calculated: Container[str] = (),
     *,
+    brief: Container[str] = (),
+    known: Known | None = None,
     tables: bool = True,
 ) -> Iterator[Block]:
-    """Yield what the log tells of a chapter: its plans with figures, its columns, its results.
+    """Yield what the log tells of a chapter: its figures, its plans as a table, its columns, its results.
 
-    ``calculated``: the views of which only is told what is calculated or read; ``tables``: of its columns, too.
+    ``calculated``: the views of which only is told what is calculated or read; ``brief``: those of which
+    drawing is told where it has a reason that is new. ``known``: what was told before. ``tables``: of its
+    columns and results, too.
     """
     at = worked(drawn)
     shown = [
@@ -56,21 +57,17 @@ def from_log(
         if place.name in drawn.scene.called and not place.together
         for one in figures_of(drawn, place, at, language)
     ]
-    views = _views(drawn, chapter)
-    taken: set[str] = set()
-    known: Known = set()
-    for view in views:
-        own = [one for one in shown if view in one.drawing.shows and one.id not in taken]
-        taken |= {one.id for one in own}
-        bare = view in calculated
-        yield from plan(drawn, view, at, language, own, known=known, bare=bare)
-    left = [one for one in shown if one.id not in taken]
-    if left:
-        yield referred(left, language, ALSO)
-        yield from left
+    known = set() if known is None else known
+    found = [
+        section(drawn, view, at, language, known, bare=view in calculated, brief=view in brief)
+        for view in _views(drawn, chapter)
+    ]
+    sections = [one for one in found if one is not None]
+    name = f"{drawn.board}-{chapter.name}"
+    yield from shown_and_listed(sections, name, title(chapter, language), language, shown)
     if tables:
         yield from columns(drawn, chapter.columns(drawn), language)
-    yield from results(drawn, chapter, language)
+        yield from results(drawn, chapter, language)
 
 
 def _views(drawn: Drawn, chapter: Chapter) -> list[str]:

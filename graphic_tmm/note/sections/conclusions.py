@@ -1,4 +1,4 @@
-"""The conclusions: what follows from the results, chapter by chapter, and what could not be drawn."""
+"""The conclusions: what follows from the results, chapter by chapter, what could not be drawn, the author's."""
 
 from __future__ import annotations
 
@@ -20,6 +20,8 @@ from graphic_tmm.note.document import (
     Runs,
     Source,
     Table,
+    lettered,
+    paragraph,
     text,
 )
 from graphic_tmm.readers.exactness import deviations
@@ -28,21 +30,26 @@ from graphic_tmm.readers.warnings import warnings
 
 CONCLUSIONS = said("Conclusions")
 EXACTNESS = said("Largest errors of the drawing against the same without error of the ruler")
+SHARES = (0.35, 0.15)
+"""What the columns take of a page's width, twice."""
 PLAN, ERROR = said("Plan or result"), said("Error, %")
 
 
 def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
-    """Yield what follows from the results; nothing where nothing does."""
+    """Yield what follows from the results, and what the author concludes; nothing where nothing does."""
     found: list[Runs] = []
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
             found += chapter.concludes(drawn, language)
     for drawn in made.boards:
         found += [text(_sentence(told)) for told in warnings(drawn, language)]
-    if found:
+    own = made.scene.author.conclusions
+    if found or own:
         yield Heading(1, text(speaking(language)(CONCLUSIONS)), numbered=False)
+    if found:
         yield Listed(tuple(Item("", (Paragraph(one),)) for one in found))
         yield from _exactness(made, language)
+    yield from map(paragraph, own)
 
 
 def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
@@ -54,11 +61,11 @@ def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
             told = f"{one.percent:.1g}" if one.percent < 0.1 else f"{one.percent:.2f}"
             source = Source("deviation", drawn.board, f"{one.plan}/{one.segment}", one.place)
             digits = told.replace(".", decimal_sign(language))
-            rows.append((text(name), (Number(digits, "", source, one.percent),)))
+            rows.append((lettered(name), (Number(digits, "", source, one.percent),)))
     if rows:
         heads = text(speaking(language)(PLAN)), text(speaking(language)(ERROR))
         title = text(speaking(language)(EXACTNESS))
-        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc"))
+        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc", SHARES), 2)
 
 
 def _sentence(told: str) -> str:

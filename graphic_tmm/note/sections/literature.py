@@ -1,4 +1,4 @@
-"""The literature: the books that the chapters follow, by the names under which they name them; standards."""
+"""The literature: as the author lists it; else the books that the chapters follow, and standards."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.document import Block, Heading, Item, Listed, Paragraph, text
+from graphic_tmm.note.document import Block, Heading, Item, Listed, paragraph, text
 
 LITERATURE = said("Literature")
 BOOKS: dict[str, str] = {
@@ -37,15 +37,18 @@ ESKD, ISO = ("scales", "lines", "letters"), ("iso scales", "iso lines", "iso let
 
 
 def literature(made: DrawnScene, language: str) -> Iterator[Block]:
-    """Yield the literature, in the order in which chapters call for it."""
+    """Yield the literature: the author's list, else in the order in which chapters call for it."""
+    told = made.scene.author.literature or _called_for(made, language)
+    yield Heading(1, text(speaking(language)(LITERATURE)), numbered=False)
+    yield Listed(tuple(Item(str(k), (paragraph(one),)) for k, one in enumerate(told, 1)))
+
+
+def _called_for(made: DrawnScene, language: str) -> list[str]:
+    """Return the books that the chapters of a note follow, and the standards of every sheet."""
     chapters = sorted(
         {one.number: one for drawn in made.boards for one in drawn.project.chapters}.values(),
         key=lambda one: one.number,
     )
     named = dict.fromkeys(key for one in chapters for key in one.sources)
-    told = [BOOKS[key] for key in (*named, *(ESKD if language == "ru" else ISO))]
-    yield Heading(1, text(speaking(language)(LITERATURE)), numbered=False)
-    items = [
-        Item(str(k), (Paragraph(text(speaking(language)(one))),)) for k, one in enumerate(told, 1)
-    ]
-    yield Listed(tuple(items))
+    keys = (*named, *(ESKD if language == "ru" else ISO))
+    return [speaking(language)(BOOKS[key]) for key in keys]

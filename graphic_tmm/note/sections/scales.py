@@ -1,56 +1,130 @@
-"""The scale factors: how each was chosen, and a table of what a millimetre of each plan stands for."""
+"""The scale factors: why they are chosen as they are, and a table of how each was found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.captions import captions
+from graphic_tmm.board.operations import choice
+from graphic_tmm.board.record import Step
+from graphic_tmm.captions import captions, view_name
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import heading
-from graphic_tmm.note.document import Block, Number, Runs, Source, Symbol, Table, text
-from graphic_tmm.note.protocol import Known, protocol_blocks
-from graphic_tmm.note.steps import Told
+from graphic_tmm.note.document import (
+    Block,
+    Formula,
+    Number,
+    Once,
+    Paragraph,
+    Run,
+    Runs,
+    Source,
+    Symbol,
+    Table,
+    Text,
+    text,
+)
+from graphic_tmm.note.steps import Told, calculated, reason_runs
 from graphic_tmm.readers.titles import title_of
 
-PLAN = said("Drawing")
+PLAN, FOUND, TAKEN = said("Drawing"), said("Calculation"), said("Scale factor")
+GIVEN = said("taken from the task")
+SHARES = (0.25, 0.55, 0.2)
+"""What the columns take of a page's width."""
+OWN = frozenset({op.name for op in (choice.accepted, choice.next_standard, choice.next_ratio)})
+OWN |= {op.name for op in (choice.scale_of, choice.of_turns, choice.times_larger)}
+OWN |= {choice.next_standard_length.name, choice.nearest_standard.name}
+OWN |= {choice.scale_by_turning.name}
+"""Operations of the choice alone: their reasons are told here, others where their formulas are used."""
+
+
+class Found(NamedTuple):
+    """What is told of the choice on a board: its reasons, by view the formulas."""
+
+    reasons: list[Once]
+    formulas: dict[str, list[Run]]
 
 
 def scales(made: DrawnScene, language: str) -> Iterator[Block]:
     """Yield the section of the scale factors; none where nothing is drawn to scale."""
-    rows = [row for drawn in made.boards for row in _rows(drawn, language)]
+    found = [(drawn, _found(drawn, language)) for drawn in made.boards]
+    rows = [row for drawn, one in found for row in _rows(drawn, one.formulas, language)]
     if not rows:
         return
-    words = captions(language)
+    _, words = speaking(language), captions(language)
     yield heading(words[SCALES], 1)
-    known: Known = set()
-    for drawn in made.boards:
-        yield from _chosen(drawn, language, known)
-    heads = text(speaking(language)(PLAN)), text(words["letter"]), text(words["figure"])
-    head = (*heads, text(words["unit"]))
-    yield Table("table-scales", text(words[SCALES]), head, tuple(rows), "llcc")
+    told: list[Run] = []
+    for reason in (reason for _, one in found for reason in one.reasons):
+        told += [Text(" "), reason] if told else [reason]
+    if told:
+        yield Paragraph(tuple(told))
+    heads = text(_(PLAN)), text(_(FOUND)), text(_(TAKEN))
+    yield Table("table-scales", text(words[SCALES]), heads, tuple(rows), "lll", SHARES, long=True)
 
 
-def _chosen(drawn: Drawn, language: str, known: Known) -> Iterator[Block]:
-    """Yield how the scale factors of a board were chosen."""
-    found = choices(drawn)
-    if found.construction.steps:
-        reading = execute(found.construction, found.given)
-        board = f"{SCALES} {drawn.board}"
-        yield from protocol_blocks(
-            Told(board, found.construction, reading, SCALES, 0, language), known=known
-        )
+def _found(drawn: Drawn, language: str) -> Found:
+    """Return how the scale factors of a board were chosen."""
+    chosen = choices(drawn)
+    log, given = chosen.construction, chosen.given
+    found = Found([], {})
+    if not log.steps:
+        return found
+    told = Told(_aside(drawn), log, execute(log, given), SCALES, 0, language)
+    view = ""
+    for step in log.steps:
+        view = _view(step) or view
+        if step.reason and (step.op.name in OWN or step.why):
+            found.reasons.append(Once(step.reason, reason_runs(told, step)))
+        formula = calculated(told, step)
+        some = found.formulas.setdefault(view, [])
+        if formula is not None and (step.op.formula or step.op is choice.next_ratio):
+            some.append(formula._replace(flat=True))
+        elif step.op is choice.accepted and not step.why:
+            some.append(Text(speaking(language)(GIVEN)))
+    return found
 
 
-def _rows(drawn: Drawn, language: str) -> Iterator[tuple[Runs, ...]]:
+def _aside(drawn: Drawn) -> str:
+    """Return what the choice of a board's scale factors is called as a source of numbers."""
+    return f"{SCALES} {drawn.board}"
+
+
+def _view(step: Step) -> str:
+    """Return the view whose scale factor a step begins with, "" if it goes on with one."""
+    return next((note for note in reversed(step.note.split("\n")) if note), "")
+
+
+def _rows(drawn: Drawn, found: dict[str, list[Run]], language: str) -> Iterator[tuple[Runs, ...]]:
+    """Yield a row a view: those drawn to scale, those beside them, then what else was calculated to choose."""
     for view, scale in drawn.scales.items():
         source = Source("scale", drawn.board, view)
-        told = Number(number(scale.value, language), "", source, scale.value)
-        name, of = title_of(drawn.project, view, language), text(unit(scale.unit, language))
-        yield text(name), (Symbol(symbol(scale.symbol, language)),), (told,), of
+        told = Number(number(scale.value, language), scale.unit, source, scale.value)
+        taken = Formula((Symbol(symbol(scale.symbol, language)), told))
+        name = title_of(drawn.project, view, language)
+        yield text(name), _listed(found.get(view, ())), (taken,)
+    chosen = choices(drawn)
+    for view, letter in chosen.beside:
+        slot = str(chosen.beside[view, letter].slot)
+        scale, source = chosen.scale(view, letter), Source("mark", _aside(drawn), slot)
+        told = Number(number(scale.value, language), scale.unit, source, scale.value)
+        taken = Formula((Symbol(symbol(letter, language)), told))
+        formulas = () if view in drawn.scales else found.get(view, ())
+        yield text(view_name(view, language)), _listed(formulas), (taken,)
+    beside = {view for view, _letter in chosen.beside}
+    for view, formulas in found.items():
+        if formulas and view not in drawn.scales and view not in beside:
+            yield text(plain(view_name(view, language))), _listed(formulas), ()
+
+
+def _listed(formulas: Sequence[Run]) -> Runs:
+    runs: list[Run] = []
+    for one in formulas:
+        runs += [Text("; "), one] if runs else [one]
+    return tuple(runs) or text("—")

@@ -9,7 +9,7 @@ from graphic_tmm.captions import view_name
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import Block
-from graphic_tmm.note.protocol import protocol_blocks
+from graphic_tmm.note.protocol import Manner, protocol_blocks
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.protocol import SYNTHESIS
 from graphic_tmm.readers.protocol import synthesis as found_for
@@ -22,4 +22,6 @@ def synthesis(made: DrawnScene, language: str) -> Iterator[Block]:
         return
     reading = execute(found.construction, found.given)
     yield heading(view_name(SYNTHESIS, language), 1)
-    yield from protocol_blocks(Told(SYNTHESIS, found.construction, reading, SYNTHESIS, 0, language))
+    yield from protocol_blocks(
+        Told(SYNTHESIS, found.construction, reading, SYNTHESIS, 0, language), Manner()
+    )

@@ -14,6 +14,8 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import folded, heading, worked
 from graphic_tmm.note.document import (
     Block,
+    Item,
+    Listed,
     Number,
     Paragraph,
     Picture,
@@ -23,11 +25,13 @@ from graphic_tmm.note.document import (
     Symbol,
     Table,
     Text,
+    paragraph,
     text,
 )
 from graphic_tmm.note.figures import in_hand, picture
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.given import figure, given_rows
+from graphic_tmm.readers.protocol import synthesis
 
 TASK = said("Task")
 SCHEME = said("Scheme of the mechanism")
@@ -50,6 +54,24 @@ def task(made: DrawnScene, language: str) -> Iterator[Block]:
     if shown is not None:
         yield shown
     yield from tables
+    yield from _conditions(made, language)
+
+
+def _conditions(made: DrawnScene, language: str) -> Iterator[Block]:
+    """Yield what the scene asks for besides, sentence by sentence, and what the author says of it."""
+    told = [
+        sentence
+        for drawn in made.boards
+        for chapter in drawn.project.chapters
+        for sentence in chapter.stated(made.scene, language)
+    ]
+    if told:
+        yield paragraph(speaking(language)(BESIDES))
+        yield Listed(tuple(Item("", (paragraph(one),)) for one in told))
+    yield from map(paragraph, made.scene.author.task)
+
+
+BESIDES = said("Besides:")
 
 
 def scheme(drawn: Drawn, language: str) -> Picture | None:
@@ -64,8 +86,10 @@ def scheme(drawn: Drawn, language: str) -> Picture | None:
 
 
 def given_table(drawn: Drawn, language: str) -> Table | None:
-    """Return the table of what is given for a board."""
-    rows = given_rows(drawn.scene, drawn.board)
+    """Return the table of what is given for a board; lengths that the synthesis finds stand there."""
+    found = synthesis(drawn.scene)
+    sought = {step.it.name for step in found.construction.steps} if found is not None else set()
+    rows = [row for row in given_rows(drawn.scene, drawn.board) if row.symbol not in sought]
     words = captions(language)
     told: list[tuple[Runs, ...]] = []
     for row in rows:

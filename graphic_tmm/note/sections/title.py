@@ -2,15 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Break, Contents, Runs, Table, paragraph, text
+from graphic_tmm.scene.author import ASSIGNMENT, DIPLOMA, PROJECT, WORK, Author
 
 NOTE = said("Explanatory note")
-TO = said("to the course project in the theory of mechanisms and machines")
+TO = {
+    PROJECT: said("to the course project"),
+    WORK: said("to the course work"),
+    ASSIGNMENT: said("to the graphical assignment"),
+    DIPLOMA: said("to the diploma project"),
+}
+"""What the note belongs to."""
+SUBJECT = said("in the theory of mechanisms and machines")
+DISCIPLINE = said("in the discipline “{discipline}”")
+THEME = said("on the theme")
+CODE = said("{designation}", context="note")
+VARIANT = said("Variant {variant}")
+STUDENT = said("Student of group {group}")
 PEOPLE = (
     (said("Drawn"), "drawn_by"),
     (said("Checked"), "checked_by"),
@@ -24,25 +37,54 @@ EMPTY = "\N{NO-BREAK SPACE}"
 
 
 def title_page(made: DrawnScene, language: str) -> Iterator[Block]:
-    """Yield the title page and the contents."""
-    _, fields = speaking(language), dict(made.scene.title_block)
-    if organisation := fields.get("organisation"):
-        yield paragraph(organisation, "centre")
+    """Yield the title page and the contents; lines of which nothing is told are left out."""
+    author, fields = made.scene.author, made.scene.title_block
+    department = author.department or fields.get("organisation", "")
+    for told in (author.ministry, author.university, department):
+        if told:
+            yield paragraph(told, "centre")
     yield paragraph(EMPTY, "space")
-    yield paragraph(_(NOTE), "title")
-    yield paragraph(_(TO), "centre")
-    yield paragraph(fields.get("name") or made.scene.title, "title")
-    if fields.get("name") and fields["name"] != made.scene.title:
-        yield paragraph(made.scene.title, "centre")
-    if designation := fields.get("designation"):
-        yield paragraph(designation, "centre")
+    yield from _called(made, language)
     yield paragraph(EMPTY, "space")
-    rows: list[tuple[Runs, ...]] = [
-        (text(_(role)), text(LINE), text(fields.get(key, "") or LINE))
-        for role, key in PEOPLE
-        if key in ("drawn_by", "checked_by") or fields.get(key)
-    ]
-    yield Table("people", (), (), tuple(rows), "lcl", (0.34, 0.33, 0.33), ruled=False)
+    yield _people(author, fields, language)
     yield paragraph(EMPTY, "space")
+    foot = " ".join(str(one) for one in (author.city, author.year) if one)
+    if foot:
+        yield paragraph(foot, "centre")
     yield Break()
     yield Contents()
+
+
+def _called(made: DrawnScene, language: str) -> Iterator[Block]:
+    """Yield what the note is called: to what work it belongs, its theme, its designation."""
+    _, author, fields = speaking(language), made.scene.author, made.scene.title_block
+    formal = bool(author.kind_of_work or author.discipline or author.theme)
+    name = author.theme or fields.get("name") or made.scene.title
+    yield paragraph(_(NOTE), "title")
+    to = _(TO[author.kind_of_work or PROJECT])
+    if author.discipline:
+        yield paragraph(to, "centre")
+        yield paragraph(_(DISCIPLINE, discipline=author.discipline), "centre")
+    else:
+        yield paragraph(f"{to} {_(SUBJECT)}", "centre")
+    if formal:
+        yield paragraph(_(THEME), "centre")
+    yield paragraph(name, "title")
+    if not author.theme and name != made.scene.title:
+        yield paragraph(made.scene.title, "centre")
+    if designation := fields.get("designation"):
+        yield paragraph(_(CODE, designation=designation) if formal else designation, "centre")
+    if author.variant:
+        yield paragraph(_(VARIANT, variant=author.variant), "centre")
+
+
+def _people(author: Author, fields: Mapping[str, str], language: str) -> Table:
+    """Return who signs: a line for each, with the name if it is told."""
+    _ = speaking(language)
+    rows: list[tuple[Runs, ...]] = []
+    for role, key in PEOPLE:
+        if key in ("drawn_by", "checked_by") or fields.get(key):
+            group = key == "drawn_by" and author.group
+            told = _(STUDENT, group=author.group) if group else _(role)
+            rows.append((text(told), text(LINE), text(fields.get(key, "") or LINE)))
+    return Table("people", (), (), tuple(rows), "lcl", (0.34, 0.33, 0.33), ruled=False)

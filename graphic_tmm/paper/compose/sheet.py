@@ -44,6 +44,13 @@ class Cutting(NamedTuple):
         """The grid on which it is cut, mm."""
         return grid_of(len(self.units))
 
+    @property
+    def share(self) -> float:
+        """What its boxes take of the sheet, each with its gap."""
+        gap = self.gap
+        taken = sum((w + gap) * (h + gap) for unit in self.units for w, h, _ in unit.sizes)
+        return taken / ((self.size[0] + gap) * (self.size[1] + gap))
+
     def curves(self, share: float = 1.0) -> Curves:
         """Return the curves of all runs of units on a sheet by a ``share`` higher."""
         gap, units, grid = self.gap, self.units, self.grid
@@ -61,14 +68,11 @@ def cutting(units: Sequence[Unit], room: Room, gap: float) -> Cutting | None:
     left, bottom, right, top = room.inner
     head, foot, aside = _corners(room, gap)
     width, height = right - aside - left - 2 * gap, top - bottom - 2 * gap
-    area = sum((w + gap) * (h + gap) for unit in units for w, h, _ in unit.sizes)
-    area += (foot[0] + gap) * (foot[1] + gap)
-    if area > (width + gap) * (height + gap):
-        return None
     there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
     ways: list[Sequence[Shape]] = [shapes(unit.sizes, gap) for unit in there]
     ways[0] = _below(ways[0], head, gap)
-    return Cutting(complex(left + gap, top - gap), (width, height), there, ways, gap)
+    found = Cutting(complex(left + gap, top - gap), (width, height), there, ways, gap)
+    return found if found.share <= 1.0 else None
 
 
 def excess(units: Sequence[Unit], room: Room, gap: float) -> float:

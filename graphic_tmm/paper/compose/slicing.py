@@ -18,8 +18,8 @@ GRID = 2.0
 """The grid of the curves, mm."""
 FINE, FEW = 0.5, 7
 """The grid where there are so few leaves that it takes no time: on small sheets a step decides."""
-NONE = np.int32(20_000)
-"""A height at which nothing fits, in steps of the grid."""
+NONE = np.int16(16_000)
+"""A height at which nothing fits, in steps of the grid; twice as much is still a number of its type."""
 
 Below = tuple[int, int]
 
@@ -74,7 +74,7 @@ def curve(
     sizes: Iterable[tuple[float, float]], width: int, height: int, grid: float = GRID
 ) -> np.ndarray:
     """Return the least height at each width up to ``width`` for what can have some sizes, mm."""
-    found = np.full(width + 1, NONE, dtype=np.int32)
+    found = np.full(width + 1, NONE, dtype=np.int16)
     for wide, high in sizes:
         across, down = steps(wide, grid), steps(high, grid)
         if across <= width and down <= height:
@@ -88,18 +88,20 @@ def curves(leaves: Sequence[np.ndarray], height: int, below: Sequence[Below] = (
     ``below``: pairs of leaves, in order, of which the second stands below the first.
     """
     count, wide = len(leaves), len(leaves[0])
-    heights = np.full((count + 1, count, wide), NONE, dtype=np.int32)
-    widths = np.full((count + 1, count, height + 1), NONE, dtype=np.int32)
+    heights = np.full((count + 1, count, wide), NONE, dtype=np.int16)
+    widths = np.full((count + 1, count, height + 1), NONE, dtype=np.int16)
     heights[1] = leaves
     widths[1] = _inverse(heights[1], height + 1)
     for length in range(2, count + 1):
         runs = count - length + 1
-        down = np.full((runs, wide), NONE, dtype=np.int32)
-        across = np.full((runs, height + 1), NONE, dtype=np.int32)
+        down = np.full((runs, wide), NONE, dtype=np.int16)
+        across = np.full((runs, height + 1), NONE, dtype=np.int16)
+        above, beside = np.empty_like(down), np.empty_like(across)
         for k in range(1, length):
-            first, second = slice(0, runs), slice(k, k + runs)
-            np.minimum(down, heights[k, first] + heights[length - k, second], out=down)
-            beside = widths[k, first] + widths[length - k, second]
+            second = slice(k, k + runs)
+            np.add(heights[k, :runs], heights[length - k, second], out=above)
+            np.minimum(down, above, out=down)
+            np.add(widths[k, :runs], widths[length - k, second], out=beside)
             for a, b in below:
                 beside[max(b - length + 1, 0, a - k + 1) : max(min(a, b - k) + 1, 0)] = NONE
             np.minimum(across, beside, out=across)
@@ -109,12 +111,20 @@ def curves(leaves: Sequence[np.ndarray], height: int, below: Sequence[Below] = (
 
 
 def _inverse(found: np.ndarray, size: int) -> np.ndarray:
-    """Return, for curves that fall, the least place at which each is no higher than 0 … size − 1."""
+    """Return, for curves that fall, the least place at which each is no higher than 0 … size − 1.
+
+    Read backward a curve rises from 0 to ``size``: by as much as it rises before a place, so many heights have
+    that place as their least.
+    """
     runs, places = found.shape
-    flat = np.minimum(found, size) + (size + 1) * np.arange(runs, dtype=np.int32)[:, None]
-    counts = np.bincount(flat.ravel(), minlength=runs * (size + 1)).reshape(runs, size + 1)
-    least = places - np.cumsum(counts[:, :size], axis=1, dtype=np.int32)
-    return np.where(least == places, NONE, least).astype(np.int32)
+    rising = np.empty((runs, places + 2), dtype=found.dtype)
+    rising[:, 0], rising[:, -1] = 0, size
+    np.minimum(found[:, ::-1], size, out=rising[:, 1:-1])
+    rises = np.diff(rising, axis=1)
+    at = np.flatnonzero(rises)
+    least = (places - at % (places + 1)).astype(found.dtype)
+    least[least == places] = NONE
+    return np.repeat(least, rises.ravel()[at]).reshape(runs, size)
 
 
 def tree(found: Curves, width: int, height: int) -> Tree | None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.boards import usual_part
 from support.cams import curvatures, motion, pressure_angles
 from support.gallery import SHEETS
 from support.scenes import edited
@@ -22,14 +23,13 @@ from graphic_tmm.note.document import Runs, Text
 from graphic_tmm.project import record
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 ROCKER = 'stroke = "20 deg"\nfollower = "rocker"\nlever = "0.1 m"\ncentres = "0.13 m"\n'
 SPEED = 'speed = "120 rpm"\n'
 
 
 def part(path: Path) -> Drawn:
-    return next(one for one in make(read(path), exact=True).boards if one.board == "cam")
+    return usual_part("cam", read(path))
 
 
 def fast(folder: Path, more: str = "", *, rocker: bool = False) -> Drawn:

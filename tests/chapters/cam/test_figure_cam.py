@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 
+import numpy as np
 import pytest
 from support.cams import made
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
@@ -16,6 +17,7 @@ from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_rules import TRACELESS
+from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import (
     CamTask,
@@ -25,7 +27,7 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
-from graphic_tmm.chapters.cam.views import cam_views
+from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.paper.finish import finished
@@ -90,6 +92,40 @@ def test_steps_of_the_scene_are_its_ink() -> None:
     drawn = [view for view in cam_views(work, True) if own & set(view.shows)]
     assert {name for view in drawn for name in view.shows} == own
     assert_laws(work.construction, drawn)
+
+
+@pytest.mark.parametrize("kind", ["central", "offset", "rocker", "flat"])
+def test_the_scheme_shows_the_follower_as_it_stands(kind: str) -> None:
+    """The roller's centre of a rod stands above its guide's foot; angles are those that the log measured."""
+    order = random_order(random.Random(f"scheme {kind}"), kind)
+    of = made(order)
+    view = finished(draw_scheme_ink(of.log, of.reading, of.cam, SchemeNames("α", "r"), "X", WALL))
+    assert not without_source(view)
+    assert_pictures_make_the_view(of.log, view)
+    k = position_of(of.reading, of.cam)
+    rollers = [stroke for stroke in view.strokes if stroke.part == "roller"]
+    if kind == "flat":
+        assert not rollers
+        return
+    (rim,) = [stroke for stroke in rollers if stroke.pen == "main"]
+    centre = complex(sum(x for x, _, _ in rim.path), sum(y for _, y, _ in rim.path)) / 2
+    profile = of.cam.profile
+    assert profile.theoretical is not None
+    at = complex(of.reading[profile.theoretical.points][0, k])
+    assert abs(centre) == pytest.approx(abs(at))
+    angle = of.reading.figure(of.cam.diagrams.angle)[0, k]
+    assert centre == pytest.approx(at * np.exp(1j * of.cam.sense * np.radians(angle)), abs=1e-9)
+    offset = 0.006 if kind == "offset" else 0.0
+    if kind != "rocker":
+        mu = of.reading[profile.mu].item()
+        assert centre.real * mu == pytest.approx(of.cam.sense * offset, abs=1e-9)
+
+
+def test_the_scheme_of_the_scene_shows_the_largest_pressure_angle() -> None:
+    (work,) = (work for work in exact("cam").boards if "cam" in work.made)
+    (view,) = scheme_views(work, True)
+    assert any("α = 25,9°" in label.text for label in view.labels)
+    assert {"contour", "roller", "follower", "normal", "circle"} <= {s.part for s in view.strokes}
 
 
 @pytest.mark.slow

@@ -9,12 +9,12 @@ from functools import cache
 import numpy as np
 import pytest
 from support import gallery
+from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.readers.columns import (
     Column,
 )
@@ -34,7 +34,7 @@ def engine(order: KinematicTask) -> Scene:
 
 @cache
 def drawn(start: str = "displacement", exact: bool = True) -> Drawn:
-    return fitted(engine(replace(ORDER, start=start)), exact=exact)
+    return drawn_of(engine(replace(ORDER, start=start)), exact=exact)
 
 
 def found(work: Drawn) -> dict[str, Column]:
@@ -103,7 +103,7 @@ def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
         value = drawn().scales[key].value
         assert float(f"{value:e}".split("e")[0]) in mantissas
     order = replace(ORDER, V=ScaleOrder(pole=30.0))
-    work = fitted(engine(order), exact=True)
+    work = drawn_of(engine(order), exact=True)
     scales = work.scales
     due = scales["diagram S"].value / (scales["base"].value * 30.0)
     assert scales["diagram V"].value == pytest.approx(due, rel=1e-12)

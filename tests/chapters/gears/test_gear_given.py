@@ -20,8 +20,10 @@ def test_teeth_module_shifts_and_rack() -> None:
         **{"m": pytest.approx(8.0), "x_1": 0.83, "x_2": 0.445},
         **{"α": 20.0, "h_a^*": 1.0, "c^*": 0.25},
     }
-    texts = {label.text for label in given_table(scene("gear-pair"), board="gears").labels}
-    assert {"Исходные данные: зубчатая пара", "0,445", "h_a^*"} <= texts
+    view = given_table(scene("gear-pair"), board="gears")
+    assert view.title == "Исходные данные: зубчатая пара"
+    texts = {label.text for label in view.labels}
+    assert {"Исходные данные:", "зубчатая пара", "0,445", "h_a^*"} <= texts
 
 
 def test_an_equalising_shift_that_is_given_is_told_too(tmp_path: Path) -> None:

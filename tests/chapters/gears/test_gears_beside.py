@@ -7,6 +7,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
+from support.boards import usual_part
 from support.gallery import SHEETS
 from support.scenes import edited
 
@@ -27,7 +28,6 @@ from graphic_tmm.project import record
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make
 
 SCENE = SHEETS / "gear-pair" / "scene.toml"
 SAME = 1e-12
@@ -35,7 +35,7 @@ SAME = 1e-12
 
 
 def part(scene: Scene) -> Drawn:
-    return next(one for one in make(scene, exact=True).boards if one.board == "gears")
+    return usual_part("gears", scene)
 
 
 def own(order: GearTask) -> dict[str, mpmath.mpf]:

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 from support.each import each
-from support.gallery import PLANS, drawn
+from support.gallery import PLANS, in_usual
 
 from graphic_tmm.board.naming import (
     segment_name,
@@ -25,7 +25,7 @@ def _lettered(log: Construction, plan: str, letter: str) -> Mark | None:
 
 
 def found(name: str, plan: str) -> list[Equation]:
-    work = drawn(name, exact=True)
+    work = in_usual(name)
     turned = work.scene.turned and plan == "velocities"
     return list(equations(work.project.construction, plan, turned=turned))
 
@@ -51,17 +51,17 @@ def test_a_rocker_with_a_stone_has_a_coriolis_term_known_wholly() -> None:
 
 
 def test_a_turned_plan_has_the_same_equations_as_a_direct_one() -> None:
-    log = drawn("engine").project.construction
+    log = in_usual("engine").project.construction
     (turned,) = equations(log, "velocities", turned=True)
     (mistaken,) = equations(log, "velocities", turned=False)
     assert "v_{BA} ⊥ AB" in turned.directions
     assert "v_{BA} ∥ AB" in mistaken.directions
-    (direct,) = equations(drawn("offset-slider").project.construction, "velocities")
+    (direct,) = equations(in_usual("offset-slider").project.construction, "velocities")
     assert direct.directions == turned.directions
 
 
 def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
-    log = drawn("tangent-mechanism").project.construction
+    log = in_usual("tangent-mechanism").project.construction
     assert list(equations(log, "positions")) == []
     assert list(equations(log, "nothing")) == []
 
@@ -70,7 +70,7 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    groups = [f"II({g.name})" for g in KINEMATICS.on(drawn(name, exact=True)).structure.groups]
+    groups = [f"II({g.name})" for g in KINEMATICS.on(in_usual(name)).structure.groups]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
@@ -79,7 +79,7 @@ def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
 @each("name, plan", PLANS)
 def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) -> None:
     """Along its known direction, the unknown vector is what the rest of the side leaves."""
-    work = drawn(name, exact=True)
+    work = in_usual(name)
     reading = work.reading if plan == "velocities" else work.of("accelerations")
     assert reading is not None
     log = work.project.construction
@@ -144,7 +144,7 @@ def test_no_heading_of_a_group_can_be_read_as_a_parallel(
 ) -> None:
     view = lettered(name, plan, language)
     assert not any(text.startswith("II") for text in view)
-    groups = [g.name for g in KINEMATICS.on(drawn(name, exact=True)).structure.groups]
+    groups = [g.name for g in KINEMATICS.on(in_usual(name)).structure.groups]
     heads = {"en": "group {} of class II:", "ru": "группа {} II класса:"}
     assert [text for text in view if text.endswith(":")] == [
         heads[language].format(g) for g in groups
@@ -160,6 +160,6 @@ def test_the_pin_of_a_crank_that_speeds_up_has_two_components() -> None:
 
 
 def lettered(name: str, plan: str, language: str) -> list[str]:
-    log = drawn(name, exact=True).project.construction
+    log = in_usual(name).project.construction
     view = draw_equations(log, plan, "Equations", found(name, plan), language=language)
     return [label.text for label in view.labels]

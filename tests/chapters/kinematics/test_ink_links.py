@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -55,17 +56,12 @@ def run(count: int, seed: int, folder: Path) -> tuple[int, int]:
 
 
 @pytest.mark.slow
-def test_random_links_are_inked_as_what_they_are(tmp_path: Path) -> None:
-    plans, positions = run(40, 7, tmp_path)
-    assert plans >= 38
-    assert positions >= 2 * plans
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [1000, 2000, 3000])
-def test_three_hundred_random_links_are_inked_as_what_they_are(seed: int, tmp_path: Path) -> None:
-    plans, positions = run(110, seed, tmp_path)
-    assert plans >= 108
+def test_random_links_are_inked_as_what_they_are(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    count = many(370, 40)
+    plans, positions = run(count, 7, tmp_path)
+    assert plans >= 0.95 * count
     assert positions >= 2 * plans
 
 

@@ -19,8 +19,10 @@ def test_speed_ratio_module_teeth_and_satellites() -> None:
         **{"n_1": 2888.0, "U_{1H}": 4.55, "ΔU_{max}": pytest.approx(0.3), "m": 8.0},
         **{"z_1": 25, "z_4": 15, "z_5": 25, "k": "3"},
     }
-    texts = {label.text for label in given_table(scene("planetary"), board="planetary").labels}
-    assert {"Исходные данные: редуктор", "2888", "об/мин", "4,55"} <= texts
+    view = given_table(scene("planetary"), board="planetary")
+    assert view.title == "Исходные данные: редуктор"
+    texts = {label.text for label in view.labels}
+    assert {"Исходные данные:", "редуктор", "2888", "об/мин", "4,55"} <= texts
 
 
 def test_a_carrier_that_drives_and_two_modules(tmp_path: Path) -> None:

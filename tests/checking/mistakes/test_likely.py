@@ -11,7 +11,7 @@ from support.trials import Planted, planted, plants, readings, usual
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.mistakes.catalogue import CATALOGUE
-from graphic_tmm.checking.mistakes.likely import likely
+from graphic_tmm.checking.mistakes.likely import Alternatives, likely
 from graphic_tmm.checking.records import WRONG
 
 SCENES = (
@@ -70,7 +70,7 @@ def test_honest_wrong_readings_are_not_explained_by_force() -> None:
     ]
     by = usual("engine", "student")
     judged = judge(exact("engine"), off, by)
-    told = likely(exact("engine"), judged, by.spread, "en")
+    told = likely(Alternatives(exact("engine")), judged, by.spread, "en")
     count = sum(one.verdict == WRONG for one in judged)
     assert count > 3
     assert all(len(one.lines) < count for one in told if one.name != "another segment")

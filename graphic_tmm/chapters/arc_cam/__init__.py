@@ -1,0 +1,78 @@
+"""Cams given by arcs: base circle, flanks, nose; what the follower does is found, not asked for.
+
+A contour of arcs is easily turned and measured, so cams of engines and pumps were long given so: a harmonic cam
+has convex flanks, a tangential one straight flanks. Here nothing is chosen but the arcs; the motion of the
+follower follows.
+
+The arcs touch: where one goes over into the next both centres and the place lie in one line. The centre of a
+convex flank is therefore ρ − r1 from the cam's centre and ρ − r2 from the nose's (of a hollow one ρ + r1 and
+ρ + r2); a straight flank is the common tangent of both circles (`contour`).
+
+Reversed motion: the cam stands, the follower goes round it. As long as it is on one arc, the roller's centre
+keeps its distance from that arc's centre K, so ruler and compass find it: the line of the rod cuts the circle
+about K (of the lever: two circles meet). A link of that length in place of cam and roller moves the follower
+alike: the replacing mechanism. A flat face touches where the arc's normal is parallel to the rod (`follower`).
+
+The displacements are laid off over the turn and differentiated twice by chords (`plan`). Where the follower
+goes from arc to arc d²S/dφ² jumps; chords smooth the jump over an interval. dS/dφ is found once more without
+differentiation: the normal KB and the line through O square to the rod meet in the instant centre P of cam and
+follower, and OP is dS/dφ (of a lever: P on the line of pivots, dψ/dφ = OP/O1P). The table holds both.
+
+Draws: place ``arc_cam``: the contour with its follower, diagrams, a table, the stroke; on a board of its own
+whose positions are angles of the cam, and the four at which the follower goes from arc to arc. Builds on the
+chapter of cams, whose instruments it takes.
+
+Sources: Артоболевский И. И., Теория механизмов и машин (кулачковые механизмы: заменяющие механизмы); Попов
+С. А., Тимофеев Г. А., Курсовое проектирование.
+"""
+
+from __future__ import annotations
+
+from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.arc_cam.beside import record_beside
+from graphic_tmm.chapters.arc_cam.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.arc_cam.choice import choose
+from graphic_tmm.chapters.arc_cam.given import given
+from graphic_tmm.chapters.arc_cam.note import note
+from graphic_tmm.chapters.arc_cam.note_conclusions import concludes
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, record
+from graphic_tmm.chapters.arc_cam.table import arc_columns, results
+from graphic_tmm.chapters.arc_cam.task import ASKED, SECTIONS
+from graphic_tmm.chapters.arc_cam.views import arc_views
+from graphic_tmm.drawn import view_scales
+from graphic_tmm.readers.given import given_place
+from graphic_tmm.scene.records import Scene
+
+
+def _fixed(scene: Scene) -> str:
+    return "arc_cam.mu_l" if "arc_cam.mu_l" in scene.told else ""
+
+
+CHAPTER = Chapter(
+    name=ARC_CAM.chapter,
+    number=13,
+    captions=CAPTIONS,
+    board=ARC_CAM.chapter,
+    builds_on=("cam",),
+    places=(
+        Place("arc_cam", 105, arc_views, sizes=lambda scene, view: (ARC_CAM.chapter,)),
+        given_place("arc_cam"),
+    ),
+    sizes=(Size(ARC_CAM.chapter, small=0.75, cap=0.6, step=1.25, fixed=_fixed),),
+    asked=lambda scene: ASKED.of(scene) is not None,
+    given=given,
+    sections=SECTIONS,
+    record=record,
+    aside=record_beside,
+    charts=lambda made: made.charts.values(),
+    choice=choose,
+    named=lambda project, reading, given: view_scales(project, reading),
+    plans=(ARC_CAM.chapter,),
+    plans_rank=81,
+    columns=arc_columns,
+    results=results,
+    note=note,
+    concludes=concludes,
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
+)

@@ -1,0 +1,47 @@
+"""What people call the views of a cam given by arcs, its table, its columns and results."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.said import said
+
+CAPTIONS: dict[str, str] = {
+    "arc_cam": said("Cam given by arcs"),
+    "given arc_cam": said("Given data: cam given by arcs"),
+    "table arc_cam": said("Motion of the follower"),
+    "arc cam profile": said("Contour, reversed motion"),
+    "arc cam S": said("Displacement of the follower"),
+    "arc cam dS": said("Diagram of dS/dφ"),
+    "arc cam ddS": said("Diagram of d²S/dφ²"),
+    "arc_cam-calculation": said("Calculation of the cam given by arcs"),
+    "base": said("base circle"),
+    "rise": said("flank of the rise"),
+    "nose": said("nose"),
+    "return": said("flank of the return"),
+    "readings": said("readings"),
+    "given straight": said("straight"),
+    "given flank": said("Flanks"),
+    "given flank of the rise": said("Flank of the rise"),
+    "given flank of the return": said("Flank of the return"),
+    "given hollow": said("hollow"),
+    "given face": said("flat face"),
+    "given edge": said("edge"),
+    "given follower": said("Follower"),
+    "symbol arc S": "S",
+    "symbol arc dS": "S′",
+    "symbol arc dS_P": "S′_{P}",
+    "symbol arc ddS": "S″",
+    "symbol arc pressure": "α",
+    "symbol arc v": "v_{B}",
+    "symbol arc a": "a_{B}",
+    "symbol arc omega": "ω_{B}",
+    "symbol arc eps": "ε_{B}",
+    "arc_stroke": said("h, stroke"),
+}
+
+SYMBOLS = (
+    ("r_1", said("radius of the base circle"), "m"),
+    ("r_2", said("radius of the nose"), "m"),
+    ("d", said("distance of the nose's centre"), "m"),
+    ("S′_P", said("dS/dφ by the instant centre"), "m"),
+)
+"""Its letters in a note: what they stand for, their units."""

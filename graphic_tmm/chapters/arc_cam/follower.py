@@ -1,0 +1,265 @@
+"""The follower of a cam given by arcs in all positions: reversed motion, one arc after the other, readings."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import (
+    cross,
+    cut,
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    shift,
+    square,
+    strike,
+    tangent,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Reals, Side
+from graphic_tmm.chapters.arc_cam import formulas as f
+from graphic_tmm.chapters.arc_cam import reasons as why
+from graphic_tmm.chapters.arc_cam.contour import Arc, Contour, End
+from graphic_tmm.chapters.arc_cam.geometry import ARCS, Lie, side_on_straight
+from graphic_tmm.chapters.arc_cam.operations import line_on_arc, on_arc, turn_between
+from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask
+from graphic_tmm.chapters.cam.operations import slant, slew
+
+
+class Follower(NamedTuple):
+    """The follower in all positions.
+
+    ``guides``: the lines of the rod, out of the cam (of a rocker: from the cam's centre to the pivot);
+    ``pivots`` of the lever, None without one. ``points`` B: the roller's centre, or where the rod's line meets
+    the face; ``contacts``: where a flat face touches, None for a roller. ``instant``: the instant centre P of
+    cam and follower. ``travel``: S (Length), or the swing (Angle). ``part``: OP as read (Length), ``rate``:
+    dS/dφ from it (Number). ``pressure``: the pressure angle (Angle), None under a flat face.
+    """
+
+    guides: Mark
+    pivots: Mark | None
+    points: Mark
+    contacts: Mark | None
+    instant: Mark
+    travel: Mark
+    part: Mark
+    rate: Mark
+    work: Mark
+    pressure: Mark | None
+
+
+class _Own(NamedTuple):
+    """What is drawn for the positions at which the follower is on one arc."""
+
+    guide: Mark
+    point: Mark
+    instant: Mark
+    pivot: Mark | None = None
+    contact: Mark | None = None
+
+
+def draw_follower(
+    draft: Draft, order: ArcTask, contour: Contour, lie: Lie, numbers: Reals, sense: int
+) -> Follower:
+    """Draw the follower in its positions; ``numbers``: of each, from 0 where it begins to rise."""
+    page = _Page(draft, order, contour, sense)
+    on = np.array([lie.arc_at(float(n) / order.parts) for n in numbers])
+    owns, inside = [], []
+    for k, name in enumerate(ARCS):
+        there = on == k
+        if not there.any():
+            continue
+        draft.say(name)
+        n = draft.take(Number, "n", np.where(there, numbers, np.nan)[None, :])
+        owns.append(page.own(contour.arcs[name], page.angle(n)))
+        inside.append(there)
+    draft.say("readings")
+    found = owns[-1]
+    for own, there in zip(owns[-2::-1], inside[-2::-1], strict=True):
+        at = draft.take(Number, "σ", np.where(there, 1.0, 0.0)[None, :])
+        found = page.merged(own, found, at)
+    return page.read(found)
+
+
+class _Page:
+    """The contour on which positions are drawn, and the sense in which the cam turns."""
+
+    def __init__(self, draft: Draft, order: ArcTask, contour: Contour, sense: int) -> None:
+        self.draft, self.order, self.contour, self.sense = draft, order, contour, sense
+        self.rocks = order.follower == ROCKER
+        self.left = sense * (-1 if order.same_sense else 1)
+        draw = draft.draw
+        if order.offset:
+            e = draft.take(Number, "l_{e}", -sense * order.offset, "m")
+            self.offset: Mark | None = draw(to_board, "e", e)
+        else:
+            self.offset = None
+        if self.rocks:
+            lengths = (("a", order.centres), ("l", order.lever))
+            reals = [draft.take(Number, f"l_{{{name}}}", size, "m") for name, size in lengths]
+            self.centres, self.lever = (
+                draw(to_board, name, real) for (name, _), real in zip(lengths, reals, strict=True)
+            )
+        ends = [self._end(*one) for one in zip(contour.ends, ("0", "N"), strict=True)]
+        self.begin = ends[0]
+        self.parts = draft.take(Number, "N", float(order.parts))
+        self.work = draw(turn_between, "Φ", *ends, sense=-sense, unit="°")
+
+    def _end(self, end: End, index: str) -> Mark:
+        """Draw the line of the rod, or of the pivots, through the cam's centre where the follower goes over."""
+        draw, origin = self.draft.draw, self.contour.origin
+        if self.order.follower == FLAT:
+            return draw(parallel, f"(B_{index})", origin, end.normal, why=why.FIRST)
+        if self.rocks:
+            arcs = (
+                draw(strike, "(a)", origin, self.centres),
+                draw(strike, "(l)", end.point, self.lever),
+            )
+            where = self.draft.take(Side, "±", float(-self.left))
+            pivot = draw(cross, f"O_{{1,{index}}}", *arcs, where, why=why.FIRST)
+            return draw(join, f"(OO_{{1,{index}}})", origin, pivot, why=why.FIRST)
+        if self.offset is None:
+            return draw(join, f"(OB_{index})", origin, end.point, why=why.FIRST)
+        side = self.draft.take(Side, "±", 1.0)
+        guide = draw(tangent, f"(B_{index})", end.point, origin, self.offset, side, why=why.OFFSET)
+        return draw(parallel, f"(OB_{index})", origin, guide, why=why.FIRST)
+
+    def angle(self, n: Mark) -> Mark:
+        """Calculate the angle of the cam in positions that are numbered."""
+        return self.draft.draw(f.part_of_work, "φ", n, self.work, self.parts, unit="°")
+
+    def own(self, arc: Arc, angle: Mark) -> _Own:
+        """Draw the positions at which the follower is on an arc; ``angle``: the cam's, missing elsewhere."""
+        draw, origin = self.draft.draw, self.contour.origin
+        guide = draw(slew, "(B)", origin, self.begin, angle, sense=-self.sense, why=why.INVERTED)
+        if self.rocks:
+            return self._rocked(arc, guide)
+        across = draw(square, "(O)", origin, guide, sense=-self.sense, why=why.ACROSS)
+        if self.offset is not None:
+            guide = draw(shift, "(B)", guide, self.offset, why=why.OFFSET)
+        if self.order.follower == FLAT:
+            return self._flat(arc, guide, across)
+        assert arc.way is not None
+        if arc.centre is None:
+            point = draw(meet, "B", guide, arc.way, free=True, why=why.ON_STRAIGHT)
+        else:
+            where = self.draft.take(Side, "±", -1.0 if arc.hollow else 1.0)
+            point = draw(cut, "B", guide, arc.way, where, free=True, why=why.REPLACED)
+        return _Own(guide, point, self._instant(arc, point, across, why.ACROSS))
+
+    def _instant(self, arc: Arc, point: Mark, across: Mark, reason: str) -> Mark:
+        draw = self.draft.draw
+        if arc.centre is None:
+            assert arc.way is not None
+            normal = draw(square, "(n)", point, arc.way, why=why.NORMAL)
+        else:
+            normal = draw(join, f"({arc.centre.name}B)", arc.centre, point, why=why.NORMAL)
+        return draw(meet, "P", across, normal, free=True, why=reason)
+
+    def _flat(self, arc: Arc, guide: Mark, across: Mark) -> _Own:
+        draw, contact = self.draft.draw, arc.centre
+        assert contact is not None
+        line = draw(parallel, "(K)", contact, guide, why=why.FACE)
+        if arc.radius is not None:
+            contact = draw(lay_off, "K", line, arc.radius, free=True, why=why.FACE)
+        face = draw(square, "(f)", contact, guide, why=why.FACE)
+        point = draw(meet, "B", guide, face, free=True, why=why.FACE)
+        return _Own(
+            guide, point, draw(meet, "P", across, line, free=True, why=why.ACROSS), None, contact
+        )
+
+    def _rocked(self, arc: Arc, line: Mark) -> _Own:
+        draw, draft = self.draft.draw, self.draft
+        assert arc.way is not None
+        pivot = draw(lay_off, "O_1", line, self.centres, free=True, why=why.INVERTED)
+        swing = draw(strike, "(l)", pivot, self.lever)
+        if arc.centre is None:
+            flank, rising = (self.order.rise, 1) if arc.name == "rise" else (self.order.fall, -1)
+            side = -self.sense * side_on_straight(self.order, flank, rising)
+            point = draw(cut, "B", arc.way, swing, draft.take(Side, "±", float(side)), free=True)
+        else:
+            side = -self.left * (-1 if arc.hollow else 1)
+            where = draft.take(Side, "±", float(side))
+            point = draw(cross, "B", swing, arc.way, where, free=True, why=why.REPLACED)
+        return _Own(line, point, self._instant(arc, point, line, why.PIVOTS), pivot)
+
+    def merged(self, own: _Own, other: _Own, at: Mark) -> _Own:
+        """Put together what was drawn for an arc and for those behind it."""
+        draw = self.draft.draw
+
+        def point(name: str) -> Mark | None:
+            first, second = getattr(own, name), getattr(other, name)
+            return (
+                draw(on_arc, second.name, first, second, at, free=True)
+                if first is not None
+                else None
+            )
+
+        guide = draw(line_on_arc, "(B)", own.guide, other.guide, at)
+        found = {name: point(name) for name in ("point", "instant", "pivot", "contact")}
+        assert found["point"] is not None
+        assert found["instant"] is not None
+        return _Own(guide, found["point"], found["instant"], found["pivot"], found["contact"])
+
+    def read(self, own: _Own) -> Follower:
+        """Read what the follower does: travel or swing, the instant centre's distance, the pressure angle."""
+        draw, draft, contour, order = self.draft.draw, self.draft, self.contour, self.order
+        base = contour.arcs["base"]
+        assert base.way is not None
+        pressure = None
+        if self.rocks:
+            assert own.pivot is not None
+            arc = draw(strike, "(l)", own.pivot, self.lever)
+            where = draft.take(Side, "±", float(-self.left))
+            lowest = draw(cross, "B_0", arc, base.way, where, why=why.LOWEST)
+            begin = draw(join, "(O_1B_0)", own.pivot, lowest)
+            travel = draw(
+                slant, "ψ", own.pivot, own.point, begin, sense=-self.left, unit="°", why=why.SWING
+            )
+            lever = draw(join, "(O_1B)", own.pivot, own.point)
+            way = draw(square, "(t)", own.point, lever, sense=-self.left)
+            line = own.guide
+            if order.same_sense:
+                line = draw(parallel, "(OO_1)", contour.origin, line, sense=-1)
+            part = draw(measure_along, "OP", contour.origin, own.instant, line, why=why.INSTANT)
+            op = f.rate_along if order.same_sense else f.rate_against
+            rate = draw(op, "ψ′_{P}", part, self.centres, unit="rad")
+        else:
+            where = draft.take(Side, "±", 1.0)
+            lowest = draw(cut, "B_0", own.guide, base.way, where, why=why.LOWEST)
+            travel = draw(measure_along, "s", lowest, own.point, own.guide, why=why.TRAVEL)
+            across = draw(
+                square, "(O)", contour.origin, own.guide, sense=-self.sense, why=why.ACROSS
+            )
+            part = draw(measure_along, "OP", contour.origin, own.instant, across, why=why.INSTANT)
+            rate = draw(f.transfer, "S′_{P}", part, contour.mu, unit="m")
+            way = own.guide
+        if order.follower != FLAT:
+            pressure = draw(
+                slant,
+                "α",
+                own.instant,
+                own.point,
+                way,
+                sense=self.sense,
+                unit="°",
+                why=why.PRESSURE,
+            )
+        return Follower(
+            own.guide,
+            own.pivot,
+            own.point,
+            own.contact,
+            own.instant,
+            travel,
+            part,
+            rate,
+            self.work,
+            pressure,
+        )

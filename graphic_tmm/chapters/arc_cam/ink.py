@@ -1,0 +1,288 @@
+"""A cam given by arcs in ink: its contour, the circles of the construction, the follower going round it.
+
+What the steps leave is rubbed out but for the centres' circles; contours, rollers, levers and faces are bodies.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Complexes
+from graphic_tmm.chapters.arc_cam.contour import VIEW, Arc
+from graphic_tmm.chapters.arc_cam.operations import line_on_arc, on_arc, turn_between
+from graphic_tmm.chapters.arc_cam.plan import ArcCam
+from graphic_tmm.chapters.arc_cam.task import FLAT
+from graphic_tmm.chapters.cam.operations import slant
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
+from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.finish import Named, shared
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow
+
+TRACELESS = frozenset({on_arc.name, line_on_arc.name, slant.name, turn_between.name})
+"""Operations that leave no trace: what only chooses, angles measured with the protractor."""
+BEYOND, DOT, PIN = 4.0, 0.4, 1.2
+"""How far a guide goes on behind its roller, radius of a point, of the roller's pin, mm."""
+ROD, GUIDE, WIDTH = 30.0, 14.0, 5.0
+"""Length of the rod above its roller, of its guide, width of the rod, mm."""
+TURN, CROSS = 9.0, 5.0
+"""Radius of the arrow of the cam's turning; how far centre lines go on behind the contour, mm."""
+LEAST = 0.02
+"""What is shorter is no arc, mm."""
+
+
+class ArcNames(NamedTuple):
+    """What is lettered: the positions; the radii with their values, by the arcs' names; the roller's."""
+
+    positions: Sequence[str]
+    radii: dict[str, str]
+    omega: str = "ω"
+
+
+class _Ink:
+    """The view of the contour and its numbers while it is inked."""
+
+    def __init__(self, log: Construction, reading: Reading, made: ArcCam, heights: Heights) -> None:
+        self.seen = Seen(log, reading, (VIEW,), range(len(made.angles)))
+        self.made, self.heights = made, heights
+        self.points = self.all(made.follower.points)
+
+    def all(self, mark: Mark) -> Complexes:
+        """The places of a point in all positions."""
+        return np.broadcast_to(self.seen.reading[mark][0], (len(self.made.angles),))
+
+    def one(self, mark: Mark) -> complex:
+        """The place of a point that does not vary."""
+        return self.seen.point(mark, 0)
+
+    def length(self, mark: Mark | None) -> float:
+        """A length that does not vary; 0 for none."""
+        return self.seen.number(mark, 0) if mark is not None else 0.0
+
+    @property
+    def roller(self) -> float:
+        """The radius of the roller on the drawing."""
+        base = self.made.contour.arcs["base"]
+        return self.length(base.reach) - self.length(base.radius)
+
+
+def draw_contour_ink(
+    log: Construction,
+    reading: Reading,
+    made: ArcCam,
+    names: ArcNames,
+    title: str,
+    heights: Heights,
+) -> Drawing:
+    """Return the contour with its follower in reversed motion."""
+    ink = _Ink(log, reading, made, heights)
+    traces = figure(ink.seen, showing({}))
+    strokes = [*traces.staying, *_contour(ink), *_ways(ink), *_inverted(ink), *_lowest(ink)]
+    strokes += _shaft(ink)
+    wanted = [*_letters(ink, names), *_numbers(ink, names.positions)]
+    return Drawing(
+        VIEW,
+        title,
+        tuple(strokes),
+        (),
+        rubbed=traces.rubbed,
+        shows=(VIEW,),
+        wanted=tuple(wanted),
+        numbers=tuple(enumerate(names.positions)),
+    )
+
+
+def _from_to(pen: str, centre: complex, start: complex, end: complex, sense: int) -> list[Ink]:
+    """Return the arc about a centre from one place to another; none where it has no length."""
+    if not finite(centre, start, end):
+        return []
+    radius = abs(start - centre)
+    if radius < LEAST:
+        return []
+    begin = math.degrees(cmath.phase(start - centre))
+    turn = (sense * math.degrees(cmath.phase((end - centre) / (start - centre)))) % 360.0
+    if turn * radius < LEAST or turn > 360.0 - 1e-6:
+        return []
+    return [arc(pen, centre, radius, begin, sense * turn)]
+
+
+def _contour(ink: _Ink) -> Iterator[Ink]:
+    """The contour: base circle, flanks, nose, each from where it touches the one before."""
+    contour, sense = ink.made.contour, -ink.made.sense
+    spots = [ink.one(mark) for mark in contour.touches]
+    ends = {"base": (3, 0), "rise": (0, 1), "nose": (1, 2), "return": (2, 3)}
+    for name, (start, end) in ends.items():
+        one = contour.arcs[name]
+        of = [contour.touches[start], contour.touches[end]]
+        if one.centre is None:
+            yield from body([line("main", spots[start], spots[end])], "contour", of)
+            continue
+        turned = -sense if one.hollow else sense
+        made = _from_to("main", ink.one(one.centre), spots[start], spots[end], turned)
+        yield from body(made, "contour", [one.centre, *of])
+
+
+def _ways(ink: _Ink) -> Iterator[Ink]:
+    """What the roller's centre goes along, the base circle in full, the centres of the arcs."""
+    contour = ink.made.contour
+    base = contour.arcs["base"]
+    assert base.centre is not None
+    assert base.radius is not None
+    whole = circle("thin", ink.one(base.centre), ink.length(base.radius))
+    yield from body([whole], "circle", [base.centre, base.radius])
+    if ink.roller > 0.0:
+        yield from _pitch(ink)
+    for one in contour.arcs.values():
+        if one.centre is not None and one.name != "base":
+            dot = circle("main", ink.one(one.centre), DOT, filled=True)
+            yield from body([dot], "pivot", [one.centre])
+
+
+def _pitch(ink: _Ink) -> Iterator[Ink]:
+    """The path of the roller's centre: each arc goes on from where the one before it ended."""
+    contour, sense = ink.made.contour, -ink.made.sense
+    touches = [ink.one(mark) for mark in contour.touches]
+    flanks = [contour.arcs[name] for name in ("rise", "rise", "return", "return")]
+    low = [touches[0], touches[0], touches[3], touches[3]]
+    spots = [
+        spot + ink.roller * _outward(ink, flank, spot, near)
+        for flank, spot, near in zip(flanks, touches, low, strict=True)
+    ]
+    ends = {"base": (3, 0), "rise": (0, 1), "nose": (1, 2), "return": (2, 3)}
+    for name, (start, end) in ends.items():
+        one = contour.arcs[name]
+        of = [mark for mark in (one.way, contour.touches[start], contour.touches[end]) if mark]
+        if one.centre is None:
+            yield from body([line("medium", spots[start], spots[end])], "path", of)
+            continue
+        turned = -sense if one.hollow else sense
+        made = _from_to("medium", ink.one(one.centre), spots[start], spots[end], turned)
+        yield from body(made, "path", of)
+
+
+def _outward(ink: _Ink, flank: Arc, spot: complex, low: complex) -> complex:
+    """Return the direction out of the cam at a place of a flank; ``low``: where it touches the base."""
+    if flank.centre is None:
+        return low / abs(low)
+    way = spot - ink.one(flank.centre)
+    return (-way if flank.hollow else way) / abs(way)
+
+
+def _inverted(ink: _Ink) -> Iterator[Ink]:
+    """Guides, rollers, levers, faces in all positions."""
+    follower, contour = ink.made.follower, ink.made.contour
+    lines = ink.seen.reading[follower.guides]
+    starts = np.broadcast_to(lines.at[0], ink.points.shape)
+    ways = np.broadcast_to(lines.along[0], ink.points.shape)
+    pivots = ink.all(follower.pivots) if follower.pivots is not None else None
+    contacts = ink.all(follower.contacts) if follower.contacts is not None else None
+    for k, at in enumerate(map(complex, ink.points)):
+        if not finite(at):
+            continue
+        if pivots is not None and follower.pivots is not None:
+            pivot = complex(pivots[k])
+            strokes: list[Ink] = [line("thin", pivot, at), circle("thin", pivot, 0.8)]
+            yield from body(strokes, "lever", [follower.pivots, follower.points], k)
+        else:
+            top = at + (ink.roller + BEYOND) * complex(ways[k])
+            rod = [line("thin", complex(starts[k]), top)]
+            yield from body(rod, "guide", [follower.guides, follower.points], k)
+        if contacts is not None and follower.contacts is not None:
+            half = (abs(complex(contacts[k]) - at) + 2 * BEYOND) * 1j * complex(ways[k])
+            face = [line("thin", at - half, at + half)]
+            yield from body(face, "face", [follower.points, follower.contacts], k)
+        elif ink.roller > 0.0:
+            base = contour.arcs["base"].reach
+            assert base is not None
+            made = [circle("thin", at, ink.roller)]
+            yield from body(made, "roller", [follower.points, base], k)
+    if follower.pivots is not None and finite(pivot := complex(ink.all(follower.pivots)[0])):
+        yield from body([circle("thin", 0j, abs(pivot))], "circle", [follower.pivots])
+
+
+def _lowest(ink: _Ink) -> Iterator[Ink]:
+    """The follower in the first position in full."""
+    follower, start = ink.made.follower, complex(ink.points[0])
+    if not finite(start):
+        return
+    of = [follower.points]
+    if ink.roller > 0.0:
+        pins: list[Ink] = [circle("main", start, ink.roller), circle("joint", start, PIN)]
+        yield from body(pins, "roller", of, 0)
+    if follower.pivots is not None:
+        pivot = complex(ink.all(follower.pivots)[0])
+        strokes: list[Ink] = [line("main", pivot, start), *fixed_pivot(pivot)]
+        yield from body(strokes, "lever", [follower.pivots, *of], 0)
+        return
+    half, foot = 0.5 * WIDTH, start
+    if ink.made.order.follower == FLAT:
+        wide = 0.5 * float(np.nanmax(np.abs(ink.points))) + BEYOND
+        yield from body([line("main", start - wide, start + wide)], "face", of, 0)
+    top = start + 1j * (ROD + ink.roller)
+    if ink.roller > 0.0 or ink.made.order.follower == FLAT:
+        corners = [foot - half, foot + half, top + half, top - half]
+    else:
+        corners = [foot, foot + half + 2j * half, top + half, top - half, foot - half + 2j * half]
+    rod = line("body", *corners, closed=True)
+    stand = channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)
+    yield from body([rod, *stand], "follower", of, 0)
+
+
+def _shaft(ink: _Ink) -> Iterator[Ink]:
+    """Centre lines, the cam's shaft, the arrow of its turning."""
+    reach = float(np.nanmax(np.abs(ink.points))) + CROSS
+    if not math.isfinite(reach):
+        return
+    yield from added([line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)], "axis")
+    yield from body([circle("joint", 0j, 2.0)], "pivot", [ink.made.contour.origin])
+    sense = ink.made.sense
+    yield from added(round_arrow(0j, TURN, 90.0 - sense * 200.0, sense * 110.0), "sense")
+
+
+def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
+    """The letters of the centres, the radii beside their arcs."""
+    contour, high = ink.made.contour, ink.heights
+    free = complex(-ink.made.sense)
+    yield Wanted("O", 0j, high.point, 2.5, 1j - free, (contour.origin.slot,))
+    yield Wanted("C", ink.one(contour.nose), high.point, 1.0, -1j - free, (contour.nose.slot,))
+    for one in contour.arcs.values():
+        if one.name in ("rise", "return") and one.centre is not None:
+            spot = ink.one(one.centre)
+            yield Wanted(one.centre.name, spot, high.point, 1.0, spot, (one.centre.slot,))
+    spots = [ink.one(mark) for mark in contour.touches]
+    middles = {"rise": (spots[0] + spots[1]) / 2, "return": (spots[2] + spots[3]) / 2}
+    base = contour.arcs["base"]
+    assert base.radius is not None
+    middles["base"] = ink.length(base.radius) * cmath.rect(1.0, math.radians(90 + 30))
+    nose = ink.one(contour.nose)
+    middles["nose"] = nose - 1j * ink.length(contour.arcs["nose"].radius)
+    for name, told in names.radii.items():
+        spot = middles[name]
+        of = contour.arcs[name].radius
+        slots = (of.slot,) if of is not None else ()
+        yield Wanted(told, spot, high.number, 1.0, -spot, slots)
+
+
+def _numbers(ink: _Ink, names: Sequence[str]) -> Iterator[Wanted]:
+    """The numbers of the positions, behind the rollers."""
+    follower, named = ink.made.follower, []
+    lines = ink.seen.reading[follower.guides]
+    ways = np.broadcast_to(lines.along[0], ink.points.shape)
+    pivots = ink.all(follower.pivots) if follower.pivots is not None else None
+    for k, (name, at) in enumerate(zip(names, ink.points, strict=True)):
+        spot = complex(at) + (ink.roller + BEYOND) * complex(ways[k])
+        if pivots is not None:
+            spot = complex(pivots[k])
+        if k and finite(spot):
+            named.append(Named(spot, name, (follower.points.slot,), k))
+    for one in shared(named):
+        at = one.at
+        yield Wanted(one.text, at, ink.heights.number, 0.8, at, one.of, one.position)

@@ -1,0 +1,59 @@
+"""The columns and results of a cam given by arcs: motion and pressure angle by positions, the stroke."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.arc_cam.beside import BESIDE
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, marks
+from graphic_tmm.chapters.arc_cam.task import ROCKER
+from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.readers.columns import Column, empty, row_of
+
+PLAN = ARC_CAM.chapter
+
+
+def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
+    """Return S, dS/dφ by chords and by the instant centre, d²S/dφ², the pressure angle."""
+    made, reading = ARC_CAM.on(drawn), drawn.reading
+    count, follower = len(made.angles), made.follower
+    motion = "rad" if made.order.follower == ROCKER else "m"
+    charts = dict(zip(marks(made), made.charts.values(), strict=True))
+    found = []
+    for segment, mark in marks(made).items():
+        mm, value = (reading.figure(mark, by) for by in (None, charts[segment].mu))
+        found.append(_column(segment, motion, value, count, mm))
+        if segment == "dS":
+            found.append(_column("dS_P", motion, reading.figure(follower.rate), count))
+    beside = BESIDE.of(drawn)
+    if beside is not None:
+        names = ("omega", "eps") if motion == "rad" else ("v", "a")
+        found += [
+            _column(name, mark.unit, reading.figure(mark), count)
+            for name, mark in zip(names, beside, strict=True)
+        ]
+    if follower.pressure is not None:
+        found.append(_column("pressure", "°", reading.figure(follower.pressure), count))
+    at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
+    return tuple(replace(column, at=at) for column in found)
+
+
+def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
+    def row(values: Reals) -> Reals:
+        return row_of(values[:, :count], range(count), count)
+
+    lengths = row(mm) if mm is not None else empty(count)
+    return Column(PLAN, segment, f"symbol arc {segment}", unit, lengths, row(value))
+
+
+def results(drawn: Drawn) -> Results:
+    """Return the stroke, the greatest of S in all positions."""
+    made = ARC_CAM.on(drawn)
+    chart = made.charts["S"]
+    value = drawn.reading.figure(chart.ordinates[0], chart.mu)
+    with np.errstate(all="ignore"):
+        stroke = np.fmax.reduce(value, axis=1, initial=-np.inf)
+    return {"arc_stroke": (stroke, chart.unit)}

@@ -1,0 +1,158 @@
+"""What is asked of a cam given by arcs: its circles, its flanks, what follows it, sizes of the drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from graphic_tmm.bounds import Bound
+from graphic_tmm.chapter import Asked
+from graphic_tmm.language.said import said
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
+from graphic_tmm.scene.misfits import stands
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
+
+STRAIGHT = "straight"
+"""The flank of infinite radius: a tangent to both circles."""
+ROLLER, FLAT, ROCKER = "roller", "flat", "rocker"
+
+
+@dataclass(frozen=True)
+class Flank:
+    """A flank: the radius of its arc (m), None for a straight one; ``hollow``: its centre lies outside."""
+
+    radius: float | None
+    hollow: bool = False
+
+
+def _flank(value: object, names: Names) -> float | None:
+    if value == STRAIGHT:
+        return None
+    try:
+        quantities.parse(value, "length")
+    except ValueError:
+        says = said('write the radius of its arc, "60 mm", or "straight"')
+        raise ValueError(stands(value, says)) from None
+    return float(v.POSITIVE_LENGTH.read(value, names))
+
+
+_FLANK = Kind(_flank, v.SCALE, unit="length, or straight")
+_LEAST = v.quantity("length", Bound(0))
+
+
+def _rise(said: Said) -> Flank:
+    return Flank(said.flank, said.hollow)
+
+
+def _return(said: Said) -> Flank:
+    return Flank(said.flank if said.return_flank is LIKE_RISE else said.return_flank, said.hollow)
+
+
+LIKE_RISE = "rise"
+"""What stands for the flank of the return where the scene does not tell it: that of the rise."""
+
+
+@dataclass(frozen=True)
+class ArcTask:
+    """A disc cam whose contour consists of arcs: base circle, two flanks, nose.
+
+    Lengths in m, drawn ones in mm. ``base`` r1; ``nose`` r2, 0 for a sharp one; ``distance`` d of the nose's
+    centre from the cam's. ``follower``: "roller" on a rod (``offset`` e, positive to the side that lessens the
+    pressure angle of the rise), "flat" face square to its rod, or a "rocker" with a roller (``lever`` l,
+    ``centres`` a; ``same_sense``: on the rise it turns as the cam does). ``roller`` r: 0 for an edge. The
+    angle of the cam is counted from where the follower begins to rise; that over which it moves is divided into
+    ``parts``. ``length``: of the diagrams' base; ``mu_l`` of the contour (m/mm), if not a
+    standard one. ``speed``: of the cam (1/s), if velocities and accelerations are wanted.
+    """
+
+    base: float = key(v.POSITIVE_LENGTH, "the radius of the base circle", "20 mm")
+    distance: float = key(
+        v.POSITIVE_LENGTH, "how far the nose's centre stands from the cam's", "22 mm"
+    )
+    nose: float = key(_LEAST, "the radius of the nose; 0 for a sharp one", "6 mm", 0.0)
+    rise: Flank = made(
+        _rise,
+        Flank(None),
+        flank=key(_FLANK, 'the radius of the flanks, or "straight"', "60 mm", None),
+        hollow=key(v.SWITCH, "whether the flanks are hollow: for rollers only", True, False),
+    )
+    fall: Flank = made(
+        _return,
+        Flank(None),
+        return_flank=key(
+            _FLANK, "the radius of the flank of the return, if it is another", "80 mm", LIKE_RISE
+        ),
+    )
+    follower: str = key(v.choice(ROLLER, FLAT, ROCKER), "what follows the cam", ROLLER, ROLLER)
+    roller: float = key(_LEAST, "the radius of the roller; 0 for an edge", "10 mm", 0.0)
+    offset: float = key(v.LENGTH, "offset of the roller's guide", "5 mm", 0.0)
+    lever: float | None = key(v.POSITIVE_LENGTH, "length of the rocker's lever", "60 mm", None)
+    centres: float | None = key(
+        v.POSITIVE_LENGTH, "distance of the rocker's pivot and the cam's", "70 mm", None
+    )
+    same_sense: bool = made(
+        lambda said: said.sense == "along",
+        False,
+        sense=key(
+            v.choice("against", "along"),
+            "on the rise the lever turns against the cam, or along",
+            "against",
+            "against",
+        ),
+    )
+    turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
+    parts: int = key(
+        v.number(Bound(8, 360, whole=True)),
+        "parts into which the angle is divided over which the follower moves",
+        24,
+        24,
+    )
+    length: float = key(v.DRAWN, "length of the diagrams' base", "240 mm", 240.0, fixes="size")
+    mu_l: float | None = key(
+        v.MU_L, 'm/mm of the contour, or "1:1"', "0.0005 m/mm", None, fixes="size"
+    )
+    speed: float | None = key(
+        v.SPEED, "how fast the cam turns, if the follower's speeds are wanted", "600 rpm", None
+    )
+
+
+ASKED: Asked[ArcTask] = Asked("arc_cam")
+
+
+def check(cam: Said, parts: Parts) -> Iterator[Found]:
+    """Every contradiction of the section: keys of another follower, sizes that are missing."""
+    at = ASKED.section
+    if "flank" not in parts.doc[at]:
+        yield Found((at, "flank"), said('write the radius of the flanks, "60 mm", or "straight"'))
+    for name in ("lever", "centres"):
+        if cam.follower == ROCKER and getattr(cam, name) is None:
+            yield Found((at, name), said('a rocker needs it; write, for example, "80 mm"'))
+        if cam.follower != ROCKER and getattr(cam, name) is not None:
+            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
+            yield Found((at, name), says)
+    for name, follower in (("offset", ROLLER), ("sense", ROCKER)):
+        if name in parts.doc[at] and cam.follower != follower:
+            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
+            yield Found((at, name), says)
+    if cam.follower == FLAT and cam.roller:
+        says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
+        yield Found((at, "roller"), says)
+
+
+def _refuse(order: ArcTask) -> None:
+    from graphic_tmm.chapters.arc_cam.geometry import lie
+
+    lie(order)
+
+
+SECTIONS = (
+    Section(
+        ASKED.section, ArcTask, "a cam given by arcs", alone=True,
+        begin='base = "20 mm", distance = "22 mm", flank = "60 mm"', check=check, refuse=_refuse,
+    ),
+)  # fmt: skip
