@@ -18,7 +18,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import at_position, filled, plan, worked
+from graphic_tmm.note.bricks import filled, worked
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -35,7 +35,8 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, picture
-from graphic_tmm.note.protocol import Known, protocol_blocks
+from graphic_tmm.note.plans import at_position, plan
+from graphic_tmm.note.protocol import Known, Manner, protocol_blocks
 from graphic_tmm.note.steps import calculated, reason_runs
 from graphic_tmm.note.widths import broken
 from graphic_tmm.paper.lettering.indices import markup
@@ -69,8 +70,8 @@ class Page:
         """Yield what the log tells of a view, without a heading."""
         told = at_position(self.drawn, view, self.at, self.language)
         if told is not None:
-            turned = self.drawn.scene.turned
-            yield from protocol_blocks(told, turned=turned, known=self.known, bare=bare)
+            manner = Manner(self.drawn.scene.turned, known=self.known, bare=bare)
+            yield from protocol_blocks(told, manner)
 
     def calculation(self, *marks: Mark | None) -> Iterator[Block]:
         """Yield the formulas of steps with their numbers, each behind its reason; what is known is left out."""
