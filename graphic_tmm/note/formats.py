@@ -247,7 +247,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
             for one in parts
         ]
         image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
-        where = "bottom" if max(one.height for one in parts) > TALL else "none"
+        where = "auto" if max(one.height for one in parts) > TALL else "none"
         opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
         closing = raw("typst", f"]) <{block.id}>", block=True)
         return [raw("typst", opening, block=True), caption, closing]
