@@ -144,13 +144,18 @@ def _inline(one: Drawn) -> str:
 
 
 def _scoped(body: str) -> str:
-    """Return a page on which heads of tables tell what they are heads of; tables without heads are none."""
+    """Return a page on which heads of tables tell what they are heads of; tables without heads are none.
+
+    Each stands in a box, which keys can move where a table is wider than its window.
+    """
     parts = re.split(r"(<thead>.*?</thead>)", body, flags=re.DOTALL)
     told = [
         part.replace("<th ", f'<th scope="{"col" if part.startswith("<thead>") else "row"}" ')
         for part in parts
     ]
-    return "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
+    page = "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
+    boxed = page.replace("<table", '<div class="wide" tabindex="0"><table')
+    return boxed.replace("</table>", "</table></div>")
 
 
 def _navigated(language: str) -> Callable[[Outline], list[Tree]]:
