@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from support.gallery import ROOT, SHEETS
+from support.copies import copied
+from support.gallery import SHEETS
 
 SHEET = """
 import sys
@@ -112,8 +112,7 @@ def added(
     *arguments: str,
 ) -> str:
     """Return what a program prints with a copy of the package in which files (old, new) were edited."""
-    copy = folder / "graphic_tmm"
-    shutil.copytree(ROOT / "graphic_tmm", copy, ignore=shutil.ignore_patterns("__pycache__"))
+    copy = copied(folder)
     rows = edits if isinstance(edits, list) else [(name, *both) for name, both in edits.items()]
     for name, old, new in rows:
         text = (copy / name).read_text(encoding="utf-8") if old else ""

@@ -118,7 +118,7 @@ def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:
 
 def test_new_begins_a_scene_and_never_overwrites(tmp_path: Path) -> None:
     folder = tmp_path / "mine"
-    assert invoke("new", str(folder), "--like", "engine").exit_code == 0
+    assert invoke("new", str(folder), "--like", "crank-rocker").exit_code == 0
     assert invoke("table", str(folder)).exit_code == 0
     again = invoke("new", str(folder))
     assert again.exit_code == 2

@@ -123,7 +123,8 @@ def outcome(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
 
 @pytest.mark.slow
 def test_a_broken_pipe_leaves_no_traceback() -> None:
-    for arguments in (("table", "engine"), ("steps", "engine"), ("table", "engine", "-f", "json")):
+    name = "planetary"
+    for arguments in (("table", name), ("steps", name), ("table", name, "-f", "json")):
         reader, writer = os.pipe()
         os.close(reader)
         done = subprocess.run(
@@ -143,7 +144,7 @@ def test_a_broken_pipe_leaves_no_traceback() -> None:
 def test_a_full_device_is_told() -> None:
     with open("/dev/full", "wb") as full:
         done = subprocess.run(
-            [sys.executable, "-m", "graphic_tmm", "table", "engine", "-f", "csv"],
+            [sys.executable, "-m", "graphic_tmm", "table", "planetary", "-f", "csv"],
             cwd=ROOT,
             stdout=full,
             stderr=subprocess.PIPE,
@@ -182,7 +183,7 @@ def test_help_is_light() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("arguments", [("table", "engine"), ("steps", "engine"), ("scenes",)])
+@pytest.mark.parametrize("arguments", [("table", "planetary"), ("steps", "planetary"), ("scenes",)])
 def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str, ...]) -> None:
     first, second = (
         outcome(*arguments, PYTHONHASHSEED=seed, LC_ALL=locale, PYTHONIOENCODING=coding)
@@ -190,7 +191,7 @@ def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str,
     )
     assert (first.returncode, first.stderr) == (0, b"")
     assert first.stdout == second.stdout
-    assert "Двигатель" in first.stdout.decode("utf-8") or arguments[0] == "steps"
+    assert "планетарный" in first.stdout.decode("utf-8") or arguments[0] == "steps"
 
 
 @pytest.mark.slow
@@ -214,6 +215,6 @@ def test_a_name_in_no_encoding_is_told_without_a_traceback(tmp_path: Path) -> No
         assert b"Traceback" not in done.stderr
         assert b"there is no such file" in done.stderr
     place = os.fsdecode(bytes(tmp_path) + b"/\xff")
-    done = outcome("draw", "engine", "-o", place)
+    done = outcome("draw", "planetary", "-o", place)
     assert (done.returncode, done.stderr) == (0, b"")
-    assert done.stdout == bytes(tmp_path) + b"/\xff/engine.svg\n"
+    assert done.stdout == bytes(tmp_path) + b"/\xff/planetary.svg\n"

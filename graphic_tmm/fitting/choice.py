@@ -39,6 +39,8 @@ SCALES = "scales"
 """The view of the choice, and the plan by which protocols tell it."""
 GRAINS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.1)
 """What is meant for something is told in multiples of these, mm, the coarsest first."""
+SAME = 1e-9
+"""A scale factor that is told and one that follows from a length that is told are one within this share."""
 FOLLOWING = (mm_of_time, mm_of_turn, pole_distance)
 """What is calculated of scale factors that are known: bases and pole distances."""
 _NOTHING = said("There is nothing to be drawn to it, so any scale will do.")
@@ -220,14 +222,18 @@ def _graphs(drawn: Drawn, charts: Iterable[Chart], ledger: Ledger) -> None:
             found[chart.mu] = chart
     for mu, chart in found.items():
         ledger.of(chart.view)
-        value = ledger.value_of(drawn, mu)
+        value, most = ledger.value_of(drawn, mu), reach[chart.view]
+        letter = f"{chart.symbol}_{{max}}"
+        if chart.wanted and chart.room and math.isclose(most, value * chart.room, rel_tol=SAME):
+            largest = ledger.quantity(letter, most, chart.unit)
+            ledger.by_length(mu, largest, f"[{letter}]", chart.room)
+            continue
         if chart.wanted:
             ledger.told(mu, value)
             continue
-        letter = f"{chart.symbol}_{{max}}"
         if chart.room is None and _crosses(drawn, chart):
             letter += f"−{chart.symbol}_{{min}}"
-        ledger.fitting(mu, ledger.quantity(letter, reach[chart.view], chart.unit), value)
+        ledger.fitting(mu, ledger.quantity(letter, most, chart.unit), value)
 
 
 def _crosses(drawn: Drawn, chart: Chart) -> bool:

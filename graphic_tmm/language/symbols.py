@@ -41,6 +41,7 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1%s", (_I,)),
     (r"(P_\{?|[yh]_\{P)in", r"\1%s", (said("in", context="index: inertia"),)),
     (r",ser\}", ",%s}", (said("ser", context="index: series"),)),
+    (r"A_\{ex\}", "A_{%s}", (said("ex", context="index: excess"),)),
     (r"\bM_d\b", "M_%s", (said("d", context="index: driving"),)),
     (r"M_\{f", "M_{%s", (said("f", context="index: friction"),)),
     (r"\bT_\{(\d+)t\}", r"T_{\1%s}", (said("t", context="index: translation"),)),

@@ -144,13 +144,18 @@ def _inline(one: Drawn) -> str:
 
 
 def _scoped(body: str) -> str:
-    """Return a page on which heads of tables tell what they are heads of; tables without heads are none."""
+    """Return a page on which heads of tables tell what they are heads of; tables without heads are none.
+
+    Each stands in a box, which keys can move where a table is wider than its window.
+    """
     parts = re.split(r"(<thead>.*?</thead>)", body, flags=re.DOTALL)
     told = [
         part.replace("<th ", f'<th scope="{"col" if part.startswith("<thead>") else "row"}" ')
         for part in parts
     ]
-    return "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
+    page = "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
+    boxed = page.replace("<table", '<div class="wide" tabindex="0"><table')
+    return boxed.replace("</table>", "</table></div>")
 
 
 def _navigated(language: str) -> Callable[[Outline], list[Tree]]:
@@ -242,7 +247,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
             for one in parts
         ]
         image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
-        where = "bottom" if max(one.height for one in parts) > TALL else "none"
+        where = "auto" if max(one.height for one in parts) > TALL else "none"
         opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
         closing = raw("typst", f"]) <{block.id}>", block=True)
         return [raw("typst", opening, block=True), caption, closing]

@@ -129,9 +129,13 @@ def numbered(document: Document) -> Numbered:
     return Numbered(headings, figures, tables, wholes)
 
 
+LETTERS = said("abcdefghi")
+"""The parts of a figure."""
+
+
 def letter_of(k: int, language: str) -> str:
     """Return the letter of a part of a figure, by its number from 0."""
-    return "абвгдежик"[k] if language == "ru" else "abcdefghi"[k]
+    return speaking(language)(LETTERS)[k]
 
 
 class _Writer:

@@ -38,10 +38,12 @@ def plan(
     language: str,
     shown: Sequence[Figure] = (),
     known: Known | None = None,
+    *,
+    bare: bool = False,
 ) -> Iterator[Block]:
     """Yield the section of a view: heading, protocol in a position, the figures that show it.
 
-    ``known``: what was told already and is not told again.
+    ``known``: what was told already and is not told again; ``bare``: only what is calculated or read.
     """
     told = at_position(drawn, view, place, language)
     if told is None or not _there(drawn, view):
@@ -49,7 +51,8 @@ def plan(
     yield heading(title_of(drawn.project, view, language))
     if shown:
         yield referred(shown, language)
-    yield from protocol_blocks(told, Manner(drawn.scene.turned, _elsewhere(drawn, told), known))
+    manner = Manner(drawn.scene.turned, _elsewhere(drawn, told), known, bare)
+    yield from protocol_blocks(told, manner)
     yield from shown
 
 
@@ -66,7 +69,10 @@ def listed(
     if found is None:
         return
     yield heading(found.title)
-    yield from shown_and_listed((found,), view, found.title, language, shown)
+    blocks = list(shown_and_listed((found,), view, found.title, language, shown))
+    yield from blocks[:1]
+    yield from found.equations
+    yield from blocks[1:]
 
 
 def shown_and_listed(
@@ -104,11 +110,11 @@ def section(
         return None
     usual = _usual(drawn, view, known)
     manner = Manner(drawn.scene.turned, _elsewhere(drawn, told), known, bare, usual, brief)
-    parts = protocol_parts(told, manner)
+    equations, parts = protocol_parts(told, manner)
     if usual and not bare and _drawn(drawn, view, usual):
         alike = Once(ALIKE, text(speaking(language)(ALIKE)))
         parts = ((alike, Text(" "), *parts[0]), *parts[1:]) if parts else ()
-    return Section(title_of(drawn.project, view, language), parts)
+    return Section(title_of(drawn.project, view, language), parts, equations)
 
 
 def _there(drawn: Drawn, view: str) -> bool:

@@ -11,10 +11,13 @@ h1.unnumbered { text-align: center; }
 figure { margin: 1.5rem 0; text-align: center; }
 figure svg { max-width: 100%; height: auto; }
 figcaption { text-align: center; }
-table { border-collapse: collapse; margin: 1.5rem 0; }
+.wide { max-width: 100%; overflow-x: auto; margin: 1.5rem 0; }
+table { border-collapse: collapse; }
 caption { text-align: left; margin-bottom: .3rem; white-space: nowrap; }
 th, td { border: 1px solid #555; padding: .15rem .4rem; font-size: .85rem; font-weight: normal; }
 table.unruled th, table.unruled td { border: 0; font-size: 1rem; }
+math { max-width: 100%; overflow-x: auto; overflow-y: hidden; }
+math:not([display="block"]) { display: inline-block; vertical-align: middle; }
 math[display="block"] { margin: .6rem 0; }
 p { margin: .5rem 0; } li > p { margin: .2rem 0; }
 ul { list-style: none; padding-left: 1.2rem; }
@@ -25,7 +28,7 @@ a { color: #0b4a8f; }
 @media print { main { max-width: none; padding: 0; } h1 { break-after: avoid; } }
 @media print { figure { break-inside: avoid; } }
 """
-"""Of HTML: dark on white, figures and tables no wider than the window."""
+"""Of HTML: dark on white, nothing wider than the window: tables and formulas move in boxes of their own."""
 
 TYPST = """\
 #set page(
@@ -46,7 +49,7 @@ TYPST = """\
 #set list(marker: [–], indent: 6mm, body-indent: 2mm)
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 1.3pt))
 #set table.hline(stroke: 0.5pt)
-#show table: set text(size: 10.5pt, hyphenate: false)
+#show table: set text(size: 10pt, hyphenate: false)
 #show table: it => {
   let wide = type(it.columns) == array and it.columns.len() > 10
   set text(size: 9pt) if wide
@@ -102,7 +105,7 @@ TYPST = """\
 #let leading(told) = block(sticky: true, above: apart, below: apart, told)
 #let part(told) = align(center, told)
 #let long(told) = {
-  show table: set text(size: 9.5pt)
+  show table: set text(size: 9pt)
   told
 }
 #let apart-whole(told) = {

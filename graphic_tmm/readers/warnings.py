@@ -29,5 +29,5 @@ def _told(drawn: Drawn, language: str) -> Iterator[str]:
     yield from (finding(f, project, language) for f in findings if f.kind not in SILENT)
     yield from left_out([f for f in findings if f.kind == "lost"], project, language)
     for chapter in project.chapters:
-        yield from chapter.warnings(drawn, language)
+        yield from map(speaking(language), chapter.warnings(drawn, language))
     yield from map(speaking(language), drawn.advice())

@@ -112,11 +112,19 @@ def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     assert not tried(drawing("windrower"))
 
 
-def test_a_larger_drawing_is_the_same_for_an_exact_hand() -> None:
-    own, larger = (draw(scene("windrower"), scales("windrower"), k)[0] for k in (1.0, 2.0))
-    for name in ("v", "a", "V_diagram", "a_diagram", "P_bal", "J_fly", "J_fly_energy_mass"):
+@pytest.mark.parametrize(
+    ("name", "found"),
+    [
+        ("engine", ["J_fly", "J_fly_energy_mass"]),
+        ("slider-diagrams", ["v", "a"]),
+        ("windrower", ["v", "a", "V_diagram", "a_diagram", "P_bal", "J_fly", "J_fly_energy_mass"]),
+    ],
+)
+def test_a_larger_drawing_is_the_same_for_an_exact_hand(name: str, found: list[str]) -> None:
+    own, larger = (draw(scene(name), scales(name), k)[0] for k in (1.0, 2.0))
+    for told in found:
         one, two = (
-            quantity(d, name).read(execute(d.construction, d.given, quantity(d, name).marks), 1)
+            quantity(d, told).read(execute(d.construction, d.given, quantity(d, told).marks), 1)
             for d in (own, larger)
         )
         assert np.abs(one - two).max() < 1e-9 * np.abs(one).max()

@@ -19,7 +19,7 @@ from graphic_tmm.scene.sections import declared
 from graphic_tmm.scenes import packaged
 
 NAMES = [one.name for one in BEGINNINGS]
-EVERYDAY = ("four-bar", "gear-pair")
+EVERYDAY = ("swinging-cylinder", "planetary")
 
 
 def begun(folder: Path, name: str, language: str = "en") -> Path:

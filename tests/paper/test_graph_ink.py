@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from support.boards import drawn_of
 from support.each import each
 from support.gallery import SHEETS
 
@@ -16,7 +17,6 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.curve_parts import points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.finish import finished
@@ -38,7 +38,7 @@ def drawn(name: str, start: str, method: str) -> Drawn:
     order = KinematicTask(POINTS[name], start=start, method=method)
     sheets = (SheetOrder("A1", ("positions", "velocities", "diagrams")),)
     scene = replace(read(SHEETS / name), sheets=sheets).asking(diagrams=order, flywheel=None)
-    return fitted(scene, exact=True)
+    return drawn_of(scene, exact=True)
 
 
 def graph(work: Drawn, symbol: str, *, lettered: bool = True) -> Drawing:

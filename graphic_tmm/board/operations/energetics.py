@@ -18,8 +18,8 @@ def ring_area(outer: Number, inner: Number) -> Number:
 @formula(
     fails="the stroke has no length",
     why=said(
-        "Closed in, the gas follows p·V^n = const; the volume is the clearance and what the piston has "
-        "left free."
+        "Closed in, the gas expands and is compressed by a polytropic law; the volume is the clearance and "
+        "what the piston has left free."
     ),
 )
 def polytropic(
@@ -36,8 +36,8 @@ def polytropic(
 @formula(
     fails="the stroke has no length",
     why=said(
-        "Closed in, the gas follows p·V^n = const; on this side the volume is largest where it is smallest "
-        "on the other."
+        "Closed in, the gas expands and is compressed by a polytropic law; on this side the volume is largest"
+        " where it is smallest on the other."
     ),
 )
 def polytropic_at_shaft(
@@ -150,7 +150,7 @@ def reduced_inertia(energy: Number, omega: Number) -> Number:
     holds="{segment} > 0",
     fails=_NOT_NEEDED,
     why=said(
-        "Between its greatest and its least speed the flywheel's energy changes by J·(ω_max² − ω_min²)/2 = "
+        "Between its greatest and its least speed the flywheel's energy changes by "
         "J·δ·ω²; that change is {segment} times {mu}."
     ),
 )
@@ -210,7 +210,7 @@ def rim_mass(inertia: Number, mean_diameter: Number) -> Number:
 
 @formula(
     why=said(
-        "The mass of the ring, ρ·π·(D_e² − D_i²)/4 times the width, at half its mean diameter has to have "
+        "The mass of the ring, its area times width and density, at half its mean diameter has to have "
         "the moment of inertia found."
     )
 )

@@ -51,8 +51,8 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
     fails=WHOLE_ROW,
     sides=_ON,
     why=said(
-        "The extreme slopes ω_max²/2 and ω_min²/2 bound the curve on its two sides: between these tangents "
-        "the speed keeps its limits."
+        "The slopes of the greatest and of the least speed bound the curve on its two sides: between these "
+        "tangents the speed keeps its limits."
     ),
 )
 def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:

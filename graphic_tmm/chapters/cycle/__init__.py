@@ -20,6 +20,7 @@ from __future__ import annotations
 from graphic_tmm.board import roles
 from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.cycle.accuracy import ACCURACY
+from graphic_tmm.chapters.cycle.note import concludes, note
 from graphic_tmm.chapters.cycle.plan import CYCLE, record, record_beside
 from graphic_tmm.chapters.cycle.task import ASKED, SECTIONS
 from graphic_tmm.chapters.cycle.views import cycle_columns, cycle_results, cycle_views, given
@@ -84,4 +85,7 @@ CHAPTER = Chapter(
     results=cycle_results,
     titles=_title,
     accuracy=ACCURACY,
+    note=note,
+    concludes=concludes,
+    sources=("artobolevsky",),
 )

@@ -29,12 +29,13 @@ from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.engine.accuracy import ACCURACY
-from graphic_tmm.chapters.engine.beside import CALCULATED, record_beside
+from graphic_tmm.chapters.engine.beside import CALCULATED, MASSES, WORKS_VIEW, record_beside
 from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.engine.choice import choose
+from graphic_tmm.chapters.engine.conclusions import concludes
 from graphic_tmm.chapters.engine.given import given
 from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
-from graphic_tmm.chapters.engine.note import concludes
+from graphic_tmm.chapters.engine.note import note
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
 from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
@@ -76,7 +77,9 @@ def _views(project: Project) -> dict[str, list[str]]:
     charts = [chart.view for chart in ENGINE.on(project).charts]
     cylinder = INDICATOR.on(project)
     own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE.chapter else []
-    return {ENGINE.chapter: [*own, VIEW, TRANSFER, HARMONICS, *charts, CALCULATED]}
+    return {
+        ENGINE.chapter: [*own, VIEW, TRANSFER, HARMONICS, *charts, CALCULATED, MASSES, WORKS_VIEW]
+    }
 
 
 CHAPTER = Chapter(
@@ -124,6 +127,8 @@ CHAPTER = Chapter(
     results=engine_results,
     views=_views,
     accuracy=ACCURACY,
+    note=note,
+    noted=(TRANSFER_PLACE,),
     concludes=concludes,
     sources=("artobolevsky",),
     symbols=SYMBOLS,

@@ -22,17 +22,28 @@ from graphic_tmm.board.operations.instruments import measure, measure_along, squ
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapter import Made, aside
-from graphic_tmm.chapters.engine.formulas import KGF, in_kgf, moment_of_rod
+from graphic_tmm.chapters.engine.formulas import (
+    KGF,
+    in_kgf,
+    mass_by_weight,
+    moment_of_rod,
+    tipping_couple,
+)
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
 from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Side
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Link
 from graphic_tmm.project import Bench
 
 _SQUARE = "the rod stands square to the guide"
 CALCULATED = "engine-calculation"
 """The view of what is calculated beside."""
+MASSES = "engine-masses"
+"""The view of the sum of the masses that go to and fro."""
+WORKS_VIEW = "engine-works"
+"""The view of the works over a turn."""
 WORKS = ("work_T", "work_P", "work_apart")
 """What the results of the works are called."""
 
@@ -150,13 +161,15 @@ class Beside(NamedTuple):
 
     ``beta``: of the rod with the guide; ``checks``: N, Q, T, K and M by the formulas, by what they check;
     ``works``: of T and of P over a turn (J, or kgf·m) and by how much they differ, %. ``transfer``: the figure
-    of all forces.
+    of all forces. ``parts``: what the masses of crosshead and rod come to where the whole is given (unit of the
+    task), None where it is calculated of them anyway.
     """
 
     beta: Mark
     checks: Mapping[str, Mark]
     works: tuple[Mark, Mark, Mark]
     transfer: Transfer
+    parts: Mark | None
 
 
 BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
@@ -169,8 +182,13 @@ def record_beside(bench: Bench) -> Beside:
     draft.open(CALCULATED)
     plan = _measure(draft, made, machine)
     checks = _checks(draft, made, plan)
+    beta = draft.draw(slope_of_rod, "β", plan.height, plan.along)
+    draft.open(MASSES)
+    slider = machine.mechanism.by_number[INDICATOR.on(bench).leg.link]
+    parts = _sum_of_masses(draft, made, slider)
+    draft.open(WORKS_VIEW)
     works = _works(draft, made, INDICATOR.on(bench), machine.count)
-    return Beside(draft.draw(slope_of_rod, "β", plan.height, plan.along), checks, works, transfer)
+    return Beside(beta, checks, works, transfer, parts)
 
 
 def _measure(draft: Draft, made: Engine, machine: Machine) -> _Plan:
@@ -199,7 +217,21 @@ def _checks(draft: Draft, made: Engine, plan: _Plan) -> dict[str, Mark]:
         "T": draft.draw(tangential_force, "T′", force, arm, crank, rod, along, unit=of),
         "K": draft.draw(radial_force, "K′", force, part, crank, rod, along, unit=of),
         "M": draft.draw(moment_of_rod, "M_Q", made.values["Q"], arm, draft.mu_l, unit=f"{of}·m"),
+        "M′": draft.draw(tipping_couple, "M′", force, arm, rod, along, draft.mu_l, unit=f"{of}·m"),
     }
+
+
+def _sum_of_masses(draft: Draft, made: Engine, slider: Link) -> Mark | None:
+    """Add up the masses that go to and fro where their sum is given."""
+    lumped = made.lumped
+    if made.order.mass is None or slider.mass is None or lumped.at_slider is None:
+        return None
+    own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")
+    whole = draft.draw(added, "m_Σ", own, lumped.at_slider, unit="kg")
+    if made.order.unit != "kgf":
+        return whole
+    unit = draft.take(Number, "", KGF, "N/kgf")
+    return draft.draw(mass_by_weight, "m′", whole, unit, unit="kgf·s²/m")
 
 
 def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[Mark, Mark, Mark]:

@@ -8,7 +8,9 @@ CAPTIONS: dict[str, str] = {
     "engine": said("Forces of the crank mechanism"),
     "engine-148": said("Transfer of forces in the crank mechanism"),
     "harmonics": said("Rotating vectors of the inertia force"),
-    "engine-calculation": said("Checks of the triangles, works over a turn"),
+    "engine-calculation": said("Checks of the triangles by the formulas"),
+    "engine-masses": said("Sum of the masses that go to and fro"),
+    "engine-works": said("Works of T and P over a turn"),
     "engine beta": "β",
     "work_T": said("A_{T}, work of T over a turn"),
     "work_P": said("A_{P}, work of P over a turn"),
@@ -47,5 +49,9 @@ SYMBOLS = (
     ("Q", said("force along the rod"), "N"),
     ("T", said("tangential force at the crank pin"), "N"),
     ("K", said("radial force at the crank pin"), "N"),
+    ("M", said("turning moment"), "N·m"),
+    ("β", said("angle of the rod with the guide"), "°"),
+    ("λ", said("ratio of crank and rod"), ""),
+    ("p_{max}", said("highest pressure of the diagram"), "Pa"),
 )
 """Its letters in a note: what they stand for, their units."""

@@ -146,3 +146,20 @@ def couple_of(force: Number, distance: Length, mu_l: Number) -> Number:
 )
 def moment_of_rod(force: Number, arm: Length, mu_l: Number) -> Number:
     """{force}·{arm}·{mu_l}"""
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails="the rod stands square to the guide",
+    why=said(
+        "N = P′·tan β acts on the arm OB = OA·cos φ + AB·cos β. As OA·sin φ = AB·sin β, that is OB = R·sin(φ + "
+        "β)/sin β, so M′ = N·OB = P′·R·sin(φ + β)/cos β; formula (344). It is M: both couples are equal."
+    ),
+)
+def tipping_couple(force: Number, arm: Length, rod: Length, along: Length, mu_l: Number) -> Number:
+    """{force}·{arm}·{rod}/{along}·{mu_l}"""
+
+
+@formula(why=said("A mass in kg weighs as many kgf; divided by g it is the mass in kgf·s²/m."))
+def mass_by_weight(mass: Number, g: Number) -> Number:
+    """{mass}/{g}"""

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE, Engine
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import (
     Column,
     empty,
+    ordinates,
     row_of,
 )
 
 PLAN = ENGINE.chapter
+PRESSURES = ("pk", "pv")
+"""Columns for which the table on a sheet has no row: the indicator diagram beside it tells them."""
 
 
 def engine_columns(drawn: Drawn) -> tuple[Column, ...]:
@@ -25,6 +30,11 @@ def engine_columns(drawn: Drawn) -> tuple[Column, ...]:
         _column(drawn, "a_B", made.acceleration, "m/s²"),
         _column(drawn, "a_B_series", made.harmonics.acceleration, "m/s²"),
     ]
+    chart = INDICATOR.on(drawn).indicator.chart
+    for side in INDICATOR.on(drawn).indicator.sides:
+        letter = side.pressure.name
+        both = ordinates(drawn.reading, side.ordinate, chart.mu, len(drawn.names))
+        found.append(Column(PLAN, segment_name(letter), letter, "Pa", *both))
     rows = {"P": made.values["P"], "P_in": made.values["P_in"]}
     rows |= {
         "P_in_series": made.harmonics.force,

@@ -175,7 +175,7 @@ def _at_bearing(
     beside = draft.draw(parallel, "(QP′)", end, up, sense=-1, why=why.BY_PARALLELS)
     over = draft.draw(parallel, "(QN)", end, axis, sense=-1, why=why.BY_PARALLELS)
     end_p = draft.draw(meet, "P′_O", beside, axis, why=why.ALONG_CYLINDER)
-    end_n = draft.draw(meet, "−N", over, up, why=why.ACROSS_CYLINDER)
+    end_n = draft.draw(meet, "N_O", over, up, why=why.ACROSS_CYLINDER)
     read = {
         "P′_O": draft.draw(measure_along, "y_{PO}", at, end_p, axis, why=why.FORCE_READ),
         "N_O": draft.draw(measure_along, "y_{NO}", at, end_n, up, why=why.FORCE_READ),

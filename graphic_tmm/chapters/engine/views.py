@@ -8,7 +8,7 @@ from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
 from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
-from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+from graphic_tmm.chapters.engine.table import PRESSURES, engine_columns, engine_results
 from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
@@ -82,7 +82,8 @@ def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made, project, language = ENGINE.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
-    _, rows = speaking(language), engine_columns(drawn)
+    _ = speaking(language)
+    rows = [one for one in engine_columns(drawn) if one.segment not in PRESSURES]
     high = heights(drawn.scene, "engine diagrams")
     forces = result_table("engine", rows, project.names, language, heights=high)
     carried = _(

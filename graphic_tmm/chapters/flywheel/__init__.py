@@ -41,9 +41,10 @@ from graphic_tmm.chapter import Chapter, Holder, Place, Size
 from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
 from graphic_tmm.chapters.flywheel.beside import CALCULATED, record_beside
 from graphic_tmm.chapters.flywheel.captions import CAPTIONS, SYMBOLS, graph_title
+from graphic_tmm.chapters.flywheel.conclusions import concludes
 from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.given import given
-from graphic_tmm.chapters.flywheel.note import concludes
+from graphic_tmm.chapters.flywheel.note import note
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
 from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
@@ -133,6 +134,7 @@ CHAPTER = Chapter(
     },
     titles=_title,
     accuracy=ACCURACY,
+    note=note,
     concludes=concludes,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
+from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.operations.energetics import irregularity
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
@@ -54,18 +58,49 @@ def apart(first: Number, second: Number) -> Number:
     """100·({first} − {second})/{first}"""
 
 
+@formula(
+    why=said(
+        "The largest excess work is what the energy of the flywheel changes by, {segment} to the scale {mu}."
+    )
+)
+def excess_work(segment: Length, mu: Number) -> Number:
+    """{segment}·{mu}"""
+
+
+@operation(why=said("What is made is measured in whole millimetres."))
+def whole_mm(size: Number) -> Number:
+    """Make {size} in whole millimetres: {it}."""
+    return Number(np.maximum(np.round(size, 3), 0.001))
+
+
+@formula(
+    why=said(
+        "The rim as it is made, a ring of this width, has its mass at about half its mean diameter: J = "
+        "m·D²/4."
+    )
+)
+def rim_inertia(
+    density: Number, outer: Number, inner: Number, middle: Number, width: Number
+) -> Number:
+    """π·{density}·({outer}² − {inner}²)·{middle}²·{width}/16"""
+
+
 class Beside(NamedTuple):
     """Marks (Number).
 
     ``force``: the gas force reduced to the crank pin (N), None where the loads are reduced. ``moment``: the
     constant moment (N·m), which is the mean one of the cycle; ``power``: its mean power (W). ``apart``: by how
-    much the moments of inertia of both methods differ, in % of the first; None with one method.
+    much the moments of inertia of both methods differ, in % of the first; None with one method. ``excess``: the
+    largest excess work (J). ``rim``: its width in whole millimetres (m), the J of a rim made so, the δ that it
+    keeps; None without a rim.
     """
 
     force: Mark | None
     moment: Mark
     power: Mark
     apart: Mark | None
+    excess: Mark
+    rim: tuple[Mark, Mark, Mark] | None
 
 
 BESIDE: Made[Beside] = Made(aside(FLYWHEEL.chapter))
@@ -92,7 +127,20 @@ def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Beside:
     differ = None
     if made.energy_mass is not None:
         differ = draft.draw(apart, "Δ_J", made.inertia, made.energy_mass.inertia, unit="%")
-    return Beside(force, moment, power, differ)
+    excess = draft.draw(excess_work, "A_{ex}", made.segment, unit="J")
+    return Beside(force, moment, power, differ, excess, _rim(draft, made, speed))
+
+
+def _rim(draft: Draft, made: Flywheel, speed: Mark) -> tuple[Mark, Mark, Mark] | None:
+    """Calculate what the rim does as it is made: the moment of inertia that it has, the δ that it keeps."""
+    if made.rim is None:
+        return None
+    rim = made.rim
+    width = draft.draw(whole_mm, "b′", rim.width, unit="m")
+    density = draft.uses(rim.width)[1]
+    sizes = (density, rim.outer, rim.inner, rim.mean, width)
+    inertia = draft.draw(rim_inertia, "J′", *sizes, unit="kg·m²")
+    return width, inertia, draft.draw(irregularity, "δ′", made.segment, inertia, speed)
 
 
 def _force(draft: Draft, made: Flywheel) -> Mark | None:

@@ -20,6 +20,9 @@ CAPTIONS: dict[str, str] = {
     "J_apart": said("difference of J_{F}"),
     "M_mean": said("M_{mean}"),
     "power": said("N, mean power"),
+    "A_excess": said("largest excess work"),
+    "J_made": said("J of the rim as it is made"),
+    "delta_made": said("δ of the rim as it is made"),
     "D_mean": said("D_{mean}"),
     "rim_mass": said("m_{F}"),
     "p_mean_cover": said("p_{mean}, cover"),
@@ -53,6 +56,8 @@ def graph_title(view: str, constant: str, speech: Speech, *, given: bool = False
 SYMBOLS = (
     ("M_r", said("reduced moment"), "N·m"),
     ("A", said("work"), "J"),
+    ("A_{ex}", said("largest excess work"), "J"),
+    ("p_{max}", said("highest pressure of the diagram"), "Pa"),
     ("T", said("kinetic energy"), "J"),
     ("J_F", said("moment of inertia of the flywheel"), "kg·m²"),
     ("δ", said("coefficient of irregularity"), ""),

@@ -24,8 +24,7 @@ LEVEL = said(
     "one have the slopes of ΔT."
 )
 OF_FLYWHEEL = said(
-    "The gain ΔT is shared by links and flywheel: what the links do not have the flywheel has, T_F = ΔT − "
-    "T_L."
+    "The gain ΔT is shared by links and flywheel: what the links do not have the flywheel has."
 )
 EXTREME_LEVEL = said("The level of this extreme is carried to the axis of ordinates.")
 CD = said(

@@ -19,7 +19,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column, ordinates
 
 PLAN = FLYWHEEL.chapter
-OFF_SHEET = ("M_mean", "power")
+OFF_SHEET = ("M_mean", "power", "A_excess", "J_made", "delta_made")
 """Results for which the table on a sheet has no row: they would take room from the graphs they are read off."""
 _TOO_WIDE = said(
     "the rim of D_{{e}} = {outer} m is {width} m wide: choose D_{{e}} = {least} m or more"
@@ -69,7 +69,9 @@ def results_for(drawn: Drawn, made: Flywheel, beside: Beside) -> Results:
             marks[f"p_mean_{side.name}"] = side.mean
     if beside.apart is not None:
         marks["J_apart"] = beside.apart
-    marks |= {"M_mean": beside.moment, "power": beside.power}
+    marks |= {"M_mean": beside.moment, "power": beside.power, "A_excess": beside.excess}
+    if beside.rim is not None:
+        marks |= dict(zip(("J_made", "delta_made"), beside.rim[1:], strict=True))
     found = results_of(drawn, marks)
     return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
 

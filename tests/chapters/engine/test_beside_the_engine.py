@@ -14,9 +14,10 @@ from support.boards import drawn_of
 from support.gallery import SHEETS, drawn
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED
-from graphic_tmm.chapters.engine.note import concludes
+from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED, MASSES, WORKS_VIEW
+from graphic_tmm.chapters.engine.conclusions import concludes
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
 from graphic_tmm.chapters.indicator.beside import BESIDE as STROKE
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number
@@ -44,8 +45,9 @@ def check(made: Drawn, name: str) -> np.ndarray:
 
 def test_it_moves_no_mark_of_the_drawing() -> None:
     log = exact().construction
-    beside = [step for step in log.steps if step.it.view == CALCULATED]
-    others = [step for step in log.steps if step.it.view != CALCULATED]
+    views = {TRANSFER, CALCULATED, MASSES, WORKS_VIEW}
+    beside = [step for step in log.steps if step.it.view in views]
+    others = [step for step in log.steps if step.it.view not in views]
     assert min(step.it.slot for step in beside) > max(step.it.slot for step in others)
     assert not {step.it for step in beside} & {mark for step in others for mark in step.uses}
 

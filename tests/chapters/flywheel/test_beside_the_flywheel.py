@@ -151,3 +151,25 @@ def test_what_contradicts_itself_is_told(new: str, key: str, says: str, tmp_path
 def test_an_inertia_that_is_none_is_refused_off_files_too() -> None:
     with pytest.raises(StructureError, match="J"):
         drawn_of(scene(delta=None, J=-1.0))
+
+
+def test_the_excess_work_and_what_the_rim_keeps() -> None:
+    """A = J·δ·ω²; a rim in whole millimetres has the J of its ring and keeps δ in the inverse ratio."""
+    made = drawn()
+    found, order = BESIDE.on(made), FLYWHEEL.on(made)
+    inertia = value(made, order.inertia)
+    assert value(made, found.excess) == pytest.approx(inertia * 0.23 * W**2, rel=1e-9)
+    assert found.rim is not None
+    width, own, kept = (value(made, mark) for mark in found.rim)
+    assert width == pytest.approx(round(width, 3), abs=1e-12)
+    assert abs(width - single(flywheel_results(made))["rim_width"][0]) <= 0.0005
+    outer, inner = 0.45, 0.85 * 0.45
+    ring = np.pi * 7800 * (outer**2 - inner**2) * ((outer + inner) / 2) ** 2 * width / 16
+    assert own == pytest.approx(ring, rel=1e-9)
+    assert kept == pytest.approx(0.23 * inertia / ring, rel=1e-9)
+
+
+def test_a_flywheel_without_a_rim_has_nothing_made() -> None:
+    made = drawn(rim=None)
+    assert BESIDE.on(made).rim is None
+    assert not {"J_made", "delta_made"} & set(flywheel_results(made))

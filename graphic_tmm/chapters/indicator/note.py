@@ -1,0 +1,157 @@
+"""What notes are built of besides bricks: single steps told as formulas with their reasons, words, columns.
+
+Engine and flywheel tell the gas and what follows from it in the order of their book, not in that of the log.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
+from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.chapters.indicator.views import indicator_views
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.units import unit
+from graphic_tmm.note.bricks import filled, worked
+from graphic_tmm.note.document import (
+    Block,
+    Display,
+    Formula,
+    Number,
+    Paragraph,
+    Picture,
+    Run,
+    Runs,
+    Source,
+    Symbol,
+    Table,
+    Text,
+    text,
+)
+from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.plans import at_position, plan
+from graphic_tmm.note.protocol import Known, Manner, protocol_blocks
+from graphic_tmm.note.steps import calculated, reason_runs
+from graphic_tmm.note.widths import broken
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.text import column_name
+from graphic_tmm.readers.told import decimals
+
+
+class Page:
+    """The position that is worked in full; ``known``: what was told already, formulas and reasons among it."""
+
+    def __init__(self, drawn: Drawn, language: str) -> None:
+        self.drawn, self.language = drawn, language
+        self._ = speaking(language)
+        self.at = worked(drawn)
+        self.known: Known = set()
+
+    def says(self, told: str, **put: Run) -> Paragraph:
+        """Return a paragraph of the package's words with runs in the places of its names."""
+        return Paragraph(filled(self._(told), put))
+
+    def view(
+        self, view: str, shown: tuple[Picture, ...] = (), *, bare: bool = False
+    ) -> Iterator[Block]:
+        """Yield what the log tells of a view, with its heading and its figures."""
+        yield from plan(
+            self.drawn, view, self.at, self.language, shown, known=self.known, bare=bare
+        )
+
+    def alone(self, view: str, *, bare: bool = False) -> Iterator[Block]:
+        """Yield what the log tells of a view, without a heading."""
+        told = at_position(self.drawn, view, self.at, self.language)
+        if told is not None:
+            manner = Manner(self.drawn.scene.turned, known=self.known, bare=bare)
+            yield from protocol_blocks(told, manner)
+
+    def calculation(self, *marks: Mark | None) -> Iterator[Block]:
+        """Yield the formulas of steps with their numbers, each behind its reason; what is known is left out."""
+        for mark in marks:
+            yield from self._step(mark) if mark is not None else ()
+
+    def _step(self, mark: Mark) -> Iterator[Block]:
+        told = at_position(self.drawn, mark.view, self.at, self.language)
+        step = told.log.step(mark) if told is not None else None
+        if told is None or step is None or not math.isfinite(told.value(mark)):
+            return
+        formula = calculated(told, step)
+        if formula is None or repr(formula) in self.known:
+            return
+        self.known.add(repr(formula))
+        if step.reason and step.reason not in self.known:
+            self.known.add(step.reason)
+            yield Paragraph(reason_runs(told, step))
+        yield Display(broken(formula))
+
+    def hide(self, *marks: Mark | None) -> None:
+        """Note formulas as known: they are told elsewhere."""
+        for mark in marks:
+            list(self._step(mark) if mark is not None else ())
+
+    def again(self, mark: Mark) -> Iterator[Block]:
+        """Yield the formula of a step that was hidden."""
+        known, self.known = self.known, set()
+        yield from self._step(mark)
+        self.known |= known
+
+    def number(self, mark: Mark, *, size: bool = False) -> Number:
+        """Return the value of a mark in the worked position, with its unit; its ``size`` only."""
+        told = at_position(self.drawn, mark.view, self.at, self.language)
+        assert told is not None
+        found = told.number(mark, unit=True)
+        if not size or found.value >= 0.0:
+            return found
+        source = found.source._replace(kind="size")
+        return found._replace(text=found.text.removeprefix("−"), source=source, value=-found.value)
+
+    def cell(
+        self, column: Column, place: int, *, mm: bool = False, places: int | None = None
+    ) -> Runs:
+        """Return the figure of a column in a position, as a table tells it."""
+        row = column.told[0 if mm else 1]
+        value = row[place]
+        if value is None:
+            return text("—")
+        digits = (1 if mm else decimals(row)) if places is None else places
+        name = f"{column.plan}/{column.segment}"
+        source = Source("column", self.drawn.board, name, place, "", 0 if mm else 1)
+        return (Number(fixed(value, digits, self.language), "", source, value),)
+
+    def upright(
+        self, id: str, title: str, some: Sequence[tuple[Column, bool]], places: Sequence[int]
+    ) -> Table:
+        """Return a table with a row for each position; ``some``: columns, whether in mm."""
+        words = captions(self.language)
+        heads = [text(words["position"])]
+        for column, mm in some:
+            name = markup(column.ends or column_name(column, self.language))
+            of = unit("mm" if mm else column.unit, self.language)
+            heads.append((Symbol(name), Text(f", {of}")))
+        body = tuple(
+            (text(self.drawn.names[k]), *(self.cell(one, k, mm=mm) for one, mm in some))
+            for k in places
+        )
+        return Table(id, text(self._(title)), tuple(heads), body, "c" * len(heads))
+
+    def letters(self, *lines: str) -> Display:
+        """Return lines of letters alone."""
+        return Display(tuple(Formula((Symbol(symbol(line, self.language)),)) for line in lines))
+
+
+def gas(page: Page, by: str) -> Iterator[Block]:
+    """Yield the indicator diagram: its division, pressures, areas, the force; the scale of the stroke."""
+    views = indicator_views(in_hand(page.drawn), True, by)
+    shown = tuple(picture(view, page.language) for view in views)
+    yield from page.view(VIEW, shown)
+    log = page.drawn.construction
+    marks = [step.it for step in log.steps if step.it.view == STROKE]
+    yield from page.calculation(*marks)
