@@ -207,7 +207,7 @@ MOST = {
     "bug-bell-crank-rocker": 1,
     "fails-a4-diagram": 11,
     "fails-a4-diagram-12": 6,
-    "fails-a4-forces": 20,
+    "fails-a4-forces": 19,
     "fails-a4-table": 11,
     "fails-a4-table-12": 5,
     "fails-mixed-a4-a1": 2,
