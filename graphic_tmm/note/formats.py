@@ -155,7 +155,28 @@ def _scoped(body: str) -> str:
     ]
     page = "".join(told).replace('class="unruled"', 'class="unruled" role="presentation"')
     boxed = page.replace("<table", '<div class="wide" tabindex="0"><table')
-    return boxed.replace("</table>", "</table></div>")
+    boxed = _MATHS.sub(_moving, boxed.replace("</table>", "</table></div>"))
+    return _HEADS.sub(_spoken, boxed)
+
+
+_MATHS = re.compile(r"<math (display=[^>]*>)(.*?)</math>", re.DOTALL)
+_HEADS = re.compile(r'(<th scope="row"[^>]*><math)( .*?</math>)', re.DOTALL)
+_UNSEEN = re.compile(r"<annotation.*?</annotation>|<[^>]*>|\s", re.DOTALL)
+_LONG = 30
+"""A formula of more letters may be wider than a window held in the hand."""
+
+
+def _spoken(found: re.Match[str]) -> str:
+    """Return a head of a row that begins with a formula, whose letters are told to those who do not see it."""
+    letters = _UNSEEN.sub("", found[2].partition(">")[2])
+    return f'{found[1]} aria-label="{letters}"{found[2]}'
+
+
+def _moving(found: re.Match[str]) -> str:
+    """Return a formula; one that may be wider than a window moves in its own box, and keys can move it."""
+    if len(_UNSEEN.sub("", found[2])) <= _LONG:
+        return found[0]
+    return f'<math class="wide" tabindex="0" {found[1]}{found[2]}</math>'
 
 
 def _navigated(language: str) -> Callable[[Outline], list[Tree]]:

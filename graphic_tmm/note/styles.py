@@ -16,8 +16,8 @@ table { border-collapse: collapse; }
 caption { text-align: left; margin-bottom: .3rem; white-space: nowrap; }
 th, td { border: 1px solid #555; padding: .15rem .4rem; font-size: .85rem; font-weight: normal; }
 table.unruled th, table.unruled td { border: 0; font-size: 1rem; }
-math { max-width: 100%; overflow-x: auto; overflow-y: hidden; }
-math:not([display="block"]) { display: inline-block; vertical-align: middle; }
+math.wide { margin: 0; overflow-y: hidden; }
+math.wide[display="inline"] { display: inline-block; vertical-align: middle; }
 math[display="block"] { margin: .6rem 0; }
 p { margin: .5rem 0; } li > p { margin: .2rem 0; }
 ul { list-style: none; padding-left: 1.2rem; }
