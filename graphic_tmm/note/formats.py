@@ -15,7 +15,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc, word
 from graphic_tmm.note.document import Beside, Document, Picture, Table
 from graphic_tmm.note.figures import scales_of, sheet_of
-from graphic_tmm.note.pandoc import Outline, Target, letter_of, raw
+from graphic_tmm.note.numbering import letter_of
+from graphic_tmm.note.pandoc import Outline, Target, raw
 from graphic_tmm.note.styles import APART, CSS, NEARER, TYPST
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import svg
