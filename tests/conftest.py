@@ -2,6 +2,7 @@
 
 import os
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -27,6 +28,7 @@ settings.register_profile("everyday", deadline=None, max_examples=FEW)
 def pytest_addoption(parser):
     parser.addoption("--redraw", action="store_true", help="accept the sheets as drawn now")
     parser.addoption("--measured", action="store_true", help="as many as the README's tables tell")
+    parser.addoption("--cpu", type=int, help="tell what the tests cost, and the dearest of them")
 
 
 @pytest.fixture
@@ -34,6 +36,40 @@ def many(request):
     """How many random cases: as many as the tables of `tests/README.md` tell, if asked for; else fewer."""
     measured = request.config.getoption("--measured")
     return lambda told, usual: told if measured else usual
+
+
+BEGUN = pytest.StashKey[float]()
+
+
+def _seconds() -> float:
+    """Return the seconds of the processor that were spent here and in processes that have ended."""
+    return sum(os.times()[:4])
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    item.stash[BEGUN] = _seconds()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item, call):
+    report = yield
+    if call.when == "teardown":
+        report.user_properties.append(("cpu", _seconds() - item.stash[BEGUN]))
+    return report
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    """What tests cost with ``--cpu N``: seconds of the processor, all together and the N dearest."""
+    if config.getoption("--cpu") is None:
+        return
+    reports = [one for some in terminalreporter.stats.values() for one in some]
+    cost = Counter()
+    for one in reports:
+        cost[getattr(one, "nodeid", "")] += dict(getattr(one, "user_properties", ())).get("cpu", 0)
+    terminalreporter.section(f"{sum(cost.values()):.0f} s of the processor in {len(cost)} tests")
+    for name, seconds in cost.most_common(config.getoption("--cpu")):
+        terminalreporter.write_line(f"{seconds:7.2f} {name}")
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import pkgutil
 import string
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -14,39 +16,12 @@ from support.gallery import ROOT
 
 import graphic_tmm
 from graphic_tmm.board.grammar import OPERATIONS
-from graphic_tmm.board.operations import (
-    choice,
-    curve,
-    energetics,
-    graph_curves,
-    graphs,
-    statics,
-    supports,
-)
-from graphic_tmm.board.operations import (
-    formulas as calculations,
-)
-from graphic_tmm.board.operations import (
-    instruments as operations,
-)
-from graphic_tmm.chapters.cam import (
-    formulas as cam_formulas,
-)
-from graphic_tmm.chapters.cam import (
-    law_formulas as cam_law_formulas,
-)
-from graphic_tmm.chapters.cam import (
-    operations as cams,
-)
-from graphic_tmm.chapters.cycle import plan as cycle_plan
-from graphic_tmm.chapters.diagrams import beside as diagrams_beside
-from graphic_tmm.chapters.engine import beside as engine_beside
-from graphic_tmm.chapters.engine import formulas as engines
-from graphic_tmm.chapters.flywheel import beside as flywheel_beside
-from graphic_tmm.chapters.gears import formulas as gearing
-from graphic_tmm.chapters.gears import rack, rolling
-from graphic_tmm.chapters.planetary import formulas as trains
-from graphic_tmm.chapters.structure import mobility as structure_mobility
+
+ROOMS = [
+    import_module(one.name)
+    for one in pkgutil.walk_packages(graphic_tmm.__path__, "graphic_tmm.")
+    if not one.name.endswith("__main__")
+]
 
 
 def test_public_names_are_sorted_complete_and_there() -> None:
@@ -78,32 +53,8 @@ def test_an_operation_has_a_sentence_that_names_its_marks(op) -> None:
 
 
 def test_every_operation_is_in_the_table() -> None:
-    rooms = (
-        calculations,
-        cam_formulas,
-        cam_law_formulas,
-        cycle_plan,
-        diagrams_beside,
-        structure_mobility,
-        engine_beside,
-        flywheel_beside,
-        cams,
-        choice,
-        curve,
-        energetics,
-        engines,
-        gearing,
-        graph_curves,
-        graphs,
-        operations,
-        rack,
-        rolling,
-        statics,
-        supports,
-        trains,
-    )
     made = {
-        v.name for room in rooms for v in vars(room).values() if type(v).__name__ == "Operation"
+        v.name for room in ROOMS for v in vars(room).values() if type(v).__name__ == "Operation"
     }
     assert made == set(OPERATIONS)
 

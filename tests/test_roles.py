@@ -26,6 +26,10 @@ ALLOWED = {
     "chapters/kinematics/motion.py: known[closing.letter]",
     # readers are told of which view a mark is where two of a sentence are called alike
     "readers/sentences.py: mark.name in elsewhere",
+    # a line that is drawn parallel to its namesake of another view is told so
+    "note/gather.py: to.name == step.it.name",
+    # machines read the scale factor of a base by what it is called
+    "readers/table.py: BASES.get(step.it.name)",
     # a column of a table is known by what it is called
     "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
     # the sides of conditions are told once each, by what they are called

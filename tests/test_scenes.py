@@ -68,7 +68,7 @@ def test_the_scenes_use_every_kind_of_group() -> None:
 def test_the_scenes_use_what_a_task_may_ask_for() -> None:
     scenes = [scene(name) for name in NAMES]
     assert {scene.language for scene in scenes} == {"ru", "en"}
-    assert {sheet.format for scene in scenes for sheet in scene.sheets} == {"A1", "A4"}
+    assert {sheet.format for scene in scenes for sheet in scene.sheets} == {"A1", "A2", "A4"}
     assert {scene.row.first for scene in scenes} == {0, 1}
     assert any(scene.mechanism.drive.acceleration for scene in scenes)
     assert {scene.mechanism.drive.speed > 0 for scene in scenes} == {True, False}

@@ -60,10 +60,11 @@ class Row(NamedTuple):
 
 
 class Section(NamedTuple):
-    """What is told of a view: what it is called, its sentences."""
+    """What is told of a view: what it is called, its sentences, the equations that it begins with."""
 
     title: str
     parts: tuple[Runs, ...]
+    equations: tuple[Block, ...] = ()
 
 
 def parts_of(rows: Sequence[Row], drawn: Sequence[Runs], language: str) -> tuple[Runs, ...]:

@@ -239,6 +239,8 @@ def once(blocks: Sequence[Block]) -> tuple[Block, ...]:
         elif isinstance(block, Table):
             rows = tuple(tuple(_said(cell, known) for cell in row) for row in block.rows)
             block = block._replace(rows=rows)
+        if isinstance(block, Display) and found and isinstance(found[-1], Display):
+            block = Display((*found.pop().formulas, *block.formulas))  # type: ignore[union-attr]
         found.append(block)
     return tuple(found)
 

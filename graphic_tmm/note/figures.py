@@ -16,17 +16,18 @@ FORMAT = "A4"
 """The format whose pens and letters figures are drawn with: a note is held in the hand."""
 WALL, SMALL = "A1", 0.65
 """The format whose letters are larger, and below how much of its size a figure is lettered so."""
-WIDTH, HEIGHT, WHOLE = 165.0, 80.0, 200.0
+WIDTH, HEIGHT, WHOLE = 165.0, 66.0, 130.0
 """Room for a figure on a page, mm: its width, its usual height, the height of a page."""
-SMALLEST = 0.45
-"""A figure takes more of a page than usual before it is made smaller than this. Chosen by eye."""
+SMALLEST, LEAST = 0.45, 0.38
+"""A figure takes more of a page than usual before it is made smaller than this, and than the second in any
+case: its letters are those of a wall's sheet. Chosen by eye."""
 LARGEST = 1.25
 """How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""
 LETTER = 3.5
 """How large the letter of a part of a figure is on the page, mm."""
 GAP = 5.0
 """What is between parts beside one another, mm."""
-LESS, ALIKE = 0.8, 0.55
+LESS, ALIKE = 0.72, 0.55
 """Parts beside one another are made smaller than this times no view; the lowest is so high of the highest."""
 AT_MOST = 1.7
 """No part is shown larger than so many times the smallest one beside it: their letters are of a size."""
@@ -110,7 +111,7 @@ def sheet_of(
 def scale(width: float, height: float) -> float:
     """Return how many times larger a picture stands on its page."""
     usual = min(HEIGHT / height, LARGEST)
-    return min(WIDTH / width, max(usual, min(SMALLEST, WHOLE / height)))
+    return min(WIDTH / width, max(usual, min(SMALLEST, max(LEAST, WHOLE / height))))
 
 
 def sizes_of(pictures: Sequence[Picture]) -> list[tuple[float, float]]:

@@ -15,7 +15,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc, word
 from graphic_tmm.note.document import Beside, Document, Picture, Table
 from graphic_tmm.note.figures import scales_of, sheet_of
-from graphic_tmm.note.pandoc import Outline, Target, letter_of, raw
+from graphic_tmm.note.numbering import letter_of
+from graphic_tmm.note.pandoc import Outline, Target, raw
 from graphic_tmm.note.styles import APART, CSS, NEARER, TYPST
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import svg
@@ -268,7 +269,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
             for one in parts
         ]
         image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
-        where = "bottom" if max(one.height for one in parts) > TALL else "none"
+        where = "auto" if max(one.height for one in parts) > TALL else "none"
         opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
         closing = raw("typst", f"]) <{block.id}>", block=True)
         return [raw("typst", opening, block=True), caption, closing]

@@ -69,7 +69,10 @@ def listed(
     if found is None:
         return
     yield heading(found.title)
-    yield from shown_and_listed((found,), view, found.title, language, shown)
+    blocks = list(shown_and_listed((found,), view, found.title, language, shown))
+    yield from blocks[:1]
+    yield from found.equations
+    yield from blocks[1:]
 
 
 def shown_and_listed(
@@ -107,11 +110,11 @@ def section(
         return None
     usual = _usual(drawn, view, known)
     manner = Manner(drawn.scene.turned, _elsewhere(drawn, told), known, bare, usual, brief)
-    parts = protocol_parts(told, manner)
+    equations, parts = protocol_parts(told, manner)
     if usual and not bare and _drawn(drawn, view, usual):
         alike = Once(ALIKE, text(speaking(language)(ALIKE)))
         parts = ((alike, Text(" "), *parts[0]), *parts[1:]) if parts else ()
-    return Section(title_of(drawn.project, view, language), parts)
+    return Section(title_of(drawn.project, view, language), parts, equations)
 
 
 def _there(drawn: Drawn, view: str) -> bool:

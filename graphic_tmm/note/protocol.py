@@ -74,13 +74,21 @@ def protocol_blocks(told: Told, manner: Manner) -> Iterator[Block]:
     yield from page.flushed()
 
 
-def protocol_parts(told: Told, manner: Manner) -> tuple[Runs, ...]:
-    """Return the protocol of a view as sentences, calculations of one kind together; see `protocol_blocks`."""
+class Parts(NamedTuple):
+    """The protocol of a view in parts: the equations that its groups begin with, its sentences."""
+
+    equations: tuple[Block, ...]
+    sentences: tuple[Runs, ...]
+
+
+def protocol_parts(told: Told, manner: Manner) -> Parts:
+    """Return the protocol of a view in parts, calculations of one kind together; see `protocol_blocks`."""
     page = _Page(told, manner, listed=True)
     for line in page.lines():
         _all(page.line(line))
     _all(page.worked())
-    return parts_of(page.rows, page.parts, told.language)
+    sentences = parts_of(page.rows, page.parts, told.language)
+    return Parts(tuple(page.equations), sentences)
 
 
 def _all(blocks: Iterator[Block]) -> None:
@@ -109,6 +117,8 @@ class _Page:
         self.readings: list[Formula] = []
         self.waiting: list[Once] = []
         self.group = ""
+        self.behind: tuple[Symbol, ...] = ()
+        self.equations: list[Block] = []
         self.after = 0
 
     def lines(self) -> Iterator[Line]:
@@ -174,6 +184,7 @@ class _Page:
             self.known.add(repr(formula))
             yield from self.paragraph()
             yield from self.begun()
+            formula, self.behind = formula._replace(behind=self.behind), ()
             self.formulas += broken(formula)
 
     def worked(self) -> Iterator[Block]:
@@ -213,7 +224,9 @@ class _Page:
     def told_before(self, steps: Sequence[Step]) -> bool:
         """Whether steps go without saying: a view before told their like with its reasons."""
         reasons = {step.reason for step in steps if _reasoned(step)}
-        return reasons <= self.before and bool(reasons or self.manner.brief)
+        if self.manner.brief:
+            return reasons <= self.known
+        return bool(reasons) and reasons <= self.before
 
     def read(self) -> Iterator[Block]:
         """Tell what was read off the drawing so far, together."""
@@ -283,16 +296,18 @@ class _Page:
         language, equation = self.told.language, self.solved.get(note)
         told = symbol(heading(note, language), language)
         if "=" in told:
-            sides, _, behind = told.partition(",  ")
-            more = (Symbol(behind),) if behind else ()
-            yield Display((Formula((Symbol(sides),), behind=more),))
+            sides, *behind = (Symbol(one) for one in told.split(",  "))
+            self.behind = tuple(behind)
+            self.equations.append(Display((Formula((sides,), behind=self.behind),)))
             return
         group = remark(note, language)
         self.group = f"{group[:1].upper()}{group[1:]}"
         yield Paragraph((Text(self.group + ":", "emphasis"),))
         if equation is not None:
             lines = (equation.markup, equation.directions)
-            yield Display(tuple(Formula((Symbol(symbol(one, language)),)) for one in lines))
+            told_ = Display(tuple(Formula((Symbol(symbol(one, language)),)) for one in lines))
+            self.equations += [Paragraph((Text(self.group + ":", "emphasis"),)), told_]
+            yield told_
 
 
 def _reasoned(step: Step) -> bool:

@@ -50,7 +50,7 @@ TYPST = """\
 #set list(marker: [–], indent: 6mm, body-indent: 2mm)
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 1.3pt))
 #set table.hline(stroke: 0.5pt)
-#show table: set text(size: 10.5pt, hyphenate: false)
+#show table: set text(size: 10pt, hyphenate: false)
 #show table: it => {
   let wide = type(it.columns) == array and it.columns.len() > 10
   set text(size: 9pt) if wide
@@ -106,7 +106,7 @@ TYPST = """\
 #let leading(told) = block(sticky: true, above: apart, below: apart, told)
 #let part(told) = align(center, told)
 #let long(told) = {
-  show table: set text(size: 9.5pt)
+  show table: set text(size: 9pt)
   told
 }
 #let apart-whole(told) = {

@@ -9,8 +9,12 @@ from graphic_tmm.board.formula_text import Node
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering.markup import plain
 
-WIDE = 70.0
-"""So many letters stand on a line of a page, brackets and signs among them. Measured on pages of PDF."""
+WIDE = 66.0
+"""So many figures stand on a line of a page, signs among them: 165 mm of 14 pt, a figure half as wide."""
+CAPITAL = 1.35
+"""What a capital takes."""
+TIMES, APART = 1.6, 5.0
+"""What a sign between factors takes, and what stands between formulas beside one another."""
 SMALL = 0.65
 """What a letter of an index takes of one on the line."""
 SIGN = 2.5
@@ -125,42 +129,47 @@ SUMS = ("+", "−")
 
 
 def packed(formulas: Sequence[Formula]) -> tuple[tuple[Formula, ...], ...]:
-    """Return formulas line by line: two that are short and whole stand beside one another."""
+    """Return formulas line by line: short ones that are whole stand beside one another."""
     rows: list[tuple[Formula, ...]] = []
     for k, one in enumerate(formulas):
-        whole = not one.follows and not one.behind
-        whole = whole and not (k + 1 < len(formulas) and formulas[k + 1].follows)
-        last = rows[-1] if rows else ()
-        if whole and len(last) == 1 and _short(last[0]) and _short(one) and _alone(rows, formulas):
-            rows[-1] = (*last, one)
+        if rows and _whole(formulas, k) and _whole(formulas, k - 1) and _fit((*rows[-1], one)):
+            rows[-1] = (*rows[-1], one)
         else:
             rows.append((one,))
     return tuple(rows)
 
 
-def _alone(rows: Sequence[tuple[Formula, ...]], formulas: Sequence[Formula]) -> bool:
-    """Whether the last formula in rows is whole: none follows it, it follows none."""
-    last = rows[-1][0]
-    k = sum(map(len, rows)) - 1
-    return not last.follows and not last.behind and not formulas[k + 1].follows
+def _whole(formulas: Sequence[Formula], k: int) -> bool:
+    """Whether a formula stands alone: it follows none, none follows it."""
+    one = formulas[k]
+    after = k + 1 < len(formulas) and formulas[k + 1].follows
+    return not (one.follows or one.behind or after)
 
 
-def _short(one: Formula) -> bool:
-    return sum(width(side) + SIGN for side in one.sides) <= SHORT
+def _fit(beside: Sequence[Formula]) -> bool:
+    """Whether formulas stand on one line."""
+    sides = [width(side) + SIGN for one in beside for side in one.sides]
+    apart = APART * (len(beside) - 1) - SIGN * len(beside)
+    return len(beside) <= ABREAST and sum(sides) + apart <= WIDE
 
 
-SHORT = 33.0
-"""A formula of so many letters at the most takes half a line."""
+ABREAST = 3
+"""So many formulas stand on a line at most."""
 
 
 def width(one: Leaf | Tree) -> float:
     """Return about how wide a side of a formula is, letters."""
     if isinstance(one, Symbol):
         head, _, rest = plain(one.markup).partition("_")
-        return len(head) + SMALL * len(rest)
+        return _line(head) + SMALL * _line(rest)
     if isinstance(one, Number):
         return len(one.text) + (len(one.unit) + 1 if one.unit else 0)
     return _tree(one.node, one.put)
+
+
+def _line(letters: str) -> float:
+    """Return how much room letters take on a line."""
+    return sum(CAPITAL if c.isupper() else 1.0 for c in letters)
 
 
 def _tree(node: Node, put: Mapping[str, Leaf]) -> float:
@@ -174,5 +183,5 @@ def _tree(node: Node, put: Mapping[str, Leaf]) -> float:
     if node.head == "^":
         return parts[0] + SMALL * parts[1] + 2
     if node.head in ("·", "+", "−", "±"):
-        return sum(parts) + SIGN
+        return sum(parts) + (TIMES if node.head == "·" else SIGN)
     return sum(parts) + len(node.head) / 2 + 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -11,6 +12,9 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, results_of
+
+EVEN = 1e-11
+"""Results that differ by less of their own size differ by rounding only."""
 
 
 class Deviation(NamedTuple):
@@ -65,6 +69,11 @@ def _results(drawn: Drawn, exact: Drawn) -> list[Deviation]:
     due, found = results_of(exact), []
     for name, (figures, unit) in results_of(drawn).items():
         told, right = float(figures[0]), float(due[name][0][0])
-        if unit != "%" and right and np.isfinite(told) and told != right:
+        if (
+            unit != "%"
+            and right
+            and np.isfinite(told)
+            and not math.isclose(told, right, rel_tol=EVEN)
+        ):
             found.append(Deviation("", name, 0, 100.0 * abs(told - right) / abs(right)))
     return found

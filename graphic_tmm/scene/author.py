@@ -176,8 +176,8 @@ class Author:
     )
     remarks: Mapping[str, tuple[str, ...]] = key(
         ByChapter(PARAGRAPHS),
-        "what the sections of chapters begin with",
-        {"cam": "Кулачок открывает клапаны двигателя."},
+        "what the sections of chapters begin with, by the name of the chapter",
+        {},
         {},
     )
     conclusions: tuple[str, ...] = key(

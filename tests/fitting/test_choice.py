@@ -165,13 +165,19 @@ TOLD = re.compile(r"(μ_(?:\{[^}]*\}|\w)) = ([\d.]+(?:·10\^?\{?[⁻⁰¹²³⁴
 """A scale factor as a sheet tells it in English: its letter, its number."""
 
 
+def bare(name: str) -> str:
+    """A letter without braces about an index of one sign."""
+    return re.sub(r"\{(\w)\}", r"\1", name)
+
+
 def told_on_sheets(drawn: Drawn) -> set[tuple[str, str]]:
     """The scale factors below all that a scene can show of a board: letters and numbers."""
     found: set[tuple[str, str]] = set()
     for chapter in drawn.project.chapters:
         for place in chapter.places:
             labels = [label.text for view in place.draw(drawn, True) for label in view.labels]
-            found |= {match for text in labels for match in TOLD.findall(text)}
+            told = [match for text in labels for match in TOLD.findall(text)]
+            found |= {(bare(name), figure) for name, figure in told}
     return found
 
 
@@ -185,7 +191,9 @@ def steps_of_scales(drawn: Drawn) -> set[tuple[str, str]]:
         for step in drawn.construction.steps
         if step.it.unit.endswith("/mm") and step.it in drawn.reading
     ]
-    return {(name, number(float(np.ravel(value)[0]), "en")) for name, value in rows}
+    found = [(name, float(np.ravel(value)[0])) for name, value in rows]
+    found += [(name, math.degrees(value)) for name, value in found if name == "μ_φ"]
+    return {(bare(name), number(value, "en")) for name, value in found}
 
 
 @pytest.mark.slow

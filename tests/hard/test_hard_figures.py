@@ -66,7 +66,7 @@ def test_figures_of_random_rows_are_right_or_left_out_and_named() -> None:
 def test_figures_of_many_random_rows_are_right_or_left_out_and_named(
     many: Callable[[int, int], int],
 ) -> None:
-    count = many(300, 100)
+    count = many(300, 40)
     counts = _all_right(count, 5000, 3)
     assert counts["far"] > 17 * count
     assert counts["far left out"] == 0

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from support.gallery import SHEETS
-from support.notes import looked_up, stands_for
+from support.notes import looked_up, stands_for, worth_of_a_last_digit
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.document import Document, Heading, Number, Picture, Table, Text, numbers, walk
@@ -30,6 +30,8 @@ language = "{language}"
 upper_dwell = "20 deg"
 fall = "90 deg"
 {keys}
+[hand]
+ruler = "0.1 mm"
 [[sheet]]
 format = "A1"
 place = ["cam"]
@@ -45,7 +47,11 @@ def told(path: Path, scene: str) -> tuple[DrawnScene, Document]:
 
 
 def wrong(made: DrawnScene, document: Document) -> list[Number]:
-    return [one for one in numbers(document) if not stands_for(one.text, looked_up(made, one))]
+    return [
+        one
+        for one in numbers(document)
+        if not stands_for(one.text, looked_up(made, one), worth_of_a_last_digit(made, one))
+    ]
 
 
 @pytest.mark.parametrize("kind", sorted(CAMS))

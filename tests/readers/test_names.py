@@ -44,7 +44,7 @@ PACKAGED = sorted(
 )
 PLANS = (
     "synthesis", "extremes", "positions", "velocities", "accelerations", "forces", "engine", "diagrams",
-    "flywheel", "cam", "gears", "planetary",
+    "flywheel", "cam", "arc_cam", "gears", "planetary", "cycle",
 )  # fmt: skip
 
 LATIN = re.compile(

@@ -155,6 +155,13 @@ def turn_per_mm(base: Length) -> Number:
     """2π/{base}"""
 
 
+@formula(
+    why=said("The base of the graph stands for the whole cycle of {turns} turns, 2π rad each.")
+)
+def cycle_per_mm(turns: Number, base: Length) -> Number:
+    """2π·{turns}/{base}"""
+
+
 @formula(why=said("The base stands for a whole turn, which takes the time 2π/ω."))
 def time_per_mm(omega: Number, base: Length) -> Number:
     """2π/({omega}·{base})"""

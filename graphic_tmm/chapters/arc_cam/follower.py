@@ -77,14 +77,20 @@ def draw_follower(
             continue
         draft.say(name)
         n = draft.take(Number, "n", np.where(there, numbers, np.nan)[None, :])
+        page.index = str(k + 1)
         owns.append(page.own(contour.arcs[name], page.angle(n)))
         inside.append(there)
     draft.say("readings")
     found = owns[-1]
     for own, there in zip(owns[-2::-1], inside[-2::-1], strict=True):
+        page.index = "" if own is owns[0] else f"{{{len(owns) - 1},{len(owns)}}}"
         at = draft.take(Number, "σ", np.where(there, 1.0, 0.0)[None, :])
         found = page.merged(own, found, at)
     return page.read(found)
+
+
+LETTERS = {"point": "B", "instant": "P", "pivot": "O_1", "contact": "K"}
+"""What is drawn in every position, as its letters."""
 
 
 class _Page:
@@ -92,7 +98,7 @@ class _Page:
 
     def __init__(self, draft: Draft, order: ArcTask, contour: Contour, sense: int) -> None:
         self.draft, self.order, self.contour, self.sense = draft, order, contour, sense
-        self.rocks = order.follower == ROCKER
+        self.rocks, self.index = order.follower == ROCKER, ""
         self.left = sense * (-1 if order.same_sense else 1)
         draw = draft.draw
         if order.offset:
@@ -130,6 +136,12 @@ class _Page:
         guide = draw(tangent, f"(B_{index})", end.point, origin, self.offset, side, why=why.OFFSET)
         return draw(parallel, f"(OB_{index})", origin, guide, why=why.FIRST)
 
+    def letter(self, letter: str) -> str:
+        """Return a letter with the number of the arc, or of the arcs, that the follower is on."""
+        name = letter.strip("()").replace("_1", "′") if self.index else letter.strip("()")
+        name = f"{name}_{self.index}" if self.index else name
+        return f"({name})" if letter.startswith("(") else name
+
     def angle(self, n: Mark) -> Mark:
         """Calculate the angle of the cam in positions that are numbered."""
         return self.draft.draw(f.part_of_work, "φ", n, self.work, self.parts, unit="°")
@@ -137,20 +149,22 @@ class _Page:
     def own(self, arc: Arc, angle: Mark) -> _Own:
         """Draw the positions at which the follower is on an arc; ``angle``: the cam's, missing elsewhere."""
         draw, origin = self.draft.draw, self.contour.origin
-        guide = draw(slew, "(B)", origin, self.begin, angle, sense=-self.sense, why=why.INVERTED)
+        guide = draw(
+            slew, self.letter("(B)"), origin, self.begin, angle, sense=-self.sense, why=why.INVERTED
+        )
         if self.rocks:
             return self._rocked(arc, guide)
         across = draw(square, "(O)", origin, guide, sense=-self.sense, why=why.ACROSS)
         if self.offset is not None:
-            guide = draw(shift, "(B)", guide, self.offset, why=why.OFFSET)
+            guide = draw(shift, self.letter("(B)"), guide, self.offset, why=why.OFFSET)
         if self.order.follower == FLAT:
             return self._flat(arc, guide, across)
         assert arc.way is not None
         if arc.centre is None:
-            point = draw(meet, "B", guide, arc.way, free=True, why=why.ON_STRAIGHT)
+            point = draw(meet, self.letter("B"), guide, arc.way, free=True, why=why.ON_STRAIGHT)
         else:
             where = self.draft.take(Side, "±", -1.0 if arc.hollow else 1.0)
-            point = draw(cut, "B", guide, arc.way, where, free=True, why=why.REPLACED)
+            point = draw(cut, self.letter("B"), guide, arc.way, where, free=True, why=why.REPLACED)
         return _Own(guide, point, self._instant(arc, point, across, why.ACROSS))
 
     def _instant(self, arc: Arc, point: Mark, across: Mark, reason: str) -> Mark:
@@ -160,33 +174,41 @@ class _Page:
             normal = draw(square, "(n)", point, arc.way, why=why.NORMAL)
         else:
             normal = draw(join, f"({arc.centre.name}B)", arc.centre, point, why=why.NORMAL)
-        return draw(meet, "P", across, normal, free=True, why=reason)
+        return draw(meet, self.letter("P"), across, normal, free=True, why=reason)
 
     def _flat(self, arc: Arc, guide: Mark, across: Mark) -> _Own:
         draw, contact = self.draft.draw, arc.centre
         assert contact is not None
         line = draw(parallel, "(K)", contact, guide, why=why.FACE)
         if arc.radius is not None:
-            contact = draw(lay_off, "K", line, arc.radius, free=True, why=why.FACE)
+            contact = draw(lay_off, self.letter("K"), line, arc.radius, free=True, why=why.FACE)
         face = draw(square, "(f)", contact, guide, why=why.FACE)
-        point = draw(meet, "B", guide, face, free=True, why=why.FACE)
+        point = draw(meet, self.letter("B"), guide, face, free=True, why=why.FACE)
         return _Own(
-            guide, point, draw(meet, "P", across, line, free=True, why=why.ACROSS), None, contact
+            guide,
+            point,
+            draw(meet, self.letter("P"), across, line, free=True, why=why.ACROSS),
+            None,
+            contact,
         )
 
     def _rocked(self, arc: Arc, line: Mark) -> _Own:
         draw, draft = self.draft.draw, self.draft
         assert arc.way is not None
-        pivot = draw(lay_off, "O_1", line, self.centres, free=True, why=why.INVERTED)
+        pivot = draw(lay_off, self.letter("O_1"), line, self.centres, free=True, why=why.INVERTED)
         swing = draw(strike, "(l)", pivot, self.lever)
         if arc.centre is None:
             flank, rising = (self.order.rise, 1) if arc.name == "rise" else (self.order.fall, -1)
             side = -self.sense * side_on_straight(self.order, flank, rising)
-            point = draw(cut, "B", arc.way, swing, draft.take(Side, "±", float(side)), free=True)
+            point = draw(
+                cut, self.letter("B"), arc.way, swing, draft.take(Side, "±", float(side)), free=True
+            )
         else:
             side = -self.left * (-1 if arc.hollow else 1)
             where = draft.take(Side, "±", float(side))
-            point = draw(cross, "B", swing, arc.way, where, free=True, why=why.REPLACED)
+            point = draw(
+                cross, self.letter("B"), swing, arc.way, where, free=True, why=why.REPLACED
+            )
         return _Own(line, point, self._instant(arc, point, line, why.PIVOTS), pivot)
 
     def merged(self, own: _Own, other: _Own, at: Mark) -> _Own:
@@ -195,14 +217,12 @@ class _Page:
 
         def point(name: str) -> Mark | None:
             first, second = getattr(own, name), getattr(other, name)
-            return (
-                draw(on_arc, second.name, first, second, at, free=True)
-                if first is not None
-                else None
-            )
+            if first is None:
+                return None
+            return draw(on_arc, self.letter(LETTERS[name]), first, second, at, free=True)
 
-        guide = draw(line_on_arc, "(B)", own.guide, other.guide, at)
-        found = {name: point(name) for name in ("point", "instant", "pivot", "contact")}
+        guide = draw(line_on_arc, self.letter("(B)"), own.guide, other.guide, at)
+        found = {name: point(name) for name in LETTERS}
         assert found["point"] is not None
         assert found["instant"] is not None
         return _Own(guide, found["point"], found["instant"], found["pivot"], found["contact"])
@@ -228,8 +248,9 @@ class _Page:
             if order.same_sense:
                 line = draw(parallel, "(OO_1)", contour.origin, line, sense=-1)
             part = draw(measure_along, "OP", contour.origin, own.instant, line, why=why.INSTANT)
-            op = f.rate_along if order.same_sense else f.rate_against
-            rate = draw(op, "ψ′_{P}", part, self.centres, unit="rad")
+            ends = (own.instant, own.pivot)[:: -1 if order.same_sense else 1]
+            rest = draw(measure_along, "O_1P", *ends, line, why=why.INSTANT)
+            rate = draw(f.rate_of_lever, "ψ′_{P}", part, rest, unit="rad")
         else:
             where = draft.take(Side, "±", 1.0)
             lowest = draw(cut, "B_0", own.guide, base.way, where, why=why.LOWEST)

@@ -37,20 +37,16 @@ def transfer(part: Length, mu: Number) -> Number:
     """{part}·{mu}"""
 
 
-_RATES = said(
-    "Cam and lever have one velocity at the instant centre on the line of their pivots, so their angular "
-    "velocities are inverse to its distances from them."
+@formula(
+    holds="{rest} > 0",
+    fails="the instant centre is the lever's pivot",
+    why=said(
+        "Cam and lever have one velocity at the instant centre on the line of their pivots, so their angular "
+        "velocities are inverse to its distances from them."
+    ),
 )
-
-
-@formula(holds="{whole} > {part}", fails="the instant centre is the lever's pivot", why=_RATES)
-def rate_against(part: Length, whole: Length) -> Number:
-    """{part}/({whole} − {part})"""
-
-
-@formula(holds="{whole} + {part} > 0", fails="the instant centre is the lever's pivot", why=_RATES)
-def rate_along(part: Length, whole: Length) -> Number:
-    """{part}/({whole} + {part})"""
+def rate_of_lever(part: Length, rest: Length) -> Number:
+    """{part}/{rest}"""
 
 
 @formula(why=said("The angle over which the follower moves is divided into equal parts."))

@@ -67,6 +67,10 @@ class _Ink:
         """A length that does not vary; 0 for none."""
         return self.seen.number(mark, 0) if mark is not None else 0.0
 
+    def near(self, mark: Mark) -> bool:
+        """Whether a centre stands among what is drawn; a flank's may be far off."""
+        return abs(self.one(mark)) <= float(np.nanmax(np.abs(self.points)))
+
     @property
     def roller(self) -> float:
         """The radius of the roller on the drawing."""
@@ -141,7 +145,7 @@ def _ways(ink: _Ink) -> Iterator[Ink]:
     if ink.roller > 0.0:
         yield from _pitch(ink)
     for one in contour.arcs.values():
-        if one.centre is not None and one.name != "base":
+        if one.centre is not None and one.name != "base" and ink.near(one.centre):
             dot = circle("main", ink.one(one.centre), DOT, filled=True)
             yield from body([dot], "pivot", [one.centre])
 
@@ -254,7 +258,7 @@ def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
     yield Wanted("O", 0j, high.point, 2.5, 1j - free, (contour.origin.slot,))
     yield Wanted("C", ink.one(contour.nose), high.point, 1.0, -1j - free, (contour.nose.slot,))
     for one in contour.arcs.values():
-        if one.name in ("rise", "return") and one.centre is not None:
+        if one.name in ("rise", "return") and one.centre is not None and ink.near(one.centre):
             spot = ink.one(one.centre)
             yield Wanted(one.centre.name, spot, high.point, 1.0, spot, (one.centre.slot,))
     spots = [ink.one(mark) for mark in contour.touches]

@@ -31,7 +31,7 @@ from graphic_tmm.note.document import (
     Run,
     Text,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.plans import at_position
 from graphic_tmm.note.steps import Told, calculated
 
@@ -51,7 +51,7 @@ class _Page:
         self.speech = speaking(language)
         first, second, *_ = made.lie.changes
         self.at = max(1, round((second - first) / made.lie.work * made.order.parts / 2.0))
-        shown = [one for one in arc_views(in_hand(drawn), True) if is_figure(one)]
+        shown = [one for one in readable(drawn, arc_views) if is_figure(one)]
         self.contour, self.graphs = (picture(one, language) for one in shown)
 
     def blocks(self) -> Iterator[Block]:

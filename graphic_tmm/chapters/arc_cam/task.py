@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -30,9 +31,10 @@ class Flank:
     hollow: bool = False
 
 
-def _flank(value: object, names: Names) -> float | None:
+def _flank(value: object, names: Names) -> float:
+    """Return the radius of a flank, infinite for a straight one."""
     if value == STRAIGHT:
-        return None
+        return math.inf
     try:
         quantities.parse(value, "length")
     except ValueError:
@@ -46,15 +48,12 @@ _LEAST = v.quantity("length", Bound(0))
 
 
 def _rise(said: Said) -> Flank:
-    return Flank(said.flank, said.hollow)
+    return Flank(said.flank if math.isfinite(said.flank) else None, said.hollow)
 
 
 def _return(said: Said) -> Flank:
-    return Flank(said.flank if said.return_flank is LIKE_RISE else said.return_flank, said.hollow)
-
-
-LIKE_RISE = "rise"
-"""What stands for the flank of the return where the scene does not tell it: that of the rise."""
+    radius = said.flank if said.return_flank is None else said.return_flank
+    return Flank(radius if math.isfinite(radius) else None, said.hollow)
 
 
 @dataclass(frozen=True)
@@ -78,14 +77,14 @@ class ArcTask:
     rise: Flank = made(
         _rise,
         Flank(None),
-        flank=key(_FLANK, 'the radius of the flanks, or "straight"', "60 mm", None),
+        flank=key(_FLANK, 'the radius of the flanks, or "straight"', "60 mm"),
         hollow=key(v.SWITCH, "whether the flanks are hollow: for rollers only", True, False),
     )
     fall: Flank = made(
         _return,
         Flank(None),
         return_flank=key(
-            _FLANK, "the radius of the flank of the return, if it is another", "80 mm", LIKE_RISE
+            _FLANK, "the radius of the flank of the return, if it is another", "80 mm", None
         ),
     )
     follower: str = key(v.choice(ROLLER, FLAT, ROCKER), "what follows the cam", ROLLER, ROLLER)
@@ -109,8 +108,8 @@ class ArcTask:
     parts: int = key(
         v.number(Bound(8, 360, whole=True)),
         "parts into which the angle is divided over which the follower moves",
-        24,
-        24,
+        16,
+        16,
     )
     length: float = key(v.DRAWN, "length of the diagrams' base", "240 mm", 240.0, fixes="size")
     mu_l: float | None = key(
@@ -127,8 +126,6 @@ ASKED: Asked[ArcTask] = Asked("arc_cam")
 def check(cam: Said, parts: Parts) -> Iterator[Found]:
     """Every contradiction of the section: keys of another follower, sizes that are missing."""
     at = ASKED.section
-    if "flank" not in parts.doc[at]:
-        yield Found((at, "flank"), said('write the radius of the flanks, "60 mm", or "straight"'))
     for name in ("lever", "centres"):
         if cam.follower == ROCKER and getattr(cam, name) is None:
             yield Found((at, name), said('a rocker needs it; write, for example, "80 mm"'))

@@ -81,12 +81,11 @@ class _Page(Page):
 
     def _read(self) -> Paragraph:
         """Return what the diagrams tell in the position that is worked."""
-        found = {one.segment: one for one in cam_columns(self.drawn)}
         put: dict[str, Run] = {"position": Text(self.position), "angle": self.angle()}
         for key, segment in (("S", "S"), ("dS", "dS"), ("ddS", "ddS")):
-            put[key] = self.cell(found[segment], 0)
+            put[key] = self.cell(segment, 0)
         for key, segment in (("travel", "S"), ("speed", "dS"), ("rate", "ddS")):
-            put[key] = self.cell(found[segment], 1)
+            put[key] = self.cell(segment, 1)
         return self.says(words.READ, put)
 
     def _centres(self) -> Iterator[Block]:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.table import cam_columns
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -27,12 +28,11 @@ from graphic_tmm.note.document import (
     Source,
     Symbol,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
-from graphic_tmm.note.plans import at_position, plan
+from graphic_tmm.note.figures import is_figure, picture, readable
+from graphic_tmm.note.plans import at_position, listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import Told, calculated
-from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.told import decimals
+from graphic_tmm.readers.told import told as as_told
 
 _PLACE = re.compile(r"Source\([^)]*\)|value=[^),]*")
 """Where a number was read: calculations that are the same in two places are told once."""
@@ -56,8 +56,10 @@ class Page:
         rise = made.diagrams.turn.rise
         self.at = rise.first + max(1, round(rise.parts / 4))
         self.position = drawn.names[self.at]
-        held = in_hand(drawn)
-        drawings = [*scheme_views(held, True), *cam_views(held, True)]
+        found = cam_columns(drawn)
+        written = zip(found, as_told(found), strict=True)
+        self.columns = {one.segment: (one, figures) for one, figures in written}
+        drawings = [*readable(drawn, scheme_views), *readable(drawn, cam_views)]
         shown = [one for one in drawings if is_figure(one)]
         self.figures = {one.name: picture(one, language) for one in shown}
 
@@ -122,20 +124,17 @@ class Page:
 
     def from_log(self, view: str, at: int, shown: Sequence[Picture] = ()) -> Iterator[Block]:
         """Yield a view as the log tells it, step by step."""
-        yield from plan(self.drawn, view, at, self.language, shown, known=self.known)
+        yield from listed(self.drawn, view, at, self.language, shown, known=self.known)
 
-    def cell(self, column: Column, factor: int) -> Number:
+    def cell(self, segment: str, factor: int) -> Number:
         """Return what a column holds in the position that is worked: in mm (0), or the quantity (1)."""
-        row = column.told[factor]
-        value = row[self.at]
+        column, figures = self.columns[segment]
+        value = column.told[factor][self.at]
         assert value is not None
-        places = 1 if factor == 0 else decimals(row)
-        source = Source(
-            "column", self.drawn.board, f"{column.plan}/{column.segment}", self.at, "", factor
-        )
-        return Number(
-            fixed(value, places, self.language), column.unit if factor else "mm", source, value
-        )
+        row, places = (figures.value, figures.places) if factor else (figures.mm, figures.mm_places)
+        source = Source("column", self.drawn.board, f"{column.plan}/{segment}", self.at, "", factor)
+        written = fixed(row[self.at], places, self.language)
+        return Number(written, column.unit if factor else "mm", source, value)
 
     def angle(self) -> Number:
         """Return the angle of the cam in the position that is worked."""

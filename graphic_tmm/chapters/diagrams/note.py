@@ -43,10 +43,10 @@ from graphic_tmm.note.document import (
     Symbol,
     Text,
 )
-from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.plans import at_position
 from graphic_tmm.note.steps import Told, calculated
-from graphic_tmm.readers.told import decimals
+from graphic_tmm.readers.told import told as as_told
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
@@ -63,6 +63,9 @@ class _Page:
         self.drawn, self.made, self.language = drawn, made, language
         self._, self.beside = speaking(language), BESIDE.on(drawn)
         self.at = worked(drawn)
+        found = tuple(diagram_columns(drawn))
+        written = zip(found, as_told(found), strict=True)
+        self.columns = {one.segment: (one, figures) for one, figures in written}
         self.first, self.told = made.first, set[Sequence[str]]()
 
     def blocks(self) -> Iterator[Block]:
@@ -155,7 +158,8 @@ class _Page:
         }
         yield self._says(words.INTERVAL, put)
         yield from self._shown(here, middle.value)
-        yield from middles_table(told, chart, middle, called)
+        places = self.columns[chart.symbol][1].places
+        yield from middles_table(told, chart, middle, called, places)
 
     def _integrated(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
@@ -175,21 +179,18 @@ class _Page:
 
     def _worked(self, told: Told, chart: Chart) -> Iterator[Block]:
         """Yield the ordinate of a diagram in the position that is worked, and what it stands for."""
-        column = next(one for one in diagram_columns(self.drawn) if one.segment == chart.symbol)
+        column, figures = self.columns[chart.symbol]
         mm, value = (row[self.at] for row in column.told)
         if mm is None or value is None:
             return
         source = Source("column", self.drawn.board, f"{column.plan}/{column.segment}", self.at)
+        length = fixed(figures.mm[self.at], figures.mm_places, self.language)
+        quantity = fixed(figures.value[self.at], figures.places, self.language)
         put: dict[str, Run] = {
             "position": Text(self.drawn.names[self.at]),
-            "length": Number(fixed(mm, 1, self.language), "mm", source._replace(factor=0), mm),
+            "length": Number(length, "mm", source._replace(factor=0), mm),
             "mu": told.number(chart.mu, unit=True),
-            "value": Number(
-                fixed(value, decimals(column.told[1]), self.language),
-                column.unit,
-                source._replace(factor=1),
-                value,
-            ),
+            "value": Number(quantity, column.unit, source._replace(factor=1), value),
         }
         yield self._says(words.READ, put)
 
@@ -203,7 +204,7 @@ class _Page:
             yield from self._shown(told, place.distance)
 
     def _results(self) -> Iterator[Block]:
-        found = tuple(diagram_columns(self.drawn))
+        found = tuple(column for column, _ in self.columns.values())
         compared = any(c.segment.endswith("_plan") and c.segment[0] != self.first for c in found)
         yield heading(self._(words.COMPARED if compared else words.RESULTS))
         yield from columns(self.drawn, found, self.language)
@@ -267,5 +268,5 @@ class _Page:
         return at_position(self.drawn, view, self.at, self.language)
 
     def _figures(self) -> tuple[Picture, ...]:
-        shown = diagram_views(in_hand(self.drawn), True)
+        shown = readable(self.drawn, diagram_views)
         return tuple(picture(one, self.language) for one in shown if is_figure(one))

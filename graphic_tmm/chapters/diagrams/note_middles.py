@@ -17,10 +17,11 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import Runs, Symbol, Table, text
 from graphic_tmm.note.steps import Told
-from graphic_tmm.readers.told import decimals
 
 ACROSS = 12
 """How many intervals stand in one table beside one another."""
+LEAD, WIDEST = 0.12, 0.1
+"""Shares of the text's width: of each head of a row, and of a column at most."""
 
 
 def intervals(drawn: Drawn, made: Kinematic) -> dict[int, str]:
@@ -31,17 +32,15 @@ def intervals(drawn: Drawn, made: Kinematic) -> dict[int, str]:
 
 
 def middles_table(
-    told: Told, chart: Chart, middle: Middle, intervals: Mapping[int, str]
+    told: Told, chart: Chart, middle: Middle, intervals: Mapping[int, str], digits: int
 ) -> Iterator[Table]:
-    """Yield the middles of intervals: mm, and what they stand for."""
+    """Yield the middles of intervals: mm, and what they stand for, to some decimals."""
     language = told.language
     names, title, row = captions(language), speaking(language)(MIDDLES), list(intervals)
     letter = (Symbol(symbol(chart.symbol, language)),)
     for start in range(0, len(row), ACROSS):
         part = row[start : start + ACROSS]
         heads = (text(names["value"]), text(names["unit"]), *(text(intervals[k]) for k in part))
-        known = [told._replace(place=k).value(middle.value) for k in part]
-        digits = decimals([x for x in known if math.isfinite(x)])
         rows = []
         for mark, of, places in ((middle.ordinate, "mm", 1), (middle.value, chart.unit, digits)):
             cells: list[Runs] = []
@@ -52,4 +51,5 @@ def middles_table(
             rows.append((letter, text(unit(of, language)), *cells))
         again = f" ({names['continued']})" if start else ""
         id, align = f"table-middles-{chart.symbol}-{start}", "lc" + "c" * len(part)
-        yield Table(id, text(title + again), heads, tuple(rows), align)
+        wide = (LEAD, LEAD, *[min((1.0 - 2 * LEAD) / len(part), WIDEST)] * len(part))
+        yield Table(id, text(title + again), heads, tuple(rows), align, wide)

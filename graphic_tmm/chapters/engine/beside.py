@@ -231,7 +231,7 @@ def _sum_of_masses(draft: Draft, made: Engine, slider: Link) -> Mark | None:
     if made.order.unit != "kgf":
         return whole
     unit = draft.take(Number, "", KGF, "N/kgf")
-    return draft.draw(mass_by_weight, "m_Σ", whole, unit, unit="kgf·s²/m")
+    return draft.draw(mass_by_weight, "m′", whole, unit, unit="kgf·s²/m")
 
 
 def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[Mark, Mark, Mark]:

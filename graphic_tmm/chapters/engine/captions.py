@@ -49,5 +49,9 @@ SYMBOLS = (
     ("Q", said("force along the rod"), "N"),
     ("T", said("tangential force at the crank pin"), "N"),
     ("K", said("radial force at the crank pin"), "N"),
+    ("M", said("turning moment"), "N·m"),
+    ("β", said("angle of the rod with the guide"), "°"),
+    ("λ", said("ratio of crank and rod"), ""),
+    ("p_{max}", said("highest pressure of the diagram"), "Pa"),
 )
 """Its letters in a note: what they stand for, their units."""

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.indicator.note import Page, gas
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.note.bricks import columns, heading, referred
+from graphic_tmm.note.bricks import asked, columns, heading, referred
 from graphic_tmm.note.document import (
     Block,
     Item,
@@ -35,6 +35,8 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.readers.columns import Column
 
+LEAST, MOST = 0.25, 0.33
+"""What share of a rod's mass is usually counted at the crosshead, by the book."""
 QUARTERS = 4
 """The positions between which the book works its example are a quarter of a turn apart."""
 
@@ -119,6 +121,7 @@ class _Engine(Page):
         lumped, values = self.made.lumped, self.made.values
         if lumped.at_crank is not None:
             yield self.says(words.TWO_MASSES)
+            yield from self._share()
             yield from self.calculation(lumped.at_slider, lumped.at_crank, lumped.mass)
             yield from self.calculation(lumped.inertia, lumped.lost)
         if self.beside.parts is not None:
@@ -128,6 +131,15 @@ class _Engine(Page):
         yield self.says(words.BY_SERIES, P_in=self.inertia)
         yield from self.view(HARMONICS, self.figures("rotating"))
         yield from self._quarters()
+
+    def _share(self) -> Iterator[Block]:
+        """Whether the share of the rod's mass that goes to and fro is a usual one, where it is given."""
+        share = self.made.order.share
+        if share is not None:
+            told = words.USUAL if LEAST <= share <= MOST else words.UNUSUAL
+            yield self.says(
+                told, share=asked(self.drawn, ENGINE.chapter, "share", "", self.language)
+            )
 
     def _newtons(self, force: Mark) -> tuple[Mark, ...]:
         """Return a force with what it was converted from, if it was."""

@@ -19,7 +19,8 @@ PASSED = said(
 )
 AT_B = said(
     "The rod, hinged at both ends, takes a force along itself only; the guide, without friction, presses "
-    "square to itself. So P′ is resolved into Q along the rod and N square to the guide, the pressure on it."
+    "square to itself. So P′ is resolved into Q along the rod and N square to the guide, the pressure on it. "
+    "N = P′·tan β is nought where β is, and grows with λ = R/l, as β does."
 )
 AT_A = said(
     "Q may be carried along its line from B to A, to the crank pin. There it is resolved into T square to the"
@@ -59,7 +60,13 @@ TWO_MASSES = said(
 BY_PLAN = said("By the plan of accelerations in position {position}:")
 BY_SERIES = said(
     "By the book a = ω²·R·(cos φ + λ·cos 2φ) and {P_in} = −m·a, formula (349), which is the sum of two "
-    "orders, formulas (350) and (351): projections of vectors that turn once and twice as fast as the crank."
+    "orders, formulas (350) and (351): projections of vectors that turn once and twice as fast as the crank, "
+    "with periods of a turn and of half a turn. The minus holds as φ is counted from the dead centre at the "
+    "cover."
+)
+USUAL = said("Here {share} of it is counted at the crosshead, as is usual.")
+UNUSUAL = said(
+    "Here {share} of it is counted at the crosshead, which is out of the usual 0.25 … 0.33."
 )
 WORKED = said("Inertia at the dead centres and at right angles")
 RESULTING = said("Force on the crosshead with inertia; triangles of forces")

@@ -56,6 +56,8 @@ def graph_title(view: str, constant: str, speech: Speech, *, given: bool = False
 SYMBOLS = (
     ("M_r", said("reduced moment"), "N·m"),
     ("A", said("work"), "J"),
+    ("A_{ex}", said("largest excess work"), "J"),
+    ("p_{max}", said("highest pressure of the diagram"), "Pa"),
     ("T", said("kinetic energy"), "J"),
     ("J_F", said("moment of inertia of the flywheel"), "kg·m²"),
     ("δ", said("coefficient of irregularity"), ""),

@@ -14,7 +14,6 @@ from typing import NamedTuple
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.formula import formula
 from graphic_tmm.board.graphs import Axes, Base, Boundaries, Pole
 from graphic_tmm.board.operations.energetics import (
     added,
@@ -24,7 +23,7 @@ from graphic_tmm.board.operations.energetics import (
     moment_of_resistance,
     reduced_moment,
 )
-from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
+from graphic_tmm.board.operations.formulas import cycle_per_mm, to_board, turn_per_mm
 from graphic_tmm.board.operations.graphs import highest, lowest
 from graphic_tmm.board.operations.instruments import (
     join,
@@ -161,13 +160,6 @@ def draw_flywheel(
         second,
         rim,
     )
-
-
-@formula(
-    why=said("The base of the graph stands for the whole cycle of {turns} turns, 2π rad each.")
-)
-def cycle_per_mm(turns: Number, base: Length) -> Number:
-    """2π·{turns}/{base}"""
 
 
 def angle_per_mm(draft: Draft, length: Mark, turns: int) -> Mark:

@@ -9,6 +9,7 @@ from graphic_tmm.chapters.forces.captions import called
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
+from graphic_tmm.chapters.forces.note_lever import applied, compared
 from graphic_tmm.chapters.forces.note_sums import Kept, sums
 from graphic_tmm.chapters.forces.plan import FORCES, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon
@@ -25,6 +26,7 @@ from graphic_tmm.note.bricks import (
     columns,
     filled,
     heading,
+    referred,
     worked,
 )
 from graphic_tmm.note.document import (
@@ -43,7 +45,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import WALL, in_hand, is_figure, picture
-from graphic_tmm.note.plans import listed, section, shown_and_listed
+from graphic_tmm.note.plans import at_position, listed, section, shown_and_listed
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.readers.writing import decimals_of
 
@@ -130,16 +132,19 @@ class _Page:
             yield Display(found)
 
     def lever(self) -> Iterator[Block]:
-        """Yield what is told of the lever: its figure, its moments, its protocol, what it comes to."""
-        language = self.language
-        title = captions(language)[LEVER]
-        yield heading(title)
-        found = section(self.drawn, LEVER, self.at, language)
-        told = () if found is None else (found,)
-        blocks = list(shown_and_listed(told, LEVER, title, language, self.figures(LEVER)))
-        yield from blocks[:1]
-        yield from self.moments(iter(lever_rows(self.writer, self.made)), letters=True)
-        yield from blocks[1:]
+        """Yield what is told of the lever: how loads stand on it, its figure, its moments, the comparison."""
+        language, made = self.language, self.made
+        yield heading(captions(language)[LEVER])
+        shown = self.figures(LEVER)
+        if shown:
+            yield referred(shown, language)
+        told = at_position(self.drawn, LEVER, self.at, language)
+        if told is not None:
+            yield from applied(told, made.lever)
+        yield from shown
+        yield from self.moments(iter(lever_rows(self.writer, made)))
+        if told is not None:
+            yield from compared(told, made.difference)
 
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:

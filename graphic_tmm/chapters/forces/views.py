@@ -254,7 +254,8 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             language,
             high,
         )
-        times = f"{made.lever.times.name} = {number(_value(drawn, made.lever.times), language)}"
+        larger = number(_value(drawn, made.lever.times), language)
+        times = _("enlargement {k} = {larger}", k=made.lever.times.name, larger=larger)
         lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
         heading = f"{_('Equations of the lever')}, {at}"
         rows = lever_rows(_writer(drawn, place), made)

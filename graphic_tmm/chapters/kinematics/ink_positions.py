@@ -42,6 +42,8 @@ TRACELESS = frozenset({REFINE})
 """Operations of these plans that leave no trace: angles that are tried out, each on a board of its own."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
+AHEAD = 20.0
+"""So many degrees ahead of the crank it begins at least, and that of ε1 behind it."""
 PAIR = 2.2
 """How far the sign of a pair reaches, with some room, mm."""
 HEAVY, FULL, THIN = ("rod", "main"), ("medium", "medium"), ("thin", "thin")
@@ -62,13 +64,15 @@ def draw_positions_ink(
     title: str,
     driver: int = 1,
     extremes: Sequence[int] = (),
+    gaining: int = 0,
     heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the plan of positions.
 
     ``reaches``: how far each guide is used, mm; ``main``: the index of the position drawn heavy, ``extremes``:
     of those in full line, ``skipped``: of those that cannot be drawn; ``crank``: the marks of its pivot and
-    pin; ``sense``: of its rotation; ``driver``: the number of its link.
+    pin; ``sense``: of its rotation, ``gaining``: of its angular acceleration, 0 if it has none; ``driver``: the
+    number of its link.
     """
     places = [i for i in range(len(names)) if i not in skipped]
     ink = PositionsInk(construction, reading, reaches, places)
@@ -79,19 +83,25 @@ def draw_positions_ink(
         if index != main:
             strokes += ink.thin(index, FULL if index in full else THIN)
     strokes += ink.heavy(main)
-    strokes += ink.turning(crank, sense, main)
+    turns = [(f"ω_{driver}", ink.bow(crank, sense, main), sense)]
+    if gaining:
+        turns.append((f"ε_{driver}", ink.gain(crank, sense, main, gaining), gaining))
+    for _, bow, way in turns:
+        strokes += body(
+            round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP), "turning", crank, main
+        )
     letters = ink.letters((ink.frame.name, *ink.names), main, heights.point)
     pins = ink.numbers(crank, names, heights.number)
-    bow = ink.bow(crank, sense, main)
-    speed = Wanted(f"ω_{driver}", bow.middle, heights.point, 1.0, bow.out, (crank[0].slot,), main)
+    of = (crank[0].slot,)
+    speeds = [Wanted(n, b.middle, heights.point, 1.0, b.out, of, main) for n, b, _ in turns]
     wanted = [
         *letters,
-        speed,
+        *speeds,
         *pins,
         *guide_names(ink, main, heights.number),
         *path_numbers(ink, crank, names, places, [main, *full], heights.number),
     ]
-    circled = link_numbers(ink, main, strokes, [*letters, speed, *pins], heights.number)
+    circled = link_numbers(ink, main, strokes, [*letters, *speeds, *pins], heights.number)
     strokes += [stroke for one in circled for stroke in one.strokes]
     return Drawing(
         PLAN,
@@ -137,9 +147,12 @@ def _stays(step: Step) -> bool:
     return step.it.kind is Curve
 
 
-def clear_start(reach: float, bearing: float, sense: int) -> float:
-    """Return where the arrow of ω1 begins (degrees): ahead of the crank, clear of the foot of its pivot."""
-    starts = [bearing + sense * ahead for ahead in range(20, 341 - int(SWEEP), 10)]
+def clear_start(reach: float, bearing: float, sense: int, first: float = AHEAD) -> float:
+    """Return where the arrow of ω1 begins (degrees): ahead of the crank, clear of the foot of its pivot.
+
+    ``first``: so many degrees ahead, or more.
+    """
+    starts = np.arange(first, max(first + 1.0, 341.0 - SWEEP), 10.0) * sense + bearing
 
     def clear(start: float) -> bool:
         turns = np.radians(start + sense * np.linspace(-5.0, SWEEP + 5.0, 15))
@@ -147,7 +160,7 @@ def clear_start(reach: float, bearing: float, sense: int) -> float:
         below = (np.abs(x) < GROUND_LENGTH / 2 + 1.0) & (y < 0.0)
         return not below.any()
 
-    return next((start for start in starts if clear(start)), starts[0])
+    return float(next((start for start in starts if clear(start)), starts[0]))
 
 
 class Bow(NamedTuple):
@@ -202,18 +215,24 @@ class PositionsInk(LinksInk):
         pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
         return [*body([circle("thin", pivot, abs(pin - pivot))], "circle", crank)]
 
-    def turning(self, crank: tuple[Mark, Mark], sense: int, main: int) -> list[Ink]:
-        """The arrow that tells which way the crank turns."""
-        bow = self.bow(crank, sense, main)
-        arrow = round_arrow(bow.centre, bow.radius, bow.start, sense * SWEEP)
-        return [*body(arrow, "turning", crank, main)]
-
     def bow(self, crank: tuple[Mark, Mark], sense: int, main: int) -> Bow:
-        """Where that arrow stands."""
+        """Where the arrow stands that tells which way the crank turns."""
+        return self._bow(crank, sense, main, AHEAD)
+
+    def gain(self, crank: tuple[Mark, Mark], sense: int, main: int, gaining: int) -> Bow:
+        """Where that of its angular acceleration stands: behind the other, one way or the other."""
+        pivot, pin = (self.at(mark, main) for mark in crank)
+        ahead = sense * (
+            self.bow(crank, sense, main).start - math.degrees(cmath.phase(pin - pivot))
+        )
+        found = self._bow(crank, sense, main, ahead + SWEEP + AHEAD)
+        return found if gaining == sense else found._replace(start=found.start + sense * SWEEP)
+
+    def _bow(self, crank: tuple[Mark, Mark], sense: int, main: int, first: float) -> Bow:
         pivot, pin = (self.at(mark, main) for mark in crank)
         reach = min(10.0, 0.6 * abs(pin - pivot))
         bearing = float(np.degrees(np.angle(pin - pivot)))
-        start = clear_start(reach, bearing, sense)
+        start = clear_start(reach, bearing, sense, first)
         out = cmath.rect(1.0, math.radians(start + sense * SWEEP / 2))
         return Bow(pivot, reach, start, pivot + reach * out, out)
 

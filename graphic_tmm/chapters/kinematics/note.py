@@ -13,7 +13,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, worked
 from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture, readable
-from graphic_tmm.note.plans import listed, plan
+from graphic_tmm.note.plans import listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
@@ -29,7 +29,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
     shown = _positions(drawn, language)
     yield from listed(drawn, POSITIONS, at, language, shown, known=known)
     for view in (VELOCITIES, ACCELERATIONS):
-        yield from plan(drawn, view, at, language, _plan(drawn, view, at, language), known=known)
+        yield from listed(drawn, view, at, language, _plan(drawn, view, at, language), known=known)
     yield from columns(drawn, kinematic_columns(drawn), language)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.ink_plans import (
@@ -58,6 +60,7 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         skipped=(*drawn.undrawn, *made.repeated),
         crank=made.crank,
         sense=made.sense,
+        gaining=_gaining(drawn),
         title=words["positions"],
         heights=heights(drawn.scene, POSITIONS),
     )
@@ -65,6 +68,13 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     size = heights(drawn.scene, POSITIONS)
     leading = done._replace(stand=Stand(kind="lead"))
     return [captioned(leading, words["positions"], mu, heights=size)]
+
+
+def _gaining(drawn: Drawn) -> int:
+    """Return the sense of the crank's angular acceleration, 0 if it turns evenly."""
+    mechanism = drawn.scene.mechanism
+    gains = mechanism.drive.acceleration if mechanism is not None else 0.0
+    return int(np.sign(gains))
 
 
 def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:

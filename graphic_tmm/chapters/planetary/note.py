@@ -13,8 +13,6 @@ from graphic_tmm.note.bricks import filled, result_number, results
 from graphic_tmm.note.document import Block, Runs
 from graphic_tmm.note.sections.chapter import from_log
 
-TRAIN = "planetary"
-"""The view of the train: it is drawn of lines whose like every drawing has."""
 RATIO = said("The ratio of the train is {due} by its teeth and {drawn} as drawn, {apart} apart.")
 NAMES = {
     "due": "planetary_ratio",
@@ -26,7 +24,7 @@ NAMES = {
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of the train: what is measured on it stands where it is measured."""
     own = next(one for one in chapters() if one.name == PLANETARY_TRAIN.chapter)
-    yield from from_log(drawn, own, language, brief=(TRAIN,), tables=False)
+    yield from from_log(drawn, own, language, tables=False)
     yield from results(drawn, own, language)
 
 

@@ -40,15 +40,13 @@ def from_log(
     language: str,
     calculated: Container[str] = (),
     *,
-    brief: Container[str] = (),
     known: Known | None = None,
     tables: bool = True,
 ) -> Iterator[Block]:
     """Yield what the log tells of a chapter: its figures, its plans as a table, its columns, its results.
 
-    ``calculated``: the views of which only is told what is calculated or read; ``brief``: those of which
-    drawing is told where it has a reason that is new. ``known``: what was told before. ``tables``: of its
-    columns and results, too.
+    ``calculated``: the views of which only is told what is calculated or read; of others drawing is told where
+    it has a reason that is new. ``known``: what was told before. ``tables``: of its columns and results, too.
     """
     at = worked(drawn)
     shown = [
@@ -59,7 +57,7 @@ def from_log(
     ]
     known = set() if known is None else known
     found = [
-        section(drawn, view, at, language, known, bare=view in calculated, brief=view in brief)
+        section(drawn, view, at, language, known, bare=view in calculated, brief=True)
         for view in _views(drawn, chapter)
     ]
     sections = [one for one in found if one is not None]

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from support.gallery import asking, drawn
+from support.gallery import asking, drawn, in_usual
 
 from graphic_tmm.chapters.diagrams.beside import BESIDE, CALCULATED
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
@@ -16,7 +16,7 @@ from graphic_tmm.readers.protocol import protocol
 
 @pytest.mark.parametrize("name", asking("diagrams"))
 def test_it_moves_no_mark_of_the_drawing(name: str) -> None:
-    log = drawn(name, exact=True).construction
+    log = in_usual(name).construction
     beside = {step.it for step in log.steps if step.it.view == CALCULATED}
     others = [step for step in log.steps if step.it.view != CALCULATED]
     assert beside
@@ -35,7 +35,7 @@ def test_extra_positions_stand_as_the_chords_of_the_crank_circle_divide_their_in
     name: str,
 ) -> None:
     """Chords are as the sines of half the angles; the angle itself divides the base nearly so."""
-    made = drawn(name, exact=True)
+    made = in_usual(name)
     plans, found = KINEMATICS.on(made), BESIDE.on(made)
     numbers = np.ravel(plans.numbers)
     extra = [k for k in range(plans.count, numbers.size) if abs(numbers[k] % 1.0) > 1e-9]
@@ -53,10 +53,10 @@ def test_extra_positions_stand_as_the_chords_of_the_crank_circle_divide_their_in
 
 def test_some_scene_has_such_a_position_and_tells_it() -> None:
     """Document 003: [6÷*] = [6A*]·[6÷7]/[6A7]."""
-    told = [name for name in asking("diagrams") if BESIDE.on(drawn(name, exact=True)).places]
+    told = [name for name in asking("diagrams") if BESIDE.on(in_usual(name)).places]
     assert told
     for name in told:
-        text = "\n".join(protocol(drawn(name, exact=True), ("diagrams",), None, "ru"))
-        one = BESIDE.on(drawn(name, exact=True)).places[0]
+        text = "\n".join(protocol(in_usual(name), ("diagrams",), None, "ru"))
+        one = BESIDE.on(in_usual(name)).places[0]
         assert f"{one.distance.name} = " in text
         assert "t = 2π/ω_1" in text

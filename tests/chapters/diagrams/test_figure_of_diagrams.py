@@ -9,7 +9,7 @@ import pytest
 from support.boards import drawn_of
 from support.each import each
 from support.flywheels import crank, scene_of
-from support.gallery import asking, drawn
+from support.gallery import asking, in_usual
 from support.graphs import assert_read_off_the_log, graphs
 
 from graphic_tmm.chapters.diagrams.task import KinematicTask
@@ -29,7 +29,7 @@ def assert_graphs(work: Drawn) -> None:
 
 @each("name", GRAPHS)
 def test_graphs_of_the_scenes_are_read_off_the_log(name: str) -> None:
-    assert_graphs(drawn(name, exact=True))
+    assert_graphs(in_usual(name))
 
 
 def test_the_scenes_have_graphs_of_every_chapter() -> None:

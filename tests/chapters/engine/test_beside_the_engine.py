@@ -14,7 +14,7 @@ from support.boards import drawn_of
 from support.gallery import SHEETS, drawn
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED, WORKS_VIEW
+from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED, MASSES, WORKS_VIEW
 from graphic_tmm.chapters.engine.conclusions import concludes
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
@@ -45,7 +45,7 @@ def check(made: Drawn, name: str) -> np.ndarray:
 
 def test_it_moves_no_mark_of_the_drawing() -> None:
     log = exact().construction
-    views = {TRANSFER, CALCULATED, WORKS_VIEW}
+    views = {TRANSFER, CALCULATED, MASSES, WORKS_VIEW}
     beside = [step for step in log.steps if step.it.view in views]
     others = [step for step in log.steps if step.it.view not in views]
     assert min(step.it.slot for step in beside) > max(step.it.slot for step in others)

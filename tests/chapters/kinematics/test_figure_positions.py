@@ -5,10 +5,11 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 from support.boards import drawn_of
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
-from support.gallery import NAMES, drawn
+from support.gallery import NAMES, SHEETS, drawn
 from support.mechanisms import sample
 from support.rewritten import relettered, text_of
 
@@ -16,9 +17,10 @@ from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.ink_positions import TRACELESS
 from graphic_tmm.chapters.kinematics.plan import POSITIONS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.drawing import Bezier, Drawing
+from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 BODIES = {"link", "guide", "slider", "stone", "pair", "point", "centre", "pivot"}
 TAIL = '[hand]\nruler = "exact"\n[[sheet]]\nformat = "A1"\nplace = ["positions"]\n'
@@ -87,3 +89,21 @@ def test_one_position_by_itself_is_a_figure_too(name: str) -> None:
     view = views.plan_at(work, POSITIONS, 2, "x", "X", ())
     assert_is_figure(work, view)
     assert {stroke.position for stroke in view.strokes} <= {None, 2}
+
+
+@pytest.mark.parametrize(("told", "sense"), [("30 rad/s^2", 1), ("-30 rad/s^2", -1)])
+def test_an_arrow_tells_the_sense_of_the_angular_acceleration(
+    told: str, sense: int, tmp_path: Path
+) -> None:
+    text = (SHEETS / "accelerating-crank" / "scene.toml").read_text(encoding="utf-8")
+    file = tmp_path / "scene.toml"
+    body = text.partition("[[sheet]]")[0].replace('"30 rad/s^2"', f'"{told}"')
+    file.write_text(body, encoding="utf-8")
+    (work,) = make(read(file)).boards
+    (view,) = views.position_views(work, True)
+    assert {"ω_1", "ε_1"} <= {one.text for one in view.labels}
+    bows = [
+        s for s in view.strokes if s.part == "turning" and isinstance(s, Stroke) and s.path[0][2]
+    ]
+    assert len(bows) == 2
+    assert [round(np.sign(bow.path[0][2])) for bow in bows] == [1, sense]
