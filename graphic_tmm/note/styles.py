@@ -25,6 +25,7 @@ a { color: #0b4a8f; }
 .centre, .title { text-align: center; }
 .title { font-size: 1.6rem; font-weight: bold; margin: 2rem 0 1rem; }
 .space { height: 2rem; }
+@media (max-width: 48rem) { caption { white-space: normal; } }
 @media print { main { max-width: none; padding: 0; } h1 { break-after: avoid; } }
 @media print { figure { break-inside: avoid; } }
 """
