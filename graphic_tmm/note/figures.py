@@ -16,7 +16,7 @@ FORMAT = "A4"
 """The format whose pens and letters figures are drawn with: a note is held in the hand."""
 WALL, SMALL = "A1", 0.65
 """The format whose letters are larger, and below how much of its size a figure is lettered so."""
-WIDTH, HEIGHT, WHOLE = 165.0, 66.0, 130.0
+WIDTH, HEIGHT, WHOLE = 165.0, 66.0, 120.0
 """Room for a figure on a page, mm: its width, its usual height, the height of a page."""
 SMALLEST, LEAST = 0.45, 0.38
 """A figure takes more of a page than usual before it is made smaller than this, and than the second in any

@@ -7,73 +7,24 @@ from collections.abc import Callable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, NamedTuple
+from typing import Any
 
-from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc, word
-from graphic_tmm.note.document import Beside, Document, Picture, Table
-from graphic_tmm.note.figures import scales_of, sheet_of
-from graphic_tmm.note.numbering import letter_of
-from graphic_tmm.note.pandoc import Outline, Target, raw
-from graphic_tmm.note.styles import APART, CSS, NEARER, TYPST
-from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.note.document import Document, Picture, Table
+from graphic_tmm.note.pandoc import CONTENTS, Outline, Target, Tree, raw
+from graphic_tmm.note.pdf import pdf, typesetter
+from graphic_tmm.note.shown import Drawn, drawn_figures
+from graphic_tmm.note.styles import CSS
 from graphic_tmm.paper.write.svg import svg
 
 FORMATS = ("pdf", "html", "docx", "md")
 """What a note can be written as."""
-CONTENTS = said("Contents")
 PPI = 200.0
 """Dots per inch of the figures of a DOCX."""
 
 _MARKED = re.compile(r"\\|~|&(?=#?\w+;)|:(?=[\w+-]+:)|^-(?=-+$)")
 """What pandoc leaves as it is in Markdown, though it means something there."""
-_SHORT = re.compile(r"(?<=\.\.)\.")
-"""Three points, for which typst has a sign of its own."""
-
-Tree = dict[str, Any]
-
-
-TALL = 30.0
-"""A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
-
-
-SHORT = 14
-"""A table of so many rows stands on one page."""
-
-
-class Drawn(NamedTuple):
-    """A figure ready to be shown: its file's name, its paper, how wide it stands on the page, mm."""
-
-    name: str
-    sheet: Sheet
-    width: float
-    alt: str
-
-    @property
-    def height(self) -> float:
-        """How high it stands on the page, mm."""
-        return self.width * self.sheet.height / self.sheet.width
-
-
-def drawn_figures(document: Document) -> dict[str, Drawn]:
-    """Return the figures of a note by id, each on a paper of its size."""
-    found: dict[str, Drawn] = {}
-    for block in document.blocks:
-        if isinstance(block, Picture | Beside):
-            _draw(block, document.language, found)
-    return found
-
-
-def _draw(block: Picture | Beside, language: str, found: dict[str, Drawn]) -> None:
-    """Enter a figure, or the parts of one, each with its letter."""
-    parts = (block,) if isinstance(block, Picture) else block.parts
-    times = scales_of(parts)
-    for k, (one, larger) in enumerate(zip(parts, times, strict=True)):
-        letter = f"{letter_of(k, language)})" if len(parts) > 1 else ""
-        sheet = sheet_of(one.drawing, language, f"figure-{len(found) + 1}", letter, larger)
-        found[one.id] = Drawn(sheet.name, sheet, round(sheet.width * larger, 1), one.alt)
 
 
 def files(document: Document, stem: str, formats: Sequence[str]) -> dict[str, str | bytes]:
@@ -103,7 +54,7 @@ def refuse_missing(formats: Sequence[str]) -> None:
     pandoc.program()
     for form in formats:
         if form in ("pdf", "docx"):
-            _typst(form)
+            typesetter(form)
 
 
 # ---------------------------------------------------------------- HTML
@@ -255,105 +206,12 @@ def _emphasised(block: Tree, style: str) -> list[Tree]:
     return [{"t": "Para", "c": [strong]}] if style == "title" else [block]
 
 
-# ---------------------------------------------------------------- PDF
-
-
-def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
-    """Return the note as PDF: tagged, with bookmarks, its title and its language."""
-    typst = _typst("pdf")
-
-    def figure(block: Picture | Beside, caption: Tree) -> list[Tree]:
-        parts = [shown[one.id] for one in (block.parts if isinstance(block, Beside) else [block])]
-        told = [
-            f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
-            for one in parts
-        ]
-        image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
-        where = "auto" if max(one.height for one in parts) > TALL else "none"
-        opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
-        closing = raw("typst", f"]) <{block.id}>", block=True)
-        return [raw("typst", opening, block=True), caption, closing]
-
-    contents = f"#contents({quoted(speaking(document.language)(CONTENTS))})"
-    target = Target(
-        "typst",
-        lambda block: raw("typst", ""),
-        lambda outline: [raw("typst", contents, block=True)],
-        lambda: [raw("typst", "#pagebreak(weak: true)", block=True)],
-        ("--wrap=none",),
-        _set,
-        _tabled,
-        _part,
-        figure=figure,
-        word=pandoc.escaped("typst", _SHORT),
-    )
-    body = pandoc.written(document, target).decode("utf-8")
-    head = (
-        f"#set document(title: {quoted(document.title)}, date: none)\n"
-        f"#set text(lang: {quoted(document.language)})\n"
-        f"#let apart = {APART.get(document.language, NEARER)}\n"
-    )
-    with TemporaryDirectory() as folder:
-        home = Path(folder)
-        for one in shown.values():
-            (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
-        (home / "note.typ").write_text(f"{head}{TYPST}{body}", encoding="utf-8")
-        made = typst.compile(
-            str(home / "note.typ"), root=folder, format="pdf", ignore_system_fonts=True
-        )
-    return {f"{stem}.pdf": made}
-
-
-def _set(block: Tree, style: str) -> list[Tree]:
-    """Return a paragraph of the title page as typst sets it."""
-    if style == "space":
-        return [raw("typst", "#v(1fr)", block=True)]
-    if style in (pandoc.RAGGED, pandoc.LEADING):
-        return [raw("typst", f"#{style}[", block=True), block, raw("typst", "]", block=True)]
-    opening = "#great[" if style == "title" else "#centred["
-    return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
-
-
-def _part(heading: Tree) -> list[Tree]:
-    """Return a heading as typst sets it in the middle."""
-    return [raw("typst", "#part[", block=True), heading, raw("typst", "]", block=True)]
-
-
-def _tabled(made: Tree, table: Table) -> list[Tree]:
-    """Return a table as typst sets it: without lines if it has none, on one page if it is short."""
-    if table.long:
-        return [raw("typst", "#long[", block=True), made, raw("typst", "]", block=True)]
-    if table.ruled and not table.apart and len(table.rows) > SHORT:
-        return [made]
-    kind = "bare" if not table.ruled else "apart-whole" if table.apart else "whole"
-    opening = raw("typst", f"#{kind}[", block=True)
-    return [opening, made, raw("typst", "]", block=True)]
-
-
-def quoted(text: str) -> str:
-    """Return a text as typst writes it."""
-    return '"{}"'.format(" ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"'))
-
-
-def _typst(form: str) -> Any:
-    try:
-        import typst
-    except ImportError as error:
-        raise SheetError(
-            said(
-                "a note as {form} needs the package typst: pip install 'graphic-tmm[note]'",
-                form=form,
-            )
-        ) from error
-    return typst
-
-
 # ---------------------------------------------------------------- DOCX
 
 
 def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
     """Return the note as DOCX: formulas are those of a word processor, figures pictures."""
-    typst = _typst("docx")
+    typst = typesetter("docx")
 
     def picture(block: Picture) -> Tree:
         one = shown[block.id]

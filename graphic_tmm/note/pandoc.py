@@ -64,6 +64,9 @@ class Entry(NamedTuple):
 
 Outline = tuple[Entry, ...]
 
+CONTENTS = said("Contents")
+"""The heading of the outline."""
+
 
 class Target(NamedTuple):
     """A format as pandoc is asked for it: its name there, options, and what it has of its own.

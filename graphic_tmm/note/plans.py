@@ -38,12 +38,10 @@ def plan(
     language: str,
     shown: Sequence[Figure] = (),
     known: Known | None = None,
-    *,
-    bare: bool = False,
 ) -> Iterator[Block]:
     """Yield the section of a view: heading, protocol in a position, the figures that show it.
 
-    ``known``: what was told already and is not told again; ``bare``: only what is calculated or read.
+    ``known``: what was told already and is not told again.
     """
     told = at_position(drawn, view, place, language)
     if told is None or not _there(drawn, view):
@@ -51,8 +49,7 @@ def plan(
     yield heading(title_of(drawn.project, view, language))
     if shown:
         yield referred(shown, language)
-    manner = Manner(drawn.scene.turned, _elsewhere(drawn, told), known, bare)
-    yield from protocol_blocks(told, manner)
+    yield from protocol_blocks(told, Manner(drawn.scene.turned, _elsewhere(drawn, told), known))
     yield from shown
 
 

@@ -242,10 +242,10 @@ class _Page:
 
     def row(self, here: Told, step: Step, formula: Formula) -> None:
         """Keep a calculation for the table; what was read is of one kind, whatever it was read with."""
-        told = tex(formula, here.language)
-        if told in self.known:
+        told = {tex(formula, here.language), repr(formula)}
+        if told & self.known:
             return
-        self.known.add(told)
+        self.known |= told
         plain = step.op in PLAIN or not step.op.formula
         kind = step.op.name if step.op.formula else READ
         runs = reason_runs(here, step)

@@ -40,7 +40,7 @@ TYPST = """\
 )
 #set text(
   font: ("Libertinus Serif", "New Computer Modern"),
-  size: 14pt,
+  size: 12pt,
   top-edge: 0.75em,
   bottom-edge: -0.25em,
   hyphenate: true,
@@ -73,9 +73,9 @@ TYPST = """\
 #show heading: set text(hyphenate: false)
 #show heading: set par(justify: false, first-line-indent: 0mm, leading: 0.2em)
 #show heading: set block(above: 0.9em, below: 0.6em)
-#show heading.where(level: 1): set text(size: 16pt)
-#show heading.where(level: 2): set text(size: 14pt)
-#show heading.where(level: 3): set text(size: 14pt, style: "italic", weight: "regular")
+#show heading.where(level: 1): set text(size: 14pt)
+#show heading.where(level: 2): set text(size: 13pt)
+#show heading.where(level: 3): set text(size: 12pt, style: "italic", weight: "regular")
 #show link: set text(fill: black)
 #let contents(title) = {
   align(center, text(size: 16pt, weight: "bold", title))
@@ -90,7 +90,7 @@ TYPST = """\
 }
 #let bare(told) = {
   set table(stroke: none)
-  show table: set text(size: 14pt)
+  show table: set text(size: 12pt)
   told
 }
 #let beside(..parts) = grid(

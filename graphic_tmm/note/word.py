@@ -16,9 +16,8 @@ from typing import NamedTuple
 from xml.sax.saxutils import escape
 
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Break, Document, Paragraph, Table, Text
-from graphic_tmm.note.pandoc import Outline
+from graphic_tmm.note.pandoc import CONTENTS, Outline
 
 EPOCH = (1980, 1, 1, 0, 0, 0)
 """When everything in the file was made: it does not tell."""
@@ -61,22 +60,22 @@ class Style(NamedTuple):
 def _styles(lines: float) -> tuple[Style, ...]:
     """Return the styles that pandoc asks for by name; ``lines``: how far lines stand apart."""
     return (
-        Style("Body Text", 14, first=12.5, line=lines),
-        Style("First Paragraph", 14, first=12.5, line=lines),
+        Style("Body Text", 12, first=12.5, line=lines),
+        Style("First Paragraph", 12, first=12.5, line=lines),
         Style("Compact", 10, "left", line=1.0),
-        Style("heading 1", 16, "left", 18, 10, 12.5, 1.15, bold=True, kept=True, level=1),
-        Style("heading 2", 14, "left", 14, 8, 12.5, 1.15, bold=True, kept=True, level=2),
-        Style("heading 3", 14, "left", 10, 6, 12.5, 1.15, italic=True, kept=True, level=3),
-        Style("Table Caption", 14, "left", 10, 3, line=1.0, kept=True),
-        Style("Image Caption", 14, "center", 3, 12, line=1.0),
-        Style("Figure", 14, "center", 10, 0, line=1.0, kept=True),
-        Style("Captioned Figure", 14, "center", 10, 0, line=1.0, kept=True),
+        Style("heading 1", 14, "left", 18, 10, 12.5, 1.15, bold=True, kept=True, level=1),
+        Style("heading 2", 13, "left", 14, 8, 12.5, 1.15, bold=True, kept=True, level=2),
+        Style("heading 3", 12, "left", 10, 6, 12.5, 1.15, italic=True, kept=True, level=3),
+        Style("Table Caption", 12, "left", 10, 3, line=1.0, kept=True),
+        Style("Image Caption", 12, "center", 3, 12, line=1.0),
+        Style("Figure", 12, "center", 10, 0, line=1.0, kept=True),
+        Style("Captioned Figure", 12, "center", 10, 0, line=1.0, kept=True),
         Style("title", 18, "center", 12, 12, line=1.15, bold=True),
-        Style("centre", 14, "center", 0, 6, line=1.15),
-        Style("signed", 14, "left", 0, 4, line=1.0),
+        Style("centre", 12, "center", 0, 6, line=1.15),
+        Style("signed", 12, "left", 0, 4, line=1.0),
         Style("space", 14, "center", 60, 0, line=1.0),
-        Style("toc 1", 14, "left", 2, 2, line=1.15),
-        Style("toc 2", 14, "left", 1, 1, 6, line=1.15),
+        Style("toc 1", 12, "left", 2, 2, line=1.15),
+        Style("toc 2", 12, "left", 1, 1, 6, line=1.15),
         Style("TOC Heading", 16, "center", 0, 12, line=1.15, bold=True),
         Style("footer", 12, "center", line=1.0),
     )
@@ -237,8 +236,6 @@ def _style(one: Style) -> str:
 
 
 # ---------------------------------------------------------------- contents
-
-CONTENTS = said("Contents")
 
 
 def contents(outline: Outline, language: str) -> str:

@@ -49,7 +49,7 @@ def test_a_docx_is_read_back() -> None:
     assert [round(size.mm) for size in sizes] == [30, 15, 20, 20]
     assert (round(page.page_width.mm), round(page.page_height.mm)) == (210, 297)
     body = found.styles["Body Text"]
-    assert body.font.size.pt == 14
+    assert body.font.size.pt == 12
     assert body.paragraph_format.line_spacing == 1.5
     assert found.core_properties.title == noted(NAME).title
 
@@ -152,7 +152,7 @@ def test_markdown_names_figures_that_are_written_beside_it() -> None:
 
 @pytest.mark.slow
 def test_the_note_of_the_project_has_the_pages_of_a_course_project() -> None:
-    """ГОСТ 7.32: A4, 14 pt, lines one and a half apart; 25 to 35 pages are asked for."""
+    """ГОСТ 7.32: A4, 12 pt, lines one and a half apart; 25 to 35 pages are asked for."""
     data = file_of("project", "pdf")
     found = pypdfium2.PdfDocument(data)
     pages = len(found)

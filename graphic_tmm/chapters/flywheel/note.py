@@ -140,7 +140,7 @@ class FlywheelPage(Page):
         """The mean moment, its power, the excess work, both moments of inertia beside one another."""
         own = self.beside
         yield heading(self._(words.POWER if own.apart is None else words.SECOND))
-        yield from self.calculation(own.moment, own.power, own.excess, own.apart)
+        yield from self.sentences(own.moment, own.power, own.excess, own.apart)
 
     def _rim(self) -> Iterator[Block]:
         """The sizes of the rim, its sketch, and what it does as it is made."""
@@ -161,7 +161,7 @@ class FlywheelPage(Page):
             yield from shown
         if self.beside.rim is not None:
             yield self.says(words.MADE)
-            yield from self.calculation(*self.beside.rim)
+            yield from self.sentences(*self.beside.rim)
 
     def figures(self, *names: str) -> tuple[Picture, ...]:
         """Return those of some figures that are drawn."""

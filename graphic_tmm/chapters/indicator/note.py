@@ -6,7 +6,7 @@ Engine and flywheel tell the gas and what follows from it in the order of their 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import captions
@@ -18,7 +18,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import filled, worked
+from graphic_tmm.note.bricks import filled, heading, worked
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -35,7 +35,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, picture
-from graphic_tmm.note.plans import at_position, plan
+from graphic_tmm.note.plans import at_position, section, shown_and_listed
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks
 from graphic_tmm.note.steps import calculated, reason_runs
 from graphic_tmm.note.widths import broken
@@ -61,10 +61,11 @@ class Page:
     def view(
         self, view: str, shown: tuple[Picture, ...] = (), *, bare: bool = False
     ) -> Iterator[Block]:
-        """Yield what the log tells of a view, with its heading and its figures."""
-        yield from plan(
-            self.drawn, view, self.at, self.language, shown, known=self.known, bare=bare
-        )
+        """Yield what the log tells of a view as a table, with its heading and its figures."""
+        found = section(self.drawn, view, self.at, self.language, self.known, bare=bare)
+        if found is not None:
+            yield heading(found.title)
+            yield from shown_and_listed((found,), view, found.title, self.language, shown)
 
     def alone(self, view: str, *, bare: bool = False) -> Iterator[Block]:
         """Yield what the log tells of a view, without a heading."""
@@ -75,32 +76,40 @@ class Page:
 
     def calculation(self, *marks: Mark | None) -> Iterator[Block]:
         """Yield the formulas of steps with their numbers, each behind its reason; what is known is left out."""
-        for mark in marks:
-            yield from self._step(mark) if mark is not None else ()
+        for reason, formula in self._steps(marks):
+            if reason:
+                yield Paragraph(reason)
+            yield Display(broken(formula))
 
-    def _step(self, mark: Mark) -> Iterator[Block]:
-        told = at_position(self.drawn, mark.view, self.at, self.language)
-        step = told.log.step(mark) if told is not None else None
-        if told is None or step is None or not math.isfinite(told.value(mark)):
-            return
-        formula = calculated(told, step)
-        if formula is None or repr(formula) in self.known:
-            return
-        self.known.add(repr(formula))
-        if step.reason and step.reason not in self.known:
-            self.known.add(step.reason)
-            yield Paragraph(reason_runs(told, step))
-        yield Display(broken(formula))
+    def sentences(self, *marks: Mark | None) -> Iterator[Block]:
+        """Yield the same among words, each formula at the end of what tells its reason."""
+        for reason, formula in self._steps(marks):
+            yield Paragraph((*reason, Text(" "), formula._replace(flat=True), Text(".")))
+
+    def _steps(self, marks: Iterable[Mark | None]) -> Iterator[tuple[Runs, Formula]]:
+        """Yield the reason and the formula of each step, as far as they are not known."""
+        for mark in marks:
+            told = at_position(self.drawn, mark.view, self.at, self.language) if mark else None
+            step = told.log.step(mark) if told is not None and mark is not None else None
+            if told is None or step is None or not math.isfinite(told.value(step.it)):
+                continue
+            formula = calculated(told, step)
+            if formula is None or repr(formula) in self.known:
+                continue
+            self.known.add(repr(formula))
+            new = bool(step.reason) and step.reason not in self.known
+            self.known |= {step.reason} if new else set()
+            yield reason_runs(told, step) if new else (), formula
 
     def hide(self, *marks: Mark | None) -> None:
         """Note formulas as known: they are told elsewhere."""
-        for mark in marks:
-            list(self._step(mark) if mark is not None else ())
+        for _ in self._steps(marks):
+            pass
 
     def again(self, mark: Mark) -> Iterator[Block]:
-        """Yield the formula of a step that was hidden."""
+        """Yield the formula of a step that was hidden, among words."""
         known, self.known = self.known, set()
-        yield from self._step(mark)
+        yield from self.sentences(mark)
         self.known |= known
 
     def number(self, mark: Mark, *, size: bool = False) -> Number:

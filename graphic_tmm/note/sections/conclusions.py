@@ -30,7 +30,7 @@ from graphic_tmm.readers.warnings import warnings
 
 CONCLUSIONS = said("Conclusions")
 EXACTNESS = said("Largest errors of the drawing against the same without error of the ruler")
-SHARES = (0.35, 0.15)
+SHARES = (0.38, 0.12)
 """What the columns take of a page's width, twice."""
 PLAN, ERROR = said("Plan or result"), said("Error, %")
 

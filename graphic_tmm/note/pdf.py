@@ -1,0 +1,142 @@
+"""A note as PDF: pages set by typst from what pandoc writes for it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.note import pandoc
+from graphic_tmm.note.document import Beside, Document, Picture, Table
+from graphic_tmm.note.pandoc import CONTENTS, Target, Tree, raw
+from graphic_tmm.note.shown import Drawn
+from graphic_tmm.note.styles import APART, NEARER, TYPST
+from graphic_tmm.paper.write.svg import svg
+
+TALL = 30.0
+"""A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
+SHORT = 14
+"""A table of so many rows stands on one page."""
+FAULT = "internal error"
+"""How the typesetter calls a fault of its own."""
+
+_SHORT = re.compile(r"(?<=\.\.)\.")
+"""Three points, for which typst has a sign of its own."""
+
+
+def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+    """Return the note as PDF: tagged, with bookmarks, its title and its language."""
+    typst = typesetter("pdf")
+
+    def figure(block: Picture | Beside, caption: Tree) -> list[Tree]:
+        parts = [shown[one.id] for one in (block.parts if isinstance(block, Beside) else [block])]
+        told = [
+            f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
+            for one in parts
+        ]
+        image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
+        where = "floating" if max(one.height for one in parts) > TALL else "none"
+        opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
+        closing = raw("typst", f"]) <{block.id}>", block=True)
+        return [raw("typst", opening, block=True), caption, closing]
+
+    contents = f"#contents({quoted(speaking(document.language)(CONTENTS))})"
+    target = Target(
+        "typst",
+        lambda block: raw("typst", ""),
+        lambda outline: [raw("typst", contents, block=True)],
+        lambda: [raw("typst", "#pagebreak(weak: true)", block=True)],
+        ("--wrap=none",),
+        _set,
+        _tabled,
+        _part,
+        figure=figure,
+        word=pandoc.escaped("typst", _SHORT),
+    )
+    body = pandoc.written(document, target).decode("utf-8")
+    head = (
+        f"#set document(title: {quoted(document.title)}, date: none)\n"
+        f"#set text(lang: {quoted(document.language)})\n"
+        f"#let apart = {APART.get(document.language, NEARER)}\n"
+    )
+    with TemporaryDirectory() as folder:
+        home = Path(folder)
+        for one in shown.values():
+            (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
+        return {f"{stem}.pdf": _compiled(typst, home, f"{head}{TYPST}{body}")}
+
+
+def _compiled(typst: Any, home: Path, source: str) -> bytes:
+    """Return what is set; high figures go where there is room for them, or stand where they are told of.
+
+    The typesetter fails to tag some pages with figures that move (typst, issue 8487): then none does.
+    """
+    for floating in ("auto", "none"):
+        told = f"#let floating = {floating}\n{source}"
+        (home / "note.typ").write_text(told, encoding="utf-8")
+        try:
+            made: bytes = typst.compile(
+                str(home / "note.typ"), root=str(home), format="pdf", ignore_system_fonts=True
+            )
+        except typst.TypstError as error:
+            if floating == "none" or FAULT not in str(error):
+                raise
+        else:
+            return made
+    raise AssertionError(source)
+
+
+def _set(block: Tree, style: str) -> list[Tree]:
+    """Return a paragraph of the title page as typst sets it."""
+    if style == "space":
+        return [raw("typst", "#v(1fr)", block=True)]
+    if style in (pandoc.RAGGED, pandoc.LEADING):
+        return [raw("typst", f"#{style}[", block=True), block, raw("typst", "]", block=True)]
+    opening = "#great[" if style == "title" else "#centred["
+    return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
+
+
+def _part(heading: Tree) -> list[Tree]:
+    """Return a heading as typst sets it in the middle."""
+    return [raw("typst", "#part[", block=True), heading, raw("typst", "]", block=True)]
+
+
+def _tabled(made: Tree, table: Table) -> list[Tree]:
+    """Return a table as typst sets it: without lines if it has none, on one page if it is short."""
+    if table.long:
+        return [raw("typst", "#long[", block=True), made, raw("typst", "]", block=True)]
+    if table.ruled and not table.apart and len(table.rows) > SHORT:
+        return [made]
+    kind = "bare" if not table.ruled else "apart-whole" if table.apart else "whole"
+    opening = raw("typst", f"#{kind}[", block=True)
+    return [opening, made, raw("typst", "]", block=True)]
+
+
+def quoted(text: str) -> str:
+    """Return a text as typst writes it."""
+    return '"{}"'.format(" ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"'))
+
+
+def typesetter(form: str) -> Any:
+    """Return the package that sets PDF, and paints figures.
+
+    Raises
+    ------
+    SheetError
+        If it is not installed; says how to install it.
+    """
+    try:
+        import typst
+    except ImportError as error:
+        raise SheetError(
+            said(
+                "a note as {form} needs the package typst: pip install 'graphic-tmm[note]'",
+                form=form,
+            )
+        ) from error
+    return typst
