@@ -126,10 +126,9 @@ def _measured(columns: Sequence[Column]) -> Iterator[Figures]:
     for column in columns:
         lengths, values = column.told
         roughly = [_worth(column, k, ROUGH, places) for k in range(len(values))]
-        enough = roughly == [_at(x, places) for x in values]
-        fine = ROUGH if enough else FINE
-        value = roughly if enough else [_worth(column, k, FINE, places) for k in range(len(values))]
-        yield Figures([_at(x, fine) for x in lengths], fine, value, places)
+        finely = [_worth(column, k, FINE, places) for k in range(len(values))]
+        fine = ROUGH if roughly == finely else FINE
+        yield Figures([_at(x, fine) for x in lengths], fine, finely, places)
 
 
 def _common(columns: Sequence[Column]) -> int:
