@@ -68,7 +68,7 @@ def picture(drawing: Drawing, language: str, name: str = "") -> Picture:
     The title below it is the caption of the figure; what else is told below it stays where it is.
     """
     titled, told = _below(drawing)
-    title = " ".join(clean(plain(label.text)) for label in titled) or clean(drawing.title)
+    title = " ".join(clean(plain(label.text)) for label in titled) or clean(plain(drawing.title))
     kept = tuple(label for label in drawing.labels if label not in titled)
     bare = drawing._replace(labels=kept, cell=None, apart=None)
     alt = ", ".join([title, *(clean(plain(label.text)) for label in told)])

@@ -102,13 +102,17 @@ def test_what_is_printed_is_in_the_language_asked_for(
     assert bool(RUSSIAN.search(done.stdout)) == russian
 
 
+@pytest.mark.slow
 def test_steps_tell_the_scale_factors_of_the_sheets_in_that_language(tmp_path: Path) -> None:
     """Words are wider in one language than in another, so each has scale factors of its own."""
     for language, mark in (
         ("ru", r"μ_v = ([\d,]+) \(м/с\)/мм"),
         ("en", r"μ_v = ([\d.]+) \(m/s\)/mm"),
     ):
-        assert invoke("draw", "crank-press", "-o", tmp_path, "-l", language).exit_code == 0
-        drawn = set(re.findall(mark, (tmp_path / "crank-press.svg").read_text(encoding="utf-8")))
+        assert (
+            invoke("draw", "crank-press", "-o", tmp_path / language, "-l", language).exit_code == 0
+        )
+        files = (tmp_path / language).glob("*.svg")
+        drawn = {one for file in files for one in re.findall(mark, file.read_text("utf-8"))}
         told = invoke("steps", "crank-press", "-p", "scales", "-l", language).stdout
         assert drawn == set(re.findall(mark, told))

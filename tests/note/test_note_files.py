@@ -160,3 +160,20 @@ def test_the_note_of_the_project_has_the_pages_of_a_course_project() -> None:
     found.close()
     assert (round(width / 72 * 25.4), round(height / 72 * 25.4)) == (210, 297)
     assert 25 <= pages <= 35
+
+
+def test_nothing_of_a_page_is_wider_than_its_window() -> None:
+    """Every table, and every formula that may be long, moves in a box of its own, which keys can reach."""
+    page = file_of("slider-diagrams", "html").decode("utf-8")
+    assert page.count('<div class="wide" tabindex="0"><table') == page.count("<table") > 3
+    assert ".wide { max-width: 100%; overflow-x: auto;" in page
+    for found in re.finditer(r"<math ([^>]*)>(.*?)</math>", page, re.DOTALL):
+        seen = re.sub(r"<annotation.*?</annotation>|<[^>]*>|\s", "", found[2], flags=re.DOTALL)
+        assert ('class="wide" tabindex="0"' in found[1]) == (len(seen) > 30)
+
+
+def test_heads_of_rows_that_are_formulas_are_told_aloud() -> None:
+    page = file_of("slider-diagrams", "html").decode("utf-8")
+    heads = re.findall(r'<th scope="row"[^>]*><math([^>]*)>', page)
+    assert heads
+    assert all('aria-label="' in head for head in heads)

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from support import asked, linkages, parts, sheets_of_random
 from support import hard_mechanisms as hard
+from support.command import invoke
 from support.gallery import CASES, scene
 from support.note_judge import faults, formulas, sum_of
 from support.rewritten import text_of
@@ -119,6 +120,20 @@ def test_a_note_of_a_case_is_right(path: Path) -> None:
     except TmmError:
         return  # it is refused, with its remedy, elsewhere
     assert not list(faults(made, note(made)))
+
+
+@pytest.mark.parametrize("command", [("draw", "-o", "out"), ("note", "-f", "md"), ("table",)])
+def test_what_cannot_be_drawn_is_refused_whatever_its_sheet(
+    command: tuple[str, ...], tmp_path: Path
+) -> None:
+    """No format can be chosen for a mechanism that has no views: what is wrong with it is said."""
+    folded = hard.put(linkages.four_bar(1.0, 2.0, 1.0, 2 + 0j), hard.Frame())
+    auto = TAIL.replace("[[sheet]]", '[[sheet]]\nformat = "auto"')
+    path = written(tmp_path, text_of(folded, 0.0, 8, auto))
+    done = invoke(command[0], path, *command[1:])
+    assert done.exit_code == 2
+    assert "flips_at" in done.stderr
+    assert "a fault of the program" not in done.stderr
 
 
 # The judge can fail.

@@ -31,6 +31,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.tex import spelt, tex
 from graphic_tmm.scene.records import Scene
+from support.notes import words_of
 from support.tex_sums import Unread, Worked, sides_of, worked_out
 
 SPARE = 1.02
@@ -152,32 +153,47 @@ def _repeated(blocks: list[Block], language: str) -> Iterator[str]:
 
 def _words(blocks: list[Block], own: list[str], language: str) -> Iterator[str]:
     for block in blocks:
-        told = [run.text for run in runs_of(block) if isinstance(run, Text)]
-        told += [block.alt] if isinstance(block, Picture) else []
+        runs = list(runs_of(block))
+        told = [_bare("".join(map(_written, runs)), own)]
+        told += [_bare(block.alt, own)] if isinstance(block, Picture) else []
         for words in told:
-            bare = words
-            for name in own:
-                bare = bare.replace(name, " ")
-            yield from (f"{one!r} in {words[:120]!r}" for one in _foreign(bare, language))
+            yield from (f"{one!r} in {words[:120]!r}" for one in _foreign(words, language))
+        told[0] = "  ".join(run.text for run in runs if isinstance(run, Text))
+        for words in told:
             yield from (
                 f"{what} in {words[:120]!r}"
                 for what, shape in NEVER.items()
-                if re.search(shape, bare)
+                if re.search(shape, words)
             )
+
+
+def _written(run: Run) -> str:
+    return run.text if isinstance(run, Text) else run.markup if isinstance(run, Symbol) else " · "
+
+
+def _bare(words: str, own: list[str]) -> str:
+    """Return words without those that are the scene's own, whose letters a note sets as symbols."""
+    words = words.translate(_UNBRACED)
+    for name in own:
+        words = words.replace(name.translate(_UNBRACED), " ")
+    return words
+
+
+_UNBRACED = str.maketrans("", "", "{}")
 
 
 def _foreign(words: str, language: str) -> list[str]:
     """Return the words that are of another language."""
     if language == "ru":
         quoted = re.sub(r'"[^"]*"|\[[^\]]*\]', " ", words)  # what is to be written into a scene
-        found = re.findall(r"(?<![\w_^{])[a-z]{3,}(?![\w_])", quoted)
+        found = re.findall(r"(?<![\w_^])[a-z]{3,}(?![\w_])", quoted)
         return [one for one in found if one not in INTERNATIONAL]
     return re.findall(r"[А-Яа-яё]{2,}", words)
 
 
 def _own(scene: Scene) -> list[str]:
     """Return the words that are the scene's own, the longest first."""
-    found = {scene.title, *scene.title_block.values()}
+    found = {scene.title, *scene.title_block.values(), *words_of(scene.author)}
     if scene.mechanism is not None:
         found |= {link.name or "" for link in scene.mechanism.by_number.values()}
     return sorted(filter(None, found), key=len, reverse=True)
