@@ -10,7 +10,6 @@ from support.notes import looked_up, noted, spoken, stands_for
 from graphic_tmm.chapters.engine.table import engine_columns
 from graphic_tmm.note.document import (
     Block,
-    Display,
     Formula,
     Heading,
     Number,
@@ -55,11 +54,16 @@ def in_order(text: str, *parts: str) -> None:
         at = found
 
 
-def displayed(name: str) -> list[str]:
-    """The letters that formulas on lines of their own begin with."""
-    blocks = walk(noted(name).blocks)
-    formulas = [one for block in blocks if isinstance(block, Display) for one in block.formulas]
-    return [_word(one.sides[0]) for one in formulas if not one.follows]
+def begun(name: str) -> list[str]:
+    """The letters that formulas begin with, in order: on lines of their own and among words."""
+    formulas = [
+        run
+        for block in walk(noted(name).blocks)
+        if not isinstance(block, Table)
+        for run in runs_of(block)
+        if isinstance(run, Formula) and not run.follows
+    ]
+    return [_word(one.sides[0]) for one in formulas]
 
 
 @pytest.mark.parametrize(
@@ -162,7 +166,7 @@ def test_the_flywheel_is_told_in_the_order_of_the_document() -> None:
         "даёт запас",
         "как и требуется",
     )  # fmt: skip
-    formulas = displayed("engine")
+    formulas = begun("engine")
     in_order(" ".join(formulas), "D_{max}", "D_i", "D_{ср}", "m_{м}", "b", "b′", "J′", "δ′")
 
 
