@@ -110,6 +110,7 @@ SYMBOLS: dict[str, str] = {
     "phase_end": FREE,
     "arrival": FREE,
     "accepted": FREE,
+    "whole_mm": FREE,
     "outer_parallel": FREE,
     "extreme_of_two": FREE,
     "stand": FREE,

@@ -13,7 +13,7 @@ from graphic_tmm.drawn import DrawnScene, single
 from graphic_tmm.readers.columns import (
     Column,
 )
-from graphic_tmm.readers.table import scene_columns, scene_results
+from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 
 Key = tuple[str, str, str]
 """Plan, segment, position ("" for a result)."""
@@ -40,9 +40,10 @@ def pointed() -> tuple[str, ...]:
 
 def position_names(made: DrawnScene) -> tuple[str, ...]:
     """Return the numbers of the positions of a scene."""
-    if made.mechanism is not None:
-        return made.mechanism.names
-    return tuple(dict.fromkeys(name for column in scene_columns(made) for name, _ in column.at))
+    row = tuple(name for name, _ in positions_of(made))
+    return row or tuple(
+        dict.fromkeys(name for column in scene_columns(made) for name, _ in column.at)
+    )
 
 
 def cells(made: DrawnScene) -> dict[Key, Cell]:

@@ -74,7 +74,7 @@ def table(
         found = spread_columns(found, joined_columns([(n, some) for n, some, _ in drawn]))
         numbers = spread_results(numbers, joined_results([(n, some) for n, _, some in drawn]))
     told = single(numbers)
-    positions = _positions(made)
+    positions = positions_of(made)
     if form == "csv":
         return as_csv(positions, found, None if made.exact else made.division, comma=comma)
     if form == "text":
@@ -121,7 +121,7 @@ def _scale_key(drawn: Drawn, view: str) -> str:
     return next((key for key in keys if key), plain)
 
 
-def _positions(made: DrawnScene) -> Positions:
+def positions_of(made: DrawnScene) -> Positions:
     """Return the positions of a scene: those of the first board that turns; none of wheels alone."""
     for drawn in made.boards:
         if drawn.board == MECHANISM or any(angle is not None for angle in drawn.project.angles):

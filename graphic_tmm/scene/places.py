@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 
 from graphic_tmm.chapter import MECHANISM, Chapter, chapters, places
 from graphic_tmm.scene.declare import Section
@@ -93,6 +93,12 @@ def asking(one: Chapter) -> Section | None:
 def of_section(section: Section) -> tuple[str, ...]:
     """Return what a sheet can show of what a section asks for."""
     return tuple(place.name for one in chapters() if asking(one) == section for place in one.places)
+
+
+def called_by(section: Section) -> Iterator[str]:
+    """Yield what sheets show of what a section asks for, but for what only a sheet that names it shows."""
+    there = places()
+    yield from (name for name in of_section(section) if there[name][1].rank)
 
 
 def without_mechanism() -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from graphic_tmm.scene.author import Author
 from graphic_tmm.scene.drawing import Scales as Scales
 from graphic_tmm.scene.drawing import SheetOrder as SheetOrder
 from graphic_tmm.scene.mechanism import Task
-from graphic_tmm.scene.places import of_section
+from graphic_tmm.scene.places import called_by
 from graphic_tmm.scene.registry import sections
 
 
@@ -86,7 +86,7 @@ class Scene:
     @property
     def called(self) -> frozenset[str]:
         """What the scene calls for, whether or not a sheet shows it: places of its sections, and plans."""
-        found = {name for one in sections() if one.name in self.tasks for name in of_section(one)}
+        found = {name for one in sections() if one.name in self.tasks for name in called_by(one)}
         if self.row.accelerations:
             found.add("accelerations")
         return self.shown | found

@@ -38,6 +38,8 @@ for module in pkgutil.walk_packages(chapters.__path__, f"{chapters.__name__}."):
 DRAWS, ENOUGH = 60, 10
 IN_DEGREES_PER_MM = ("on_protractor", "off_protractor")
 """Whose ``mu`` is in °/mm."""
+DEGREES_PER_MM = ("degrees_per_mm",)
+"""What are numbers in °/mm."""
 
 
 # ---------------------------------------------------------------- the text and the number
@@ -68,7 +70,7 @@ def _due(made: Formula, values: list[float]) -> tuple[bool, Rounded | None]:
     if made.holds and not worked_out(made.holds, marks):
         return False, None
     due = worked_out(made.text, marks)
-    return True, due / degrees(1.0) if op.leaves is Angle else due
+    return True, due / degrees(1.0) if op.leaves is Angle or made.name in DEGREES_PER_MM else due
 
 
 def _found(op: Operation, values: list[float]) -> float:

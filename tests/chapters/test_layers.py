@@ -20,7 +20,7 @@ LAYERS = (
     ("table", "results", "tables", "scales", "findings", "assumed", "any"),
     ("ink", "outline", "accuracy", "choice", "columns", "verdict"),
     ("views",),
-    ("note",),
+    ("note", "conclusions"),
     ("__init__",),
 )
 

@@ -23,7 +23,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.rules import TRACELESS
 
-ASIDE = (r"forces \S+ \d+", r"\S+-calculation", r"planetary-behind")
+ASIDE = (r"forces \S+ \d+", r"\S+-calculation", r"planetary-behind", r"engine-works")
 """Views that are worked aside and no sheet shows: force polygons of the passes of friction before the last, and
 what is calculated beside a drawing, a reading now and then."""
 SHORT, SHARE = 0.5, 0.01

@@ -71,7 +71,7 @@ def test_engine():
     assert engine.row.accelerations == ("2", "5")
     assert engine.scales == Scales(mu_l=0.005, pa=60.0)
     assert engine.sheets == (SheetOrder("A1", (
-        "positions", "given", "velocities", "flywheel", "accelerations", "equations", "structure",
+        "positions", "given", "velocities", "flywheel", "accelerations", "equations",
         "velocity table")),)  # fmt: skip
 
 
