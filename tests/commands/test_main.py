@@ -278,6 +278,7 @@ def test_whatever_a_scene_says_is_data_on_the_sheet_and_in_the_tables(tmp_path: 
         ('"Двигатель одноцилиндровый"', f'"{NASTY}"'),
         ('"шатун"', f'"{NASTY}"'),
         ('"Динамическое исследование двигателя"', f'"{NASTY}"'),
+        ('"equations", "velocity table"', '"equations", "structure", "velocity table"'),
     ]
     path = edited(tmp_path, *edits)
     meant = tomllib.loads(path.read_text(encoding="utf-8"))["title"]

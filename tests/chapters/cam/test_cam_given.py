@@ -43,6 +43,13 @@ def test_a_rocker_swings_and_a_flat_face_has_a_least_radius(tmp_path: Path) -> N
 
 def test_it_is_told_in_russian_and_stands_on_the_sheet_of_the_cam() -> None:
     texts = {label.text for label in given_table(scene("cam"), board="cam").labels}
-    assert {"Исходные данные: кулачок", "Закон движения", "синусоидальный", "φ_4", "150"} <= texts
+    assert {
+        "Исходные данные:",
+        "кулачок",
+        "Закон движения",
+        "синусоидальный",
+        "φ_4",
+        "150",
+    } <= texts
     _, papers = paper("cam")
     assert [v.name for s in papers for v in s.drawings].count("table-given-cam") == 1
