@@ -74,8 +74,8 @@ def _styles(lines: float) -> tuple[Style, ...]:
         Style("centre", 12, "center", 0, 6, line=1.15),
         Style("signed", 12, "left", 0, 4, line=1.0),
         Style("space", 14, "center", 60, 0, line=1.0),
-        Style("toc 1", 12, "left", 2, 2, line=1.15),
-        Style("toc 2", 12, "left", 1, 1, 6, line=1.15),
+        Style("toc 1", 12, "left", 1, 1, line=1.0),
+        Style("toc 2", 12, "left", 0, 0, 6, line=1.0),
         Style("TOC Heading", 16, "center", 0, 12, line=1.15, bold=True),
         Style("footer", 12, "center", line=1.0),
     )
