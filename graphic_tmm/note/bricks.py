@@ -59,7 +59,7 @@ WIDEST = 0.12
 
 SEE = said("The construction is shown in {}.")
 ALSO = said("Shown besides: {}.")
-TABLED = said("Step by step it stands in {}.")
+TABLED = said("It is worked step by step in {}.")
 
 
 def worked(drawn: Drawn) -> int:
