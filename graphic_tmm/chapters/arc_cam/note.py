@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.formulas import pole_distance, to_board
@@ -18,22 +18,18 @@ from graphic_tmm.chapters.arc_cam.table import arc_columns
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.note.bricks import columns, filled, heading, referred
+from graphic_tmm.note.bricks import columns, heading, referred
 from graphic_tmm.note.document import (
     Block,
-    Display,
-    Formula,
     Item,
     Listed,
     Number,
-    Paragraph,
     Run,
     Text,
 )
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.plans import at_position
-from graphic_tmm.note.steps import Told, calculated
+from graphic_tmm.note.page import Page
+from graphic_tmm.note.steps import Told
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
@@ -43,14 +39,14 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from _Page(drawn, made, language).blocks()
 
 
-class _Page:
+class _Page(Page):
     """A cam given by arcs, and the position that is worked: on the flank of the rise."""
 
     def __init__(self, drawn: Drawn, made: ArcCam, language: str) -> None:
-        self.drawn, self.made, self.language = drawn, made, language
-        self.speech = speaking(language)
         first, second, *_ = made.lie.changes
-        self.at = max(1, round((second - first) / made.lie.work * made.order.parts / 2.0))
+        at = max(1, round((second - first) / made.lie.work * made.order.parts / 2.0))
+        super().__init__(drawn, language, at)
+        self.made = made
         shown = [one for one in readable(drawn, arc_views) if is_figure(one)]
         self.contour, self.graphs = (picture(one, language) for one in shown)
 
@@ -59,65 +55,53 @@ class _Page:
         order = self.made.order
         yield heading(self.speech(words.CONTOUR))
         straight = order.rise.radius is None and order.fall.radius is None
-        yield self._says(words.TANGENTS if straight else words.CIRCLES)
+        yield self.says(words.TANGENTS if straight else words.CIRCLES)
         yield from self._formulas(VIEW, to_board)
         yield from self._formulas(VIEW, f.inside, f.outside)
         yield referred((self.contour,), self.language)
         yield self.contour
         yield heading(self.speech(words.MOTION))
         steps = {FLAT: words.FLAT, ROCKER: words.ROCKER}.get(order.follower, words.ROLLER)
-        yield Listed(tuple(Item("", (self._says(one),)) for one in steps))
-        told = self._of(VIEW)
+        yield Listed(tuple(Item("", (self.says(one),)) for one in steps))
+        told = self._read(VIEW)
         put: dict[str, Run] = {
             "position": Text(self.drawn.names[self.at]),
             "angle": self._angle(),
             "travel": told.number(self.made.follower.travel, unit=True),
         }
-        yield self._says(words.WORKED, put)
+        yield self.says(words.WORKED, put)
         yield from self._diagrams(told)
         yield from columns(self.drawn, arc_columns(self.drawn), self.language)
 
     def _diagrams(self, told: Told) -> Iterator[Block]:
         yield heading(self.speech(words.DIAGRAMS))
-        yield self._says(words.CHORDS)
+        yield self.says(words.CHORDS)
         for view in (VIEWS["V"], VIEWS["A"]):
             yield from self._formulas(view, pole_distance)
         yield referred((self.graphs,), self.language)
         yield self.graphs
         rocks = self.made.order.follower == ROCKER
         where = {"position": Text(self.drawn.names[self.at])}
-        yield self._says(words.PIVOTS if rocks else words.INSTANT, {**where})
-        yield from self._shown(told, self.made.follower.rate)
+        yield self.says(words.PIVOTS if rocks else words.INSTANT, {**where})
+        yield from self.worked_out(told, self.made.follower.rate)
         beside = BESIDE.of(self.drawn)
         if beside is not None:
-            yield from self._shown(self._of(CALCULATED), *beside)
+            yield from self.worked_out(self._read(CALCULATED), *beside)
 
     def _angle(self) -> Number:
         """Return the angle of the cam in the position that is worked, as the table tells it."""
         steps = [step.it for step in self.drawn.construction.steps if step.op is f.part_of_work]
-        return self._of(VIEW).number(next(mark for mark in steps if self._there(mark)))
+        return self._read(VIEW).number(next(mark for mark in steps if self._there(mark)))
 
     def _there(self, mark: Mark) -> bool:
-        return math.isfinite(self._of(VIEW).value(mark))
+        return math.isfinite(self._read(VIEW).value(mark))
 
-    def _of(self, view: str) -> Told:
-        found = at_position(self.drawn, view, self.at, self.language)
+    def _read(self, view: str) -> Told:
+        found = self.of(view)
         assert found is not None
         return found
-
-    def _says(self, told: str, put: Mapping[str, Run] | None = None) -> Paragraph:
-        return Paragraph(filled(self.speech(told), put or {}))
-
-    def _shown(self, told: Told, *marks: Mark) -> Iterator[Block]:
-        found: dict[object, Formula] = {}
-        for step in map(told.log.step, marks):
-            formula = calculated(told, step) if step is not None else None
-            if step is not None and formula is not None:
-                found.setdefault((step.op, step.uses), formula)
-        if found:
-            yield Display(tuple(found.values()))
 
     def _formulas(self, view: str, *ops: Operation) -> Iterator[Block]:
         steps = self.drawn.construction.steps
         marks: Sequence[Mark] = [s.it for s in steps if s.it.view == view and s.op in ops]
-        yield from self._shown(self._of(view), *marks)
+        yield from self.worked_out(self._read(view), *marks)

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
-from graphic_tmm.chapters.cam.note_page import Page
+from graphic_tmm.chapters.cam.note_page import CamPage
 from graphic_tmm.chapters.cam.plan import CAM
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.table import cam_columns
@@ -42,7 +42,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from _Page(drawn, made, language).blocks()
 
 
-class _Page(Page):
+class _Page(CamPage):
     """What is told of a cam."""
 
     def blocks(self) -> Iterator[Block]:
@@ -98,12 +98,12 @@ class _Page(Page):
         yield from self.drawn_as(CENTRE)
         yield self.steps(words.ROLLER)
         yield self.says(words.LEAST)
-        yield from self.shown(told, centre.least)
+        yield from self.worked_out(told, centre.least)
         if centre.apex_radius is not None:
             yield self.says(words.APEX)
-            yield from self.shown(told, centre.apex_radius)
+            yield from self.worked_out(told, centre.apex_radius)
         yield self.says(words.CHOSEN, {"r0": told.number(centre.r0, unit=True)})
-        yield from self.shown(told, centre.radius)
+        yield from self.worked_out(told, centre.radius)
         put: dict[str, Run] = {
             "position": Text(self.position),
             "angle": told.number(centre.pressure),
@@ -116,7 +116,7 @@ class _Page(Page):
         if made.pressure is not None and (told := self.of(PRESSURE)) is not None:
             yield self.says(words.EXTREMES)
             for one in made.pressure.extremes:
-                yield from self.shown(told, one.angle, one.value)
+                yield from self.worked_out(told, one.angle, one.value)
         told = self.of(CURVATURE)
         if told is None:
             return
@@ -129,7 +129,7 @@ class _Page(Page):
             yield from self.formulas(CENTRE, f.flat_radius)
         yield self.says(words.SHARPEST)
         for one in made.curvature.extremes:
-            yield from self.shown(told, one.angle, one.value)
+            yield from self.worked_out(told, one.angle, one.value)
         yield from self.drawn_as("cam-limits")
 
     def _profile(self) -> Iterator[Block]:
@@ -139,7 +139,7 @@ class _Page(Page):
             return
         yield heading(self.speech(words.PROFILE))
         yield self.says(words.ALLOWED)
-        yield from self.shown(told, made.roller.by_r0, made.roller.by_curvature)
+        yield from self.worked_out(told, made.roller.by_r0, made.roller.by_curvature)
         yield self.says(words.TAKEN, {"radius": told.number(made.roller.radius, unit=True)})
         yield from self.formulas(PROFILE, to_board)
         yield self.steps(words.REVERSED)
@@ -153,7 +153,7 @@ class _Page(Page):
             return
         yield heading(self.speech(words.CHECKS))
         yield self.says(words.LEFT)
-        yield from self.shown(told, *beside.left.values())
+        yield from self.worked_out(told, *beside.left.values())
         moving = [one for one in (beside.velocity, beside.acceleration) if one is not None]
         if moving:
             step = told.log.step(moving[0])
@@ -163,7 +163,7 @@ class _Page(Page):
                 "position": Text(self.position),
             }
             yield self.says(words.MOVING, put)
-            yield from self.shown(told, *moving)
+            yield from self.worked_out(told, *moving)
 
     def _results(self) -> Iterator[Block]:
         own = next(one for one in chapters() if one.name == CAM.chapter)

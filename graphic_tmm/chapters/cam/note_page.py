@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Step
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.table import cam_columns
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
-from graphic_tmm.note.bricks import filled, referred
+from graphic_tmm.note.bricks import referred
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -22,14 +21,14 @@ from graphic_tmm.note.document import (
     Item,
     Listed,
     Number,
-    Paragraph,
     Picture,
     Run,
     Source,
     Symbol,
 )
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.plans import at_position, listed
+from graphic_tmm.note.page import Page
+from graphic_tmm.note.plans import listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.readers.told import told as as_told
@@ -46,15 +45,16 @@ LETTERS: dict[str, Run] = {
 """Letters of the drawing that sentences name."""
 
 
-class Page:
+class CamPage(Page):
     """A cam, and the position that is worked: a quarter of the rise, where all of its motion is there."""
 
+    lettered = LETTERS
+
     def __init__(self, drawn: Drawn, made: Cam, language: str) -> None:
-        self.drawn, self.made, self.language = drawn, made, language
-        self.speech = speaking(language)
-        self.known: Known = set()
         rise = made.diagrams.turn.rise
-        self.at = rise.first + max(1, round(rise.parts / 4))
+        super().__init__(drawn, language, rise.first + max(1, round(rise.parts / 4)))
+        self.made = made
+        self.known: Known = set()
         self.position = drawn.names[self.at]
         found = cam_columns(drawn)
         written = zip(found, as_told(found), strict=True)
@@ -63,28 +63,9 @@ class Page:
         shown = [one for one in drawings if is_figure(one)]
         self.figures = {one.name: picture(one, language) for one in shown}
 
-    def says(self, told: str, put: Mapping[str, Run] | None = None) -> Paragraph:
-        """Return a sentence with runs in the places of its names."""
-        return Paragraph(filled(self.speech(told), {**LETTERS, **(put or {})}))
-
     def steps(self, told: Sequence[str]) -> Listed:
         """Return what is done, step by step."""
         return Listed(tuple(Item("", (self.says(one),)) for one in told))
-
-    def of(self, view: str, at: int | None = None) -> Told | None:
-        """Return where the numbers of a view are read in a position: in that which is worked."""
-        place = self.at if at is None else at
-        return at_position(self.drawn, view, place, self.language)
-
-    def shown(self, told: Told, *marks: Mark) -> Iterator[Block]:
-        """Yield the calculations of marks, each as a formula on a line of its own."""
-        found = []
-        for mark in marks:
-            step = told.log.step(mark)
-            formula = calculated(told, step) if step is not None else None
-            found += [formula] if formula is not None else []
-        if found:
-            yield Display(tuple(found))
 
     def formulas(self, view: str, *ops: Operation, first: bool = False) -> Iterator[Block]:
         """Yield the calculations of a view by some operations, each once; ``first``: only that of the first.

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.charts import Chart
-from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams import note_words as words
 from graphic_tmm.chapters.diagrams.beside import BESIDE, CALCULATED
@@ -18,12 +17,10 @@ from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, VIEWS, Kinematic
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol as lettered
 from graphic_tmm.note.bricks import (
     columns,
-    filled,
     greatest,
     heading,
     referred,
@@ -31,11 +28,9 @@ from graphic_tmm.note.bricks import (
 )
 from graphic_tmm.note.document import (
     Block,
-    Display,
     Item,
     Listed,
     Number,
-    Paragraph,
     Picture,
     Ref,
     Run,
@@ -44,8 +39,8 @@ from graphic_tmm.note.document import (
     Text,
 )
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.plans import at_position
-from graphic_tmm.note.steps import Told, calculated
+from graphic_tmm.note.page import Page
+from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.told import told as as_told
 
 
@@ -56,13 +51,12 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from _Page(drawn, made, language).blocks()
 
 
-class _Page:
+class _Page(Page):
     """The diagrams of a point, the position and the interval behind it that are worked in full."""
 
     def __init__(self, drawn: Drawn, made: Kinematic, language: str) -> None:
-        self.drawn, self.made, self.language = drawn, made, language
-        self._, self.beside = speaking(language), BESIDE.on(drawn)
-        self.at = worked(drawn)
+        super().__init__(drawn, language, worked(drawn))
+        self.made, self.beside = made, BESIDE.on(drawn)
         found = tuple(diagram_columns(drawn))
         written = zip(found, as_told(found), strict=True)
         self.columns = {one.segment: (one, figures) for one, figures in written}
@@ -74,7 +68,7 @@ class _Page:
         first, point = self.made.charts[self.first], Text(self.made.order.point)
         wanted = [k for k in ("S", "V", "a") if k in self.made.charts and k != self.first]
         put: dict[str, Run] = {"point": point, "given": self._quantity(first)}
-        yield self._says(words.OF, put)
+        yield self.says(words.OF, put)
         if shown:
             yield referred(shown, self.language)
         yield from self._base()
@@ -89,26 +83,26 @@ class _Page:
     # ------------------------------------------------------------ parts
 
     def _base(self) -> Iterator[Block]:
-        yield heading(self._(words.BASE))
-        told = self._of(CALCULATED)
+        yield heading(self.speech(words.BASE))
+        told = self.of(CALCULATED)
         base, over_time = self.made.base, self.made.order.over == "time"
-        own = self._of(base.length.view)
+        own = self.of(base.length.view)
         if told is None or own is None:
             return
-        yield self._says(words.TIME if over_time else words.ANGLE)
+        yield self.says(words.TIME if over_time else words.ANGLE)
         if over_time:
-            yield from self._shown(told, self.beside.time)
+            yield from self.worked_out(told, self.beside.time)
         by_scale = any(step.it == base.length for step in own.log.steps)
         chosen: dict[str, Run] = {"table": Ref("table-scales")}
-        yield self._says(words.BY_SCALE if by_scale else words.BY_LENGTH, chosen)
-        yield from self._shown(own, base.length if by_scale else base.mu)
+        yield self.says(words.BY_SCALE if by_scale else words.BY_LENGTH, chosen)
+        yield from self.worked_out(own, base.length if by_scale else base.mu)
         put: dict[str, Run] = {"count": Text(str(base.intervals))}
-        yield self._says(words.DIVIDED, put)
-        yield from self._shown(told, self.beside.interval)
+        yield self.says(words.DIVIDED, put)
+        yield from self.worked_out(told, self.beside.interval)
 
     def _laid_off(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
-        told = self._of(chart.view)
+        told = self.of(chart.view)
         if told is None:
             return
         put: dict[str, Run] = {
@@ -118,13 +112,13 @@ class _Page:
             "position": Text(self.drawn.names[self.at]),
         }
         way = words.FROM_VELOCITIES if self.first == "V" else words.FROM_POSITIONS
-        yield self._says(way, put)
-        yield from self._shown(told, self.made.laid)
-        yield self._says(words.SMOOTH)
+        yield self.says(way, put)
+        yield from self.worked_out(told, self.made.laid)
+        yield self.says(words.SMOOTH)
 
     def _derived(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
-        told, source = self._of(chart.view), self._source(chart)
+        told, source = self.of(chart.view), self._source(chart)
         if told is None:
             return
         over = Text("t" if self.made.order.over == "time" else "φ")
@@ -135,8 +129,8 @@ class _Page:
                 f"{lettered(chart.symbol, self.language)} = d{source.symbol}/d{over.text}"
             ),
         }
-        yield self._says(words.DERIVATIVE, put)
-        yield self._says(words.POLE)
+        yield self.says(words.DERIVATIVE, put)
+        yield self.says(words.POLE)
         yield from self._pole(told, chart)
         if chart.symbol in self.made.middles:
             yield from self._chords(chart, source)
@@ -146,7 +140,7 @@ class _Page:
 
     def _chords(self, chart: Chart, source: Chart) -> Iterator[Block]:
         yield self._list(words.CHORDS, source, chart)
-        told, middle = self._of(CALCULATED), self.beside.middles[chart.symbol]
+        told, middle = self.of(CALCULATED), self.beside.middles[chart.symbol]
         called = intervals(self.drawn, self.made)
         if told is None or not called:
             return
@@ -156,26 +150,26 @@ class _Page:
             "interval": Text(called[k]),
             "length": here.number(middle.ordinate, unit=True),
         }
-        yield self._says(words.INTERVAL, put)
-        yield from self._shown(here, middle.value)
+        yield self.says(words.INTERVAL, put)
+        yield from self.worked_out(here, middle.value)
         places = self.columns[chart.symbol][1].places
         yield from middles_table(told, chart, middle, called, places)
 
     def _integrated(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
-        told = self._of(chart.view)
+        told = self.of(chart.view)
         if told is None:
             return
         put: dict[str, Run] = {
             "of": self._quantity(chart),
             "given": self._quantity(self.made.charts["V"]),
         }
-        yield self._says(words.INTEGRAL, put)
+        yield self.says(words.INTEGRAL, put)
         yield from self._pole(told, chart)
         yield self._list(words.SUCCESSION, self.made.charts["V"], chart)
         yield from self._worked(told, chart)
         if chart.end is not None:
-            yield self._says(words.CLOSURE, {"end": told.number(chart.end, unit=True)})
+            yield self.says(words.CLOSURE, {"end": told.number(chart.end, unit=True)})
 
     def _worked(self, told: Told, chart: Chart) -> Iterator[Block]:
         """Yield the ordinate of a diagram in the position that is worked, and what it stands for."""
@@ -192,21 +186,21 @@ class _Page:
             "mu": told.number(chart.mu, unit=True),
             "value": Number(quantity, column.unit, source._replace(factor=1), value),
         }
-        yield self._says(words.READ, put)
+        yield self.says(words.READ, put)
 
     def _places(self) -> Iterator[Block]:
         """Yield where positions outside the row stand on the base."""
-        told = self._of(CALCULATED)
+        told = self.of(CALCULATED)
         if told is None or not self.beside.places:
             return
-        yield self._says(words.EXTRA)
+        yield self.says(words.EXTRA)
         for place in self.beside.places:
-            yield from self._shown(told, place.distance)
+            yield from self.worked_out(told, place.distance)
 
     def _results(self) -> Iterator[Block]:
         found = tuple(column for column, _ in self.columns.values())
         compared = any(c.segment.endswith("_plan") and c.segment[0] != self.first for c in found)
-        yield heading(self._(words.COMPARED if compared else words.RESULTS))
+        yield heading(self.speech(words.COMPARED if compared else words.RESULTS))
         yield from columns(self.drawn, found, self.language)
         for column in found:
             if column.segment in self.made.charts and (
@@ -217,38 +211,28 @@ class _Page:
                     "value": most[0],
                     "position": Text(most[1]),
                 }
-                yield self._says(words.GREATEST, put)
+                yield self.says(words.GREATEST, put)
 
     # ------------------------------------------------------------ bricks
 
-    def _says(self, told: str, put: dict[str, Run] | None = None) -> Paragraph:
-        return Paragraph(filled(self._(told), put or {}))
-
     def _list(self, steps: Sequence[str], source: Chart, chart: Chart) -> Block:
         """Return how a diagram is drawn, step by step; of a second one that it is drawn alike."""
-        told, pole = self._of(chart.view), self.made.poles[chart.symbol]
+        told, pole = self.of(chart.view), self.made.poles[chart.symbol]
         put: dict[str, Run] = {
             "given": self._quantity(source),
             "of": self._quantity(chart),
             "distance": told.number(pole, unit=True) if told is not None else Text(""),
         }
         if steps in self.told:
-            return self._says(words.ALIKE, put)
+            return self.says(words.ALIKE, put)
         self.told.add(steps)
-        return Listed(tuple(Item("", (self._says(one, put),)) for one in steps))
+        return Listed(tuple(Item("", (self.says(one, put),)) for one in steps))
 
     def _pole(self, told: Told, chart: Chart) -> Iterator[Block]:
         """Yield how the pole distance follows from the scale factors, or one of these from it."""
         for step in told.log.steps:
             if step.it in (chart.mu, self.made.poles[chart.symbol]):
-                yield from self._shown(told._replace(view=step.it.view), step.it)
-
-    def _shown(self, told: Told, mark: Mark) -> Iterator[Block]:
-        """Yield the calculation of a mark as a formula on a line of its own."""
-        step = told.log.step(mark)
-        formula = calculated(told, step) if step is not None else None
-        if formula is not None:
-            yield Display((formula,))
+                yield from self.worked_out(told._replace(view=step.it.view), step.it)
 
     def _is_integral(self, symbol: str) -> bool:
         return symbol == "S" and self.first == "V"
@@ -263,9 +247,6 @@ class _Page:
         return heading(
             captions(self.language)[VIEWS[chart.symbol]].format(point=self.made.order.point)
         )
-
-    def _of(self, view: str) -> Told | None:
-        return at_position(self.drawn, view, self.at, self.language)
 
     def _figures(self) -> tuple[Picture, ...]:
         shown = readable(self.drawn, diagram_views)

@@ -17,7 +17,7 @@ from graphic_tmm.chapters.engine.views import (
     transfer_views,
 )
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
-from graphic_tmm.chapters.indicator.note import Page, gas
+from graphic_tmm.chapters.indicator.note import Worked, gas
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
@@ -48,7 +48,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from _Engine(drawn, made, language).blocks()
 
 
-class _Engine(Page):
+class _Engine(Worked):
     """An engine as drawn, the position that is worked in full, the figures of it."""
 
     def __init__(self, drawn: Drawn, made: Engine, language: str) -> None:
@@ -75,7 +75,7 @@ class _Engine(Page):
 
     def _transfer(self) -> Iterator[Block]:
         """What goes on to rod and guide, pin and bearing: formulas (339) to (344)."""
-        yield heading(self._(words.TRANSFER))
+        yield heading(self.speech(words.TRANSFER))
         shown = self.figures(TRANSFER)
         put: dict[str, Run] = {
             "position": self.position,
@@ -93,7 +93,7 @@ class _Engine(Page):
 
     def _acting(self) -> Iterator[Block]:
         """The five forces on cylinder, bearings, crank and guide; what closes in the frame."""
-        yield heading(self._(words.FIVE))
+        yield heading(self.speech(words.FIVE))
         values, moment = self.made.values, self.made.values["M"]
         items: tuple[tuple[str, dict[str, Mark]], ...] = (
             (words.ON_COVER, {"force": values["P"]}),
@@ -112,11 +112,11 @@ class _Engine(Page):
         yield self._told(words.FRAME, {"arm": arm.uses[1]})
 
     def _told(self, told: str, marks: Mapping[str, Mark]) -> Paragraph:
-        return self.says(told, **{k: self.number(mark, size=True) for k, mark in marks.items()})
+        return self.says(told, {k: self.number(mark, size=True) for k, mark in marks.items()})
 
     def _inertia(self) -> Iterator[Block]:
         """Masses, accelerations, inertia forces of both orders: formulas (345) to (351)."""
-        yield heading(self._(words.INERTIA))
+        yield heading(self.speech(words.INERTIA))
         yield self.says(words.METHOD, P_in=self.inertia)
         lumped, values = self.made.lumped, self.made.values
         if lumped.at_crank is not None:
@@ -160,7 +160,7 @@ class _Engine(Page):
 
     def _resulting(self) -> Iterator[Block]:
         """The force with inertia, and the triangles of the worked position: formula (352)."""
-        yield heading(self._(words.RESULTING))
+        yield heading(self.speech(words.RESULTING))
         yield self.says(words.INSTEAD, P_in=self.inertia)
         yield from self.calculation(self.made.values["P"], self.made.values["P′"])
         shown = self.figures(f"{VIEW}-{self.drawn.names[self.at]}")
@@ -175,7 +175,7 @@ class _Engine(Page):
 
     def _turn(self) -> Iterator[Block]:
         """The graphs over a turn, the table of all positions, the works of T and P."""
-        yield heading(self._(words.OVER_A_TURN))
+        yield heading(self.speech(words.OVER_A_TURN))
         yield from self.again(self.made.turning[0].base.mu)
         views = [
             view

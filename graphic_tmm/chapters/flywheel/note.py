@@ -11,7 +11,7 @@ from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
 from graphic_tmm.chapters.flywheel.table import flywheel_columns
 from graphic_tmm.chapters.flywheel.views import flywheel_views
-from graphic_tmm.chapters.indicator.note import Page, gas
+from graphic_tmm.chapters.indicator.note import Worked, gas
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
@@ -31,7 +31,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from page.blocks(list(flywheel_columns(drawn)), FLYWHEEL.chapter)
 
 
-class FlywheelPage(Page):
+class FlywheelPage(Worked):
     """A flywheel as drawn, what was calculated beside it, its figures by name."""
 
     def __init__(
@@ -124,7 +124,7 @@ class FlywheelPage(Page):
         constant = words.RESISTING if self.made.order.constant == "resisting" else words.DRIVING
         title = self.view(VIEWS["work"])
         yield next(title)
-        yield self.says(words.STEADY, constant=Text(self._(constant)))
+        yield self.says(words.STEADY, constant=Text(self.speech(constant)))
         yield from title
 
     def _energies(self) -> Iterator[Block]:
@@ -139,7 +139,7 @@ class FlywheelPage(Page):
     def _compared(self) -> Iterator[Block]:
         """The mean moment, its power, the excess work, both moments of inertia beside one another."""
         own = self.beside
-        yield heading(self._(words.POWER if own.apart is None else words.SECOND))
+        yield heading(self.speech(words.POWER if own.apart is None else words.SECOND))
         yield from self.sentences(own.moment, own.power, own.excess, own.apart)
 
     def _rim(self) -> Iterator[Block]:
@@ -147,14 +147,14 @@ class FlywheelPage(Page):
         rim = self.made.rim
         if rim is None:
             return
-        yield heading(self._(words.RIM))
+        yield heading(self.speech(words.RIM))
         for mark in (rim.limit, rim.inner, rim.mean, rim.mass, rim.width):
             yield from self.again(mark)
             if mark == rim.limit:
                 speed = self.drawn.construction.step(mark)
                 assert speed is not None
                 put = {"speed": speed.uses[0], "most": mark, "outer": rim.outer}
-                yield self.says(words.LIMIT, **{k: self.number(one) for k, one in put.items()})
+                yield self.says(words.LIMIT, {k: self.number(one) for k, one in put.items()})
         shown = self.figures("flywheel")
         if shown:
             yield referred(shown, self.language)

@@ -14,11 +14,10 @@ from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import filled, heading, worked
+from graphic_tmm.note.bricks import heading, worked
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -26,7 +25,6 @@ from graphic_tmm.note.document import (
     Number,
     Paragraph,
     Picture,
-    Run,
     Runs,
     Source,
     Symbol,
@@ -35,6 +33,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.page import Page
 from graphic_tmm.note.plans import at_position, section, shown_and_listed
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks
 from graphic_tmm.note.steps import calculated, reason_runs
@@ -45,18 +44,12 @@ from graphic_tmm.readers.text import column_name
 from graphic_tmm.readers.told import decimals
 
 
-class Page:
+class Worked(Page):
     """The position that is worked in full; ``known``: what was told already, formulas and reasons among it."""
 
     def __init__(self, drawn: Drawn, language: str) -> None:
-        self.drawn, self.language = drawn, language
-        self._ = speaking(language)
-        self.at = worked(drawn)
+        super().__init__(drawn, language, worked(drawn))
         self.known: Known = set()
-
-    def says(self, told: str, **put: Run) -> Paragraph:
-        """Return a paragraph of the package's words with runs in the places of its names."""
-        return Paragraph(filled(self._(told), put))
 
     def view(
         self, view: str, shown: tuple[Picture, ...] = (), *, bare: bool = False
@@ -149,14 +142,14 @@ class Page:
             (text(self.drawn.names[k]), *(self.cell(one, k, mm=mm) for one, mm in some))
             for k in places
         )
-        return Table(id, text(self._(title)), tuple(heads), body, "c" * len(heads))
+        return Table(id, text(self.speech(title)), tuple(heads), body, "c" * len(heads))
 
     def letters(self, *lines: str) -> Display:
         """Return lines of letters alone."""
         return Display(tuple(Formula((Symbol(symbol(line, self.language)),)) for line in lines))
 
 
-def gas(page: Page, by: str) -> Iterator[Block]:
+def gas(page: Worked, by: str) -> Iterator[Block]:
     """Yield the indicator diagram: its division, pressures, areas, the force; the scale of the stroke."""
     views = indicator_views(in_hand(page.drawn), True, by)
     shown = tuple(picture(view, page.language) for view in views)
